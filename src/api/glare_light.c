@@ -8,6 +8,7 @@
 #include "../base/vector.h"
 #include "../format/photometry_area.h"
 #include "../light/distribution.h"
+#include "../light/elliptic.h"
 #include "../light/extended.h"
 #include "../light/light.h"
 #include "../light/totals.h"
@@ -31,7 +32,8 @@ static double area_seen(const struct lx_emitter *emitter, const double from_sour
                  axis[3] = {emitter->axis.x.value, emitter->axis.y.value, emitter->axis.z.value};
     const struct lx_pointed *pointed = emitter->profile.luminaire;
     const double along = lx_dot(axis, from_source);
-    switch (emitter->type) {
+    const bool is_of_file = emitter->type == LX_POINT || lx_is_elliptic(emitter);
+    switch (is_of_file ? LX_POINT : emitter->type) {
     case LX_FACETS: return faces_seen(emitter->facets, from_source) / 1e6;
     case LX_DISK: return M_PI * radius * radius * fmax(0, along) / 1e6;
     case LX_BALL: return M_PI * radius * radius / 1e6;
@@ -42,7 +44,7 @@ static double area_seen(const struct lx_emitter *emitter, const double from_sour
     case LX_POINT: break;
     default: return 0;
     }
-    if (!pointed)
+    if (!pointed || emitter->is_back)
         return 0;
     const lx_bounded3 *const ways[3] = {&pointed->axis, &pointed->c0, &pointed->across};
     double direction[3];

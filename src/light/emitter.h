@@ -49,7 +49,8 @@ struct lx_emitter {
     struct lx_facets *facets; /* of LX_FACETS; belongs to the list that the emitter is in */
     double center_mm[3];      /* of a disk, ball, cylinder */
     double radius_mm, height_mm;
-    lx_bounded3 axis; /* unit: the way a disk shines; along a cylinder */
+    double radii_mm[3]; /* all 0 but of one that is not round (elliptic.h) */
+    lx_bounded3 axis;   /* unit: the way a disk shines; along a cylinder */
 };
 
 /* The polynomial law at a distance. */

@@ -2,6 +2,7 @@
 /* Extended emitters by their kind. */
 #include <stdlib.h>
 
+#include "elliptic.h"
 #include "extended.h"
 #include "facets.h"
 #include "round.h"
@@ -15,7 +16,8 @@ void lx_facets_free(struct lx_facets *facets)
 static bool is_within(const struct lx_emitter *emitter, lx_bounded3 place_mm)
 {
     const lx_bounded3 offset = lx_sub3(lx_exact3(emitter->center_mm), place_mm);
-    return lx_is_opening(emitter) && emitter->type == LX_BALL && lx_length3(offset).value < emitter->radius_mm;
+    return lx_is_opening(emitter) && emitter->type == LX_BALL && !lx_is_elliptic(emitter) &&
+           lx_length3(offset).value < emitter->radius_mm;
 }
 
 bool lx_extended_touches(const struct lx_emitter *emitter, lx_bounded3 place_mm)
@@ -24,6 +26,8 @@ bool lx_extended_touches(const struct lx_emitter *emitter, lx_bounded3 place_mm)
         return true;
     if (emitter->type == LX_FACETS)
         return lx_facets_touch(emitter->facets, place_mm);
+    if (lx_is_elliptic(emitter))
+        return lx_elliptic_touches(emitter, place_mm);
     return lx_round_touches(emitter, place_mm);
 }
 
@@ -32,6 +36,8 @@ lx_bounded lx_extended_area_mm2(const struct lx_emitter *emitter)
 {
     lx_bounded pi = lx_rounded(M_PI, 0, 1);
     lx_bounded radius = lx_exact(emitter->radius_mm), square = lx_mul(radius, radius);
+    if (lx_is_elliptic(emitter))
+        return lx_elliptic_area_mm2(emitter);
     switch (emitter->type) {
     case LX_FACETS: return lx_rounded(emitter->facets->area_mm2, 0, 4 + (double)emitter->facets->face_count);
     case LX_DISK: return lx_mul(pi, square);

@@ -272,37 +272,12 @@ static void check_flux(const struct lx_check *check, const struct luminaire_para
 }
 
 /* The opening that the luminaire has as a shape; false: it is a point. */
-static bool find_opening(const struct luminaire_parameters *luminaire, struct lx_opening *opening, bool *is_good)
+static bool find_opening(const struct luminaire_parameters *luminaire, struct lx_opening *opening)
 {
-    bool is_point = luminaire->opening.word == LX_OPENING_IS_POINT;
-    *is_good = true;
     *opening = luminaire->opening;
-    if (luminaire->opening.word != LX_OPENING_IS_OF_FILE)
-        return !is_point;
-    *is_good = lx_opening_of_file(&luminaire->distribution->photometry->shown.opening, luminaire->pointed, opening,
-                                  &is_point) ||
-               is_point;
-    return *is_good && !is_point;
-}
-
-/* The file's opening must be of a shape that there is. */
-static void check_opening(const struct lx_check *check, const struct luminaire_parameters *luminaire, const char *path)
-{
-    const luxel_opening *declared = &luminaire->distribution->photometry->shown.opening;
-    const double *lengths[] = {&declared->length_mm, &declared->width_mm, &declared->height_mm};
-    struct lx_opening opening;
-    struct lx_text sizes = {0};
-    char number[LX_NUMBER_SIZE];
-    bool is_good;
-    find_opening(luminaire, &opening, &is_good);
-    if (is_good)
-        return;
-    for (int i = 0; i < 3; i++)
-        lx_text_printf(&sizes, "%s%s", i > 0 ? " × " : "", lx_write_digits(*lengths[i], 6, number));
-    char *words = lx_text_take(&sizes);
-    lx_check_report(check, "opening", LX_ALL_OF_IT, LX_MSG_OPENING_OF_FILE, LX_ARGS(path, words ? words : ""));
-    lx_check_hint(check, LX_MSG_HINT_OPENING_SHAPE, NULL);
-    free(words);
+    if (luminaire->opening.word == LX_OPENING_IS_OF_FILE)
+        return lx_opening_of_file(&luminaire->distribution->photometry->shown.opening, luminaire->pointed, opening);
+    return luminaire->opening.word != LX_OPENING_IS_POINT;
 }
 
 static void check_luminaire(const struct lx_check *check, void *parameters)
@@ -320,8 +295,6 @@ static void check_luminaire(const struct lx_check *check, void *parameters)
         check_flux(check, luminaire, path);
         if (hangs)
             hang(check, luminaire, c0);
-        if (luminaire->pointed)
-            check_opening(check, luminaire, path);
     }
     free(path);
 }
@@ -333,8 +306,8 @@ static int prepare_luminaire(const void *parameters, struct lx_emitters *emitter
     const struct luminaire_parameters *luminaire = parameters;
     const struct lx_distribution *distribution = luminaire->distribution;
     struct lx_emitter emitter =
-        lx_shining_emitter(&luminaire->shining, luminaire->position_mm,
-                           distribution->unit_cd * factors_of(luminaire), lx_profile_luminaire(luminaire->pointed));
+        lx_shining_emitter(&luminaire->shining, luminaire->position_mm, distribution->unit_cd * factors_of(luminaire),
+                           lx_profile_luminaire(luminaire->pointed));
     const bool is_scaled = has_flux(luminaire) && distribution->zone_lumens > 0;
     if (is_scaled)
         emitter.strength *= luminaire->flux / distribution->zone_lumens;
@@ -343,9 +316,8 @@ static int prepare_luminaire(const void *parameters, struct lx_emitters *emitter
     const double roundings = factors_of(luminaire) != 1 ? 2 : 0;
     emitter.strength_error = emitter.strength * DBL_EPSILON * (is_scaled ? lines + 8 : roundings);
     struct lx_opening opening;
-    bool is_good;
-    return find_opening(luminaire, &opening, &is_good) ? lx_opening_emit(&opening, &emitter, emitters)
-                                                       : lx_emitters_append(emitters, &emitter);
+    return find_opening(luminaire, &opening) ? lx_opening_emit(&opening, &emitter, emitters)
+                                             : lx_emitters_append(emitters, &emitter);
 }
 
 static double opening_of(const void *parameters)

@@ -122,68 +122,71 @@ static void give(const struct lx_table *table, void *parameters, const char *key
     *(uint64_t *)parameters |= (uint64_t)1 << (parameter - table->parameters);
 }
 
-/* A round shape of a length, and of another one along a direction, in which case it is an ellipse. */
-struct roundness {
-    double length, other_length, height;
-    const double *other;
-    const double *axis; /* NULL: the luminaire's */
-};
-
-static void set_round(const struct lx_table *table, const char *key, const struct roundness *round,
-                      struct lx_opening_shape *shape, struct lx_opening *opening)
+/* The direction of the luminaire that is the axis of a round shape: 0 to 2 as radii_mm has them; -1: it needs none. */
+static int axis_of(luxel_opening_shape shape)
 {
-    shape->radius_mm = round->length / 2;
-    shape->height_mm = round->height;
-    if (round->axis) {
-        memcpy(shape->axis, round->axis, sizeof shape->axis);
-        give(table, shape, "axis");
+    switch (shape) {
+    case LUXEL_OPENING_ELLIPSE:
+    case LUXEL_OPENING_CYLINDER: return 2;
+    case LUXEL_OPENING_CYLINDER_LENGTH:
+    case LUXEL_OPENING_FACING_LENGTH: return 0;
+    case LUXEL_OPENING_CYLINDER_WIDTH:
+    case LUXEL_OPENING_FACING_WIDTH: return 1;
+    case LUXEL_OPENING_POINT:
+    case LUXEL_OPENING_RECTANGLE:
+    case LUXEL_OPENING_BOX:
+    case LUXEL_OPENING_ELLIPSOID: break;
     }
-    if (round->length != round->other_length) {
-        shape->other_radius_mm = round->other_length / 2;
-        memcpy(shape->other, round->other, sizeof shape->other);
-    }
-    give(&lx_opening_table, opening, key);
+    return -1;
 }
 
-bool lx_opening_of_file(const luxel_opening *declared, const struct lx_pointed *pointed, struct lx_opening *opening,
-                        bool *is_point)
+/* A disk, cylinder or sphere of these lengths along the luminaire's directions, or one that is not round. */
+static void set_round(int along, const double lengths_mm[3], const struct lx_pointed *pointed,
+                      struct lx_opening *opening)
 {
-    const double width = declared->width_mm, length = declared->length_mm, height = declared->height_mm;
-    struct roundness round = {.height = 0};
-    double axis[3], c0[3], across[3];
-    values_of(pointed->axis, axis);
-    values_of(pointed->c0, c0);
-    values_of(pointed->across, across);
+    const lx_bounded3 *const ways[3] = {&pointed->c0, &pointed->across, &pointed->axis};
+    const double height = along < 0 ? 0 : lengths_mm[along];
+    struct lx_opening_shape shape = {.height_mm = height};
+    bool is_round = true;
+    for (int i = 0; i < 3; i++)
+        shape.radius_mm = i == along ? shape.radius_mm : fmax(shape.radius_mm, lengths_mm[i] / 2);
+    for (int i = 0; i < 3; i++)
+        is_round = is_round && (i == along || lengths_mm[i] / 2 == shape.radius_mm);
+    for (int i = 0; i < 3 && !is_round; i++)
+        shape.radii_mm[i] = i == along ? 0 : lengths_mm[i] / 2;
+    if (along >= 0)
+        values_of(*ways[along], shape.axis);
+    if (along < 0) {
+        opening->sphere = shape;
+        give(&lx_opening_table, opening, "sphere");
+    } else if (height > 0) {
+        give(&cylinder_table, &shape, "axis");
+        opening->cylinder = shape;
+        give(&lx_opening_table, opening, "cylinder");
+    } else {
+        give(&disk_table, &shape, "axis");
+        opening->disk = shape;
+        give(&lx_opening_table, opening, "disk");
+    }
+}
+
+bool lx_opening_of_file(const luxel_opening *declared, const struct lx_pointed *pointed, struct lx_opening *opening)
+{
+    const double l = declared->length_mm, w = declared->width_mm, h = declared->height_mm;
+    const double lengths_mm[3] = {l, w, h};
     *opening = (struct lx_opening){.word = -1};
-    *is_point = declared->shape == LUXEL_OPENING_POINT;
     switch (declared->shape) {
     case LUXEL_OPENING_POINT: return false;
     case LUXEL_OPENING_RECTANGLE:
-        memcpy(opening->rectangle.size_mm, (double[]){length, width, 0}, sizeof opening->rectangle.size_mm);
+        memcpy(opening->rectangle.size_mm, lengths_mm, 2 * sizeof *lengths_mm);
         give(&lx_opening_table, opening, "rectangle");
-        *is_point = !(length > 0 && width > 0);
-        return !*is_point;
+        return l > 0 && w > 0;
     case LUXEL_OPENING_BOX:
-        memcpy(opening->box.size_mm, (double[]){length, width, height}, sizeof opening->box.size_mm);
+        memcpy(opening->box.size_mm, lengths_mm, sizeof lengths_mm);
         give(&lx_opening_table, opening, "box");
-        *is_point = !(length * width + width * height + height * length > 0);
-        return !*is_point;
-    case LUXEL_OPENING_ELLIPSE: round = (struct roundness){width, length, 0, c0, NULL}; break;
-    case LUXEL_OPENING_CYLINDER: round = (struct roundness){width, length, height, c0, NULL}; break;
-    case LUXEL_OPENING_ELLIPSOID: round = (struct roundness){width, length, 0, c0, NULL}; break;
-    case LUXEL_OPENING_CYLINDER_LENGTH: round = (struct roundness){width, height, length, axis, c0}; break;
-    case LUXEL_OPENING_CYLINDER_WIDTH: round = (struct roundness){length, height, width, axis, across}; break;
-    case LUXEL_OPENING_FACING_LENGTH: round = (struct roundness){width, height, 0, axis, c0}; break;
-    case LUXEL_OPENING_FACING_WIDTH: round = (struct roundness){length, height, 0, axis, across}; break;
+        return l * w + w * h + h * l > 0;
+    default: set_round(axis_of(declared->shape), lengths_mm, pointed, opening); return true;
     }
-    if (declared->shape == LUXEL_OPENING_ELLIPSOID)
-        set_round(&sphere_table, "sphere", &round, &opening->sphere, opening);
-    else if (round.height > 0)
-        set_round(&cylinder_table, "cylinder", &round, &opening->cylinder, opening);
-    else
-        set_round(&disk_table, "disk", &round, &opening->disk, opening);
-    const bool is_round = round.length == round.other_length;
-    return declared->shape == LUXEL_OPENING_ELLIPSOID ? is_round && height == width : is_round || !(round.height > 0);
 }
 
 /* ---- emitters ---- */
@@ -247,53 +250,22 @@ static int add_box(struct lx_shapes *shapes, const struct stand *stand, const do
 }
 
 static int add_round(struct lx_shapes *shapes, enum lx_emitter_type type, const struct stand *stand,
-                     const struct lx_opening_shape *shape, const double axis[3])
+                     const struct lx_opening_shape *shape, const double axis[3], const struct lx_profile *profile)
 {
-    struct lx_emitter round = {
-        .type = type, .radius_mm = shape->radius_mm, .height_mm = type == LX_CYLINDER ? shape->height_mm : 0};
+    struct lx_emitter round = {.type = type,
+                               .radius_mm = shape->radius_mm,
+                               .height_mm = type == LX_CYLINDER ? shape->height_mm : 0,
+                               .profile = *profile};
     memcpy(round.center_mm, stand->center_mm, sizeof round.center_mm);
+    memcpy(round.radii_mm, shape->radii_mm, sizeof round.radii_mm);
     round.axis = lx_unit3(lx_exact3(axis));
-    if (lx_shapes_add(shapes, &round) || type != LX_DISK)
-        return type != LX_DISK && shapes->emitters.count == 0 ? -1 : 0;
+    if (lx_shapes_add(shapes, &round))
+        return -1;
+    if (type != LX_DISK)
+        return 0;
     round.axis = lx_negate3(round.axis);
     round.is_back = true;
     return lx_shapes_add(shapes, &round);
-}
-
-/* ---- ellipses ---- */
-
-/* The polygon that stands for an ellipse has the area of it.  Its second moments are then 1e-7 of themselves too large,
- * and so is, some lengths away, what an opening gives beside a point. */
-enum { SIDES = 96 };
-
-/* The corners of the polygon around a centre, counter-clockwise about `axis`. */
-static void ellipse_corners(const struct lx_opening_shape *shape, const double axis[3], const double center_mm[3],
-                            double corners_mm[SIDES][3])
-{
-    const double turn = 2 * M_PI / SIDES, larger = sqrt(turn / sin(turn));
-    double first[3];
-    lx_cross(shape->other, axis, first);
-    for (int i = 0; i < SIDES; i++)
-        for (int k = 0; k < 3; k++)
-            corners_mm[i][k] = center_mm[k] + larger * (shape->radius_mm * cos(turn * i) * first[k] +
-                                                        shape->other_radius_mm * sin(turn * i) * shape->other[k]);
-}
-
-static int add_ellipse(struct lx_shapes *shapes, const struct lx_opening_shape *shape, const double axis[3],
-                       const double center_mm[3])
-{
-    double corners_mm[SIDES][3];
-    struct lx_facets **facets = NULL;
-    size_t count = 0;
-    ellipse_corners(shape, axis, center_mm, corners_mm);
-    const bool is_good =
-        lx_facets_of_outline((const double(*)[3])corners_mm, SIDES, &facets, &count).fault == LX_SHAPE_GOOD &&
-        count == 1;
-    const int result = is_good ? add_sides(shapes, facets[0]) : -1;
-    for (size_t i = 0; i < count && !is_good; i++)
-        lx_facets_free(facets[i]);
-    free((void *)facets);
-    return result;
 }
 
 static int make_shapes(const struct lx_opening *opening, const struct lx_emitter *point, struct lx_shapes *shapes)
@@ -317,9 +289,7 @@ static int make_shapes(const struct lx_opening *opening, const struct lx_emitter
         const double *axis = has_axis ? rounds[i]->axis : stand.axis;
         if (!lx_is_given(&lx_opening_table, opening, names[i]))
             continue;
-        if (!(rounds[i]->other_radius_mm > 0))
-            return add_round(shapes, round_types[i], &stand, rounds[i], axis);
-        return add_ellipse(shapes, rounds[i], axis, stand.center_mm);
+        return add_round(shapes, round_types[i], &stand, rounds[i], axis, &point->profile);
     }
     return -1;
 }

@@ -20,8 +20,7 @@ struct lx_opening_shape {
     uint64_t given;
     double size_mm[3]; /* of a rectangle and of a box: along c0, along C = 90, along the axis */
     double radius_mm, height_mm;
-    double other_radius_mm; /* of an ellipse, along `other`, its first one being across it; 0: it is round */
-    double other[3];        /* unit */
+    double radii_mm[3]; /* of one that a file declares and that is not round; 0: it is (light/elliptic.h) */
     double center_mm[3];
     double axis[3];
 };
@@ -36,10 +35,8 @@ struct lx_opening {
 extern const char *const lx_opening_words[];
 extern const struct lx_table lx_opening_table;
 
-/* The opening that a file declares, as one of the shapes; false: it has none, or it is a body that is not round where
- * it should be, `*is_point` tells which. */
-bool lx_opening_of_file(const luxel_opening *declared, const struct lx_pointed *pointed, struct lx_opening *opening,
-                        bool *is_point);
+/* The opening that a file declares, as one of the shapes; false: it has none. */
+bool lx_opening_of_file(const luxel_opening *declared, const struct lx_pointed *pointed, struct lx_opening *opening);
 
 /* Appends the emitters of an opening that is no word; `point` is the luminaire as a point.  0, or -1 where memory ran
  * out. */

@@ -80,8 +80,10 @@ static double opening_at(struct lx_problem *problem, const double towards[3], do
     const struct lx_pointed *luminaire = problem->emitter->profile.luminaire;
     double area = 1 / fmax(incidence, DBL_MIN);
     if (problem->emitter->type == LX_BALL) { /* the weight is for the distance of the near side */
-        const double far = lx_sweep_far(problem->sweep, &problem->arc, tau, &incidence);
-        area = (1 + law(problem->emitter, far) / law(problem->emitter, distance_mm)) / fmax(incidence, LEAST_INCIDENCE);
+        double incidences[2];
+        const double far = lx_sweep_far(problem->sweep, &problem->arc, tau, incidences);
+        area = 1 / fmax(incidences[0], LEAST_INCIDENCE) +
+               law(problem->emitter, far) / law(problem->emitter, distance_mm) / fmax(incidences[1], LEAST_INCIDENCE);
     }
     *error = area * (lx_pointed_slope(luminaire) * (moved + 8 * DBL_EPSILON) + 16 * DBL_EPSILON);
     return area * lx_pointed_near(luminaire, towards, &problem->kept);
@@ -448,11 +450,8 @@ static struct lx_point_value integrate_along(struct lx_problem *problem, size_t 
     const bool is_smooth = start_panels(problem, count, &panels);
     double share = 0.1 * problem->tolerance * (problem->known + problem->running);
     problem->wanted = slope > 0 ? share / (double)problem->piece_count / slope : 0;
-    struct lx_integrand integrand = {.at = along,
-                                     .target = arc_target,
-                                     .data = problem,
-                                     .is_smooth = is_smooth,
-                                     .is_coarse = problem->is_coarse};
+    struct lx_integrand integrand = {
+        .at = along, .target = arc_target, .data = problem, .is_smooth = is_smooth, .is_coarse = problem->is_coarse};
     struct lx_integral integral = lx_integrate_panels(&integrand, &panels);
     return (struct lx_point_value){.value = integral.value, .error = integral.error + integral.inherited};
 }

@@ -6,6 +6,7 @@
 
 #include "../base/memory.h"
 #include "../base/vector.h"
+#include "../light/elliptic.h"
 #include "../light/extended.h"
 #include "crossings.h"
 #include "outline.h"
@@ -133,6 +134,8 @@ static void add_source(struct borders *borders, const struct lx_emitter *emitter
     double center[3], from[3], to[3];
     for (int k = 0; k < 3; k++)
         center[k] = emitter->center_mm[k] - place_mm[k];
+    if (lx_is_elliptic(emitter))
+        return; /* where borders cross it the integrals find by themselves */
     if (emitter->type == LX_BALL)
         add_circle(borders, 0, center, emitter->radius_mm);
     else if (emitter->type == LX_DISK)

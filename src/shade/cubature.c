@@ -8,6 +8,7 @@
 #include <stdlib.h>
 
 #include "../base/memory.h"
+#include "../light/elliptic.h"
 #include "along.h"
 #include "cubature.h"
 #include "outline.h"
@@ -245,11 +246,15 @@ static double shape_error(const struct lx_emitter *emitter, const double place_m
         return 0;
     if (emitter->type == LX_FACETS)
         return opening_error(emitter->facets, place_mm);
-    double away = emitter->type == LX_DISK ? 0 : emitter->radius_mm + emitter->height_mm / 2;
+    const bool is_round_disk = emitter->type == LX_DISK && !lx_is_elliptic(emitter);
+    double away = is_round_disk ? 0 : emitter->radius_mm + emitter->height_mm / 2;
     for (int i = 0; i < 3; i++)
         away += fabs(emitter->center_mm[i] - place_mm[i]);
     const double flat = lx_is_opening(emitter) ? LX_FLATTEST : 0;
-    return away * (2 * DBL_EPSILON + flat + (emitter->type == LX_BALL ? 0 : error_of(emitter->axis)));
+    const double turned = lx_is_elliptic(emitter)    ? lx_elliptic_error(emitter)
+                          : emitter->type == LX_BALL ? 0
+                                                     : error_of(emitter->axis);
+    return away * (2 * DBL_EPSILON + flat + turned);
 }
 
 /*
@@ -298,9 +303,12 @@ static double largest_integrand(const struct lx_problem *problem, const double p
     for (int k = 0; k < 3; k++)
         away += fabs(center[k] - place_mm[k]);
     const double by_law = problem->emitter->attenuation == LX_INVERSE_SQUARE ? 1 : fmax(away * away * 1e-6, 1);
-    double by_area = 1;
-    for (size_t i = 0; lx_is_opening(problem->emitter) && i < problem->sweeps->count; i++)
-        by_area = fmax(by_area, away / problem->sweeps->items[i].height_mm);
+    double by_area = 1; /* of flat ones dA/r^2 is less than the area in the rectangle, in which doubts are counted */
+    for (size_t i = 0; lx_is_opening(problem->emitter) && i < problem->sweeps->count; i++) {
+        const struct lx_sweep *sweep = &problem->sweeps->items[i];
+        if (sweep->kind != LX_SWEEP_STRIP && sweep->kind != LX_SWEEP_DISK)
+            by_area = fmax(by_area, away / sweep->height_mm);
+    }
     return by_law * by_area * (problem->lobe ? fmin(BETWEEN * exp(fmax(problem->highest, problem->top)), 1) : 1);
 }
 
@@ -344,7 +352,7 @@ static lx_bounded integrate(struct lx_problem *problem, const double place_mm[3]
     problem->panels = NULL;
     struct lx_directions crossings = {.items = NULL};
     problem->crossings = &crossings;
-    if (!lx_sweeps_make(problem->emitter, place_mm, across_which, &sweeps) &&
+    if (!lx_sweeps_make(problem->emitter, place_mm, across_which, is_occluded, &sweeps) &&
         (!is_occluded || !lay_occlusion(problem, &crossings)) && !make_pieces(problem, &panels)) {
         if (problem->top == -HUGE_VAL)
             problem->top = 0; /* the lobe was met nowhere */

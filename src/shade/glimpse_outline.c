@@ -207,7 +207,7 @@ bool lx_glimpse_outline(const struct lx_glimpse *glimpse, const struct lx_asking
         glimpse->lobe->exponent.value < SMOOTH ||
         (glimpse->lobe->highlight != LX_HIGHLIGHT_PLAIN && !lx_outline_add_horizon(occlusion, glimpse->normal)))
         return false;
-    bool is_good = lx_sweeps_make(emitter, occlusion->place_mm, glimpse->normal, &sweeps) == 0 &&
+    bool is_good = lx_sweeps_make(emitter, occlusion->place_mm, glimpse->normal, true, &sweeps) == 0 &&
                    lx_outline_lay(occlusion, &sweeps, asking) == 0 && !occlusion->outline->is_broken;
     const double facing = lx_dot(glimpse->normal, glimpse->view);
     work.asked = glimpse;

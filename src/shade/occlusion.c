@@ -6,6 +6,7 @@
 
 #include "../base/memory.h"
 #include "../base/vector.h"
+#include "../light/elliptic.h"
 #include "../light/extended.h"
 #include "../surface/beside.h"
 #include "among.h"
@@ -61,16 +62,21 @@ static void bound_by_face(struct lx_shaft *shaft, const struct lx_facets *facets
 }
 
 /* A ball around a round source and the rectangles around it in which its outlines are laid out (outline_lay.c): of
- * disks and balls squares; of a cylinder's side one that is as high as where it is nearest. */
+ * disks and balls squares; of a cylinder's side one that is as high as where it is nearest.  Those of the pieces of an
+ * opening stand where these are nearest, as far aside as where they are farthest: no more than 4 radii of a cylinder
+ * and 5 of an ellipsoid from the middle. */
 static double radius_of_rectangles(const struct lx_emitter *emitter, const double place_mm[3])
 {
     const double axis[3] = {emitter->axis.x.value, emitter->axis.y.value, emitter->axis.z.value};
+    const bool is_opening = lx_is_opening(emitter);
     double offset[3], half = emitter->height_mm / 2;
     if (emitter->type != LX_CYLINDER)
-        return M_SQRT2 * emitter->radius_mm;
+        return (emitter->type == LX_BALL && lx_is_elliptic(emitter) ? 5 : M_SQRT2) * emitter->radius_mm;
     for (int k = 0; k < 3; k++)
         offset[k] = emitter->center_mm[k] - place_mm[k];
     const double along = lx_dot(offset, axis), away = sqrt(fmax(lx_dot(offset, offset) - along * along, 0));
+    if (is_opening)
+        return hypot(4 * emitter->radius_mm, half + (fabs(along) + half) * fmin(4 * emitter->radius_mm / away, 1));
     if (away > emitter->radius_mm)
         half += (fabs(along) + half) * (emitter->radius_mm / away);
     return hypot(M_SQRT2 * emitter->radius_mm, half);

@@ -21,17 +21,21 @@ static struct half_plane half_plane_of(const struct lx_occlusion *occlusion, con
         .x = arc->direction,
         .y = sweep->frame.z,
         .error_mm = occlusion->error_mm,
-        .is_line = sweep->kind != LX_SWEEP_BALL,
+        .is_line = sweep->kind != LX_SWEEP_BALL && sweep->kind != LX_SWEEP_ELLIPSOID,
+        .is_ellipse = sweep->kind == LX_SWEEP_ELLIPSOID,
         .name = (unsigned)number * BOUNDS,
     };
     for (int k = 0; k < 3; k++)
         half.n[k] = half.x[(k + 1) % 3] * half.y[(k + 2) % 3] - half.x[(k + 2) % 3] * half.y[(k + 1) % 3];
     if (half.is_line) {
-        half.line_mm = arc->distance_mm * (1 - ON_SOURCE);
+        half.line_mm = half.nearest_mm = arc->distance_mm * (1 - ON_SOURCE);
+    } else if (half.is_ellipse) {
+        half.nearest_mm = lx_sweep_bound(sweep).x_mm[0];
     } else {
         const double d = sweep->height_mm, r = sweep->radius_mm, beside = d * lx_dot(half.n, sweep->frame.x);
         half.center_mm = d * lx_dot(half.x, sweep->frame.x);
         half.square = (r - beside) * (r + beside);
+        half.nearest_mm = half.center_mm - sqrt(fmax(half.square, 0));
     }
     return half;
 }
@@ -112,11 +116,19 @@ static bool cut_at(struct end *a, struct end *b, double limit, int sign)
     return true;
 }
 
-/* Where a segment crosses a circle around (center, 0), as shares of it; returns how many. */
-static size_t cross_circle(const struct end *a, const struct end *b, double center, double square, double shares[2])
+/* Where a segment crosses the circle or ellipse, as shares of it; returns how many. */
+static size_t cross_circle(const struct half_plane *half, const struct end *a, const struct end *b, double shares[2])
 {
-    const double x = a->at.x - center, y = a->at.y, u = b->at.x - a->at.x, v = b->at.y - a->at.y;
-    const double first = u * u + v * v, middle = x * u + y * v, last = x * x + y * y - square;
+    const double x = a->at.x - half->center_mm, y = a->at.y, u = b->at.x - a->at.x, v = b->at.y - a->at.y;
+    double first = u * u + v * v, middle = x * u + y * v, last = x * x + y * y - half->square;
+    for (int i = 0; i < 3 && half->is_ellipse; i++) { /* as a circle on the unit sphere that the ellipsoid is made of */
+        const struct lx_sweep *sweep = half->sweep;
+        const double right = lx_dot(sweep->ways[i], half->x), up = lx_dot(sweep->ways[i], half->y);
+        const double start = right * a->at.x + up * a->at.y - sweep->away * sweep->center[i], way = right * u + up * v;
+        first = (i ? first : 0) + way * way;
+        middle = (i ? middle : 0) + start * way;
+        last = (i ? last : -1) + start * start;
+    }
     const double below = middle * middle - first * last;
     if (!(below > 0) || !(first > 0))
         return 0;
@@ -153,7 +165,7 @@ static size_t hide_before_ball(const struct half_plane *half, struct end a, stru
     double shares[2];
     if (!cut_at_latitude(&a, &b, first, 1) || !cut_at_latitude(&a, &b, last, -1))
         return count;
-    const size_t crossings = cross_circle(&a, &b, half->center_mm, half->square, shares);
+    const size_t crossings = cross_circle(half, &a, &b, shares);
     struct end from = a;
     for (size_t i = 0; i <= crossings; i++) {
         struct end to = b;
@@ -280,6 +292,24 @@ size_t lx_hide_between(const struct half_plane *half, const struct lx_obstacle *
     return count;
 }
 
+void lx_propose_by_scan(const struct half_plane *half, const struct lx_obstacle *obstacle, hides_test hides,
+                        struct candidates *candidates)
+{
+    enum { STEPS = 24, HALVINGS = 48 };
+    bool was_hidden = hides(half, obstacle, half->arc->from);
+    for (int i = 1; i <= STEPS; i++) {
+        double low = half->arc->from + half->arc->width * (i - 1) / STEPS, high = low + half->arc->width / STEPS;
+        const bool is_hidden = hides(half, obstacle, high);
+        for (int k = 0; k < HALVINGS && is_hidden != was_hidden; k++) {
+            const double middle = (low + high) / 2;
+            *(hides(half, obstacle, middle) == was_hidden ? &low : &high) = middle;
+        }
+        if (is_hidden != was_hidden)
+            lx_propose(candidates, (low + high) / 2, high - low, ON_THE_SOURCE);
+        was_hidden = is_hidden;
+    }
+}
+
 /* ---- balls ---- */
 
 static bool ball_hides(const struct half_plane *half, const struct lx_obstacle *ball, double tau)
@@ -334,8 +364,7 @@ static size_t hide_by_ball(const struct half_plane *half, const struct lx_obstac
             return count;
         const double sine = fmin(radius / away, 1), alpha = asin(sine), middle = atan2(y, x);
         const double slack = error_mm / fmax(away * sqrt((1 - sine) * (1 + sine)), sqrt(error_mm * away));
-        const double nearest = half->is_line ? half->line_mm : half->center_mm - sqrt(fmax(half->square, 0));
-        if (x + radius <= nearest) {
+        if (half->is_ellipse ? away + radius <= half->nearest_mm : x + radius <= half->nearest_mm) {
             hidden[count] = (struct lx_hidden){.ends = {middle - alpha, middle + alpha},
                                                .slack = {slack, slack},
                                                .bounds = {half->name + TANGENT, half->name + OTHER_TANGENT}};
@@ -344,7 +373,10 @@ static size_t hide_by_ball(const struct half_plane *half, const struct lx_obstac
         lx_propose(&candidates, middle - alpha, slack, TANGENT);
         lx_propose(&candidates, middle + alpha, slack, OTHER_TANGENT);
     }
-    propose_crossings(half, x, y, square, error_mm, &candidates);
+    if (half->is_ellipse)
+        lx_propose_by_scan(half, ball, ball_hides, &candidates);
+    else
+        propose_crossings(half, x, y, square, error_mm, &candidates);
     return lx_hide_between(half, ball, ball_hides, &candidates, hidden, count);
 }
 

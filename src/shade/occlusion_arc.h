@@ -25,9 +25,10 @@ struct half_plane {
     const double *x, *y; /* unit directions */
     double n[3];         /* at right angles to both */
     double error_mm;
-    /* the source: a line at so much x, or a circle around (centre, 0) */
-    bool is_line;
-    double line_mm, center_mm, square;
+    /* the source: a line at so much x, a circle around (centre, 0), or an ellipse, of which nothing is nearer than a
+     * distance */
+    bool is_line, is_ellipse;
+    double line_mm, center_mm, square, nearest_mm;
     unsigned name; /* of the obstacle's first bound */
 };
 
@@ -59,6 +60,10 @@ typedef bool (*hides_test)(const struct half_plane *half, const struct lx_obstac
 /* Appends the parts of the arc between candidates, and its ends, whose middles are hidden. */
 size_t lx_hide_between(const struct half_plane *half, const struct lx_obstacle *obstacle, hides_test hides,
                        const struct candidates *candidates, struct lx_hidden *hidden, size_t count);
+
+/* Proposes where an obstacle begins and ceases to hide, of those that may reach into an ellipse. */
+void lx_propose_by_scan(const struct half_plane *half, const struct lx_obstacle *obstacle, hides_test hides,
+                        struct candidates *candidates);
 
 /* Of the side of a cylinder. */
 size_t lx_hide_by_tube(const struct half_plane *half, const struct lx_obstacle *tube, struct lx_hidden *hidden,

@@ -162,11 +162,14 @@ size_t lx_hide_by_tube(const struct half_plane *half, const struct lx_obstacle *
         const struct point base = {at * x / square, at * y / square}, way = {-y, x};
         propose_on_line(half, base, way, p, d, e, tube->radius_mm, (enum bound)(RIM + 2 * end), &candidates);
     }
+    const bool is_before =
+        sqrt(lx_dot(tube->center_mm, tube->center_mm)) + hypot(tube->radius_mm, tube->half_mm) <= half->nearest_mm;
     if (half->is_line)
         propose_on_line(half, (struct point){half->line_mm, 0}, (struct point){0, 1}, p, d, e, tube->radius_mm,
                         ON_THE_SOURCE, &candidates);
-    else if (sqrt(lx_dot(tube->center_mm, tube->center_mm)) + hypot(tube->radius_mm, tube->half_mm) >
-             half->center_mm - sqrt(fmax(half->square, 0)))
+    else if (half->is_ellipse && !is_before)
+        lx_propose_by_scan(half, tube, tube_hides, &candidates);
+    else if (!is_before)
         propose_on_ball(half, p, d, e, tube->radius_mm, &candidates);
     return lx_hide_between(half, tube, tube_hides, &candidates, hidden, count);
 }

@@ -7,6 +7,7 @@
 
 #include "../base/vector.h"
 #include "../light/distribution.h"
+#include "../light/elliptic.h"
 #include "../light/extended.h"
 #include "adaptive.h"
 #include "shell.h"
@@ -32,7 +33,7 @@ struct work {
     const struct lx_asking *asking;
     struct lx_law law;
     double normal[3];
-    double origin[3], a[3], b[3]; /* from the element: a corner and two sides; of a disk its centre and two radii */
+    double origin[3], a[3], b[3]; /* from the element: a corner and two sides; of a disk its centre and two half axes */
     double area;                  /* of the parallelogram of the two */
     bool is_round;
     double allowed;
@@ -253,16 +254,10 @@ static bool set_shape(struct work *work, const double place_mm[3])
         axis[3] = {emitter->axis.x.value, emitter->axis.y.value, emitter->axis.z.value};
     work->is_round = emitter->type == LX_DISK;
     if (work->is_round) {
-        const double other[3] = {fabs(axis[0]) <= 0.5, fabs(axis[0]) > 0.5, 0};
-        lx_cross(axis, other, work->a);
-        lx_normalize(work->a);
-        lx_cross(axis, work->a, work->b);
-        for (int k = 0; k < 3; k++) {
+        lx_half_axes(emitter, work->a, work->b);
+        for (int k = 0; k < 3; k++)
             work->origin[k] = emitter->center_mm[k] - place_mm[k];
-            work->a[k] *= emitter->radius_mm;
-            work->b[k] *= emitter->radius_mm;
-        }
-        work->area = emitter->radius_mm * emitter->radius_mm;
+        work->area = sqrt(lx_dot(work->a, work->a) * lx_dot(work->b, work->b));
     } else {
         corner_of(emitter->facets, 0, first);
         corner_of(emitter->facets, 1, second);

@@ -104,10 +104,10 @@ double lx_outline_skipped(const struct lx_outline *outline)
 
 double lx_outline_nothing(const struct lx_outline *outline)
 {
-    static const double NOTHING = 1e-14;
+    static const double NOTHING = 1e-14, MOST = 1e3; /* of a plane seen along itself the rectangle is endless */
     double sum = 0;
     for (size_t i = 0; i < outline->lay_count; i++)
-        sum += NOTHING * outline->lays[i].area;
+        sum += NOTHING * fmin(outline->lays[i].area, MOST);
     return sum;
 }
 

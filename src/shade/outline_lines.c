@@ -39,7 +39,15 @@ static void bound_sweep(struct laying *laying)
         return;
     }
     if (s->kind == LX_SWEEP_DISK) {
-        set_range(laying, s->y1_mm / h, s->y2_mm / h, (s->s_mm - r) / h, (s->s_mm + r) / h);
+        const double aside = hypot(s->half_mm, s->slope * r);
+        set_range(laying, s->y1_mm / h, s->y2_mm / h, (s->s_mm - aside) / h, (s->s_mm + aside) / h);
+        return;
+    }
+    if (s->kind == LX_SWEEP_TUBE || s->kind == LX_SWEEP_ELLIPSOID) {
+        const struct lx_sweep_bounds bounds = lx_sweep_bound(s);
+        laying->limit_mm = bounds.x_mm[0] * (1 - ON_SOURCE);
+        laying->farthest_mm = bounds.x_mm[1];
+        set_range(laying, bounds.u[0], bounds.u[1], bounds.v[0], bounds.v[1]);
         return;
     }
     const double tangent = r / sqrt((h - r) * (h + r)), far = (h - r) * (h + r) / h;

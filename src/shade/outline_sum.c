@@ -106,7 +106,7 @@ bool lx_outline_sum(const struct lx_occlusion *known, const struct lx_emitter *e
     if (emitter->type != LX_FACETS || emitter->attenuation != LX_INVERSE_SQUARE || !lx_outline_is_alone(occlusion) ||
         !lx_outline_add_horizon(occlusion, normal))
         return false;
-    const bool failed = lx_sweeps_make(emitter, occlusion->place_mm, normal, &sweeps) ||
+    const bool failed = lx_sweeps_make(emitter, occlusion->place_mm, normal, true, &sweeps) ||
                         lx_outline_lay(occlusion, &sweeps, asking) || occlusion->outline->is_broken;
     for (size_t i = 0; i < sweeps.count && !failed; i++) {
         struct sum sum = {.error_mm = 4 * occlusion->error_mm};

@@ -6,11 +6,11 @@
 
 #include "../base/memory.h"
 #include "../base/vector.h"
-#include "sweep.h"
+#include "sweep_make.h"
 
 /* ---- vectors ---- */
 
-static double normalize(double a[3])
+double lx_sweep_normalize(double a[3])
 {
     double length = hypot(hypot(a[0], a[1]), a[2]);
     for (int i = 0; i < 3 && length > 0; i++)
@@ -23,24 +23,23 @@ static void to_doubles(lx_wide3 a, double result[3])
     result[0] = lx_wide_value(a.x), result[1] = lx_wide_value(a.y), result[2] = lx_wide_value(a.z);
 }
 
-/* A frame with this x and, as far as that leaves the choice, its pole perpendicular to `across`. */
-static struct lx_sweep_frame frame_about(const double x[3], const double across[3])
+struct lx_sweep_frame lx_sweep_frame_about(const double x[3], const double across[3])
 {
     struct lx_sweep_frame frame;
     memcpy(frame.x, x, sizeof frame.x);
     lx_cross(x, across, frame.z);
-    if (normalize(frame.z) < 1e-6) {
+    if (lx_sweep_normalize(frame.z) < 1e-6) {
         double other[3] = {0, 0, 0};
         other[fabs(x[0]) < 0.6 ? 0 : fabs(x[1]) < 0.6 ? 1 : 2] = 1;
         lx_cross(x, other, frame.z);
-        normalize(frame.z);
+        lx_sweep_normalize(frame.z);
     }
     lx_cross(frame.z, x, frame.y);
-    normalize(frame.y);
+    lx_sweep_normalize(frame.y);
     return frame;
 }
 
-static int append(struct lx_sweeps *sweeps, const struct lx_sweep *sweep)
+int lx_sweeps_append(struct lx_sweeps *sweeps, const struct lx_sweep *sweep)
 {
     if (lx_reserve(&sweeps->items, &sweeps->capacity, sweeps->count + 1, sizeof *sweep))
         return -1;
@@ -116,7 +115,8 @@ static int sweep_face(const struct lx_emitter *emitter, const struct lx_face *fa
     to_doubles(face->normal, normal);
     for (int i = 0; i < 3; i++)
         normal[i] = -normal[i];
-    struct lx_sweep strip = {.kind = LX_SWEEP_STRIP, .frame = frame_about(normal, across), .height_mm = height};
+    struct lx_sweep strip = {
+        .kind = LX_SWEEP_STRIP, .frame = lx_sweep_frame_about(normal, across), .height_mm = height};
     strip.y_mm = lx_dot(strip.frame.y, to_center);
     strip.s_mm = lx_dot(strip.frame.z, to_center);
 
@@ -137,7 +137,7 @@ static int sweep_face(const struct lx_emitter *emitter, const struct lx_face *fa
         strip.y1_mm = cuts[i];
         strip.y2_mm = cuts[i + 1];
         if (strip.y2_mm > strip.y1_mm && cut_strip(corners, face->count, &strip))
-            failed = append(sweeps, &strip);
+            failed = lx_sweeps_append(sweeps, &strip);
     }
     free(corners);
     free(cuts);
@@ -215,33 +215,47 @@ static struct lx_arc strip_arc(const struct lx_sweep *strip, double x)
     return arc;
 }
 
-/* ---- round sources ---- */
+/* ---- disks and ellipses ---- */
 
-static int sweep_disk(const struct lx_emitter *emitter, const double center_mm[3], const double axis[3],
-                      const double place_mm[3], const double across[3], struct lx_sweeps *sweeps)
+/* The extent of an ellipse across the arcs, half the chord through its middle, and how the middles of chords move. */
+static void set_ellipse(struct lx_sweep *disk, const struct lx_emitter *emitter)
 {
-    const double radius_mm = emitter->radius_mm;
+    double first[3], second[3];
+    disk->radius_mm = disk->half_mm = emitter->radius_mm;
+    if (!lx_is_elliptic(emitter))
+        return;
+    lx_half_axes(emitter, first, second);
+    const double y1 = lx_dot(first, disk->frame.y), y2 = lx_dot(second, disk->frame.y);
+    const double z1 = lx_dot(first, disk->frame.z), z2 = lx_dot(second, disk->frame.z);
+    disk->radius_mm = hypot(y1, y2);
+    disk->half_mm = fabs(y1 * z2 - y2 * z1) / disk->radius_mm;
+    disk->slope = (y1 * z1 + y2 * z2) / (disk->radius_mm * disk->radius_mm);
+}
+
+int lx_sweep_disk(const struct lx_emitter *emitter, const double center_mm[3], const double axis[3],
+                  const double place_mm[3], const double across[3], struct lx_sweeps *sweeps)
+{
     double inwards[3], to_center[3], height = 0;
     for (int i = 0; i < 3; i++) {
         inwards[i] = -axis[i];
         to_center[i] = center_mm[i] - place_mm[i];
         height += inwards[i] * to_center[i];
     }
-    height = height_over(emitter, height, radius_mm + sqrt(lx_dot(to_center, to_center)));
+    height = height_over(emitter, height, emitter->radius_mm + sqrt(lx_dot(to_center, to_center)));
     if (!(height > 0))
         return 0;
-    struct lx_sweep disk = {
-        .kind = LX_SWEEP_DISK, .frame = frame_about(inwards, across), .height_mm = height, .radius_mm = radius_mm};
+    struct lx_sweep disk = {.kind = LX_SWEEP_DISK, .frame = lx_sweep_frame_about(inwards, across), .height_mm = height};
+    set_ellipse(&disk, emitter);
     disk.y_mm = lx_dot(disk.frame.y, to_center);
     disk.s_mm = lx_dot(disk.frame.z, to_center);
-    double low = disk.y_mm - radius_mm, high = disk.y_mm + radius_mm;
+    double low = disk.y_mm - disk.radius_mm, high = disk.y_mm + disk.radius_mm;
     disk.y1_mm = low;
     disk.y2_mm = low < 0 && high > 0 ? 0 : high;
-    if (append(sweeps, &disk))
+    if (lx_sweeps_append(sweeps, &disk))
         return -1;
     disk.y1_mm = disk.y2_mm;
     disk.y2_mm = high;
-    return disk.y1_mm < high ? append(sweeps, &disk) : 0;
+    return disk.y1_mm < high ? lx_sweeps_append(sweeps, &disk) : 0;
 }
 
 /* From rim to rim, or to the foot; as the square of a sine, for the chords' lengths go like roots at a rim. */
@@ -252,177 +266,11 @@ static struct lx_arc disk_arc(const struct lx_sweep *disk, double x)
     double span = whole ? 2 * disk->radius_mm : y2 - y1;
     struct line line = upwards ? line_at(disk->height_mm, fmax(y1, 0), y2, span, share)
                                : line_at(disk->height_mm, fmax(-y2, 0), -y1, span, 1 - share);
-    double half = sqrt(line.from_end * fmax(2 * disk->radius_mm - line.from_end, 0));
-    struct lx_arc arc = flat_arc(disk, upwards ? line.y : -line.y, disk->s_mm - half, 2 * half);
+    const double half =
+        sqrt(line.from_end * fmax(2 * disk->radius_mm - line.from_end, 0)) * (disk->half_mm / disk->radius_mm);
+    const double y = upwards ? line.y : -line.y, middle = disk->s_mm + disk->slope * (y - disk->y_mm);
+    struct lx_arc arc = flat_arc(disk, y, middle - half, 2 * half);
     arc.measure = line.measure * M_PI_2 * sin(M_PI * x);
-    return arc;
-}
-
-static int sweep_ball(const struct lx_emitter *ball, const double place_mm[3], const double across[3],
-                      struct lx_sweeps *sweeps)
-{
-    double towards[3];
-    for (int i = 0; i < 3; i++)
-        towards[i] = ball->center_mm[i] - place_mm[i];
-    double distance = normalize(towards);
-    if (!(distance > ball->radius_mm))
-        return 0;
-    struct lx_sweep sweep = {
-        .kind = LX_SWEEP_BALL,
-        .frame = frame_about(towards, across),
-        .height_mm = distance,
-        .radius_mm = ball->radius_mm,
-        .angle1 = -M_PI_2,
-        .angle = M_PI_2,
-    };
-    if (append(sweeps, &sweep))
-        return -1;
-    sweep.angle1 = 0;
-    return append(sweeps, &sweep);
-}
-
-/* sin(beta) = sin(alpha) sin(t), alpha half the angle under which the ball is seen */
-static struct lx_arc ball_arc(const struct lx_sweep *ball, double x)
-{
-    double t = ball->angle1 + x * ball->angle, sin_alpha = ball->radius_mm / ball->height_mm;
-    double cos_alpha = sqrt((1 - sin_alpha) * (1 + sin_alpha));
-    double sine = sin_alpha * sin(t), half = sin_alpha * fmax(cos(t), 0), cosine = hypot(cos_alpha, half);
-    double latitude = atan2(half, cos_alpha);
-    struct lx_arc arc = {
-        .measure = half / cosine * ball->angle,
-        .from = -latitude,
-        .width = 2 * latitude,
-        .round = true,
-        .distance_mm = ball->height_mm,
-    };
-    for (int i = 0; i < 3; i++)
-        arc.direction[i] = ball->frame.x[i] * cosine + ball->frame.y[i] * sine;
-    return arc;
-}
-
-/* All of the side of a cylinder, around its axis; `away` is the way from the element to the axis, of any length. */
-static int sweep_tube(const struct lx_emitter *cylinder, const double away[3], double distance, double low,
-                      const double axis[3], struct lx_sweeps *sweeps)
-{
-    struct lx_sweep tube = {
-        .kind = LX_SWEEP_TUBE,
-        .frame = frame_about(axis, away),
-        .height_mm = distance,
-        .radius_mm = cylinder->radius_mm,
-        .s_mm = low,
-        .length_mm = cylinder->height_mm,
-        .angle = M_PI,
-    };
-    double across[3];
-    lx_cross(axis, tube.frame.z, across); /* frame.z is perpendicular to both: the third direction is along `away` */
-    const double sign = lx_dot(across, away) < 0 ? -1 : 1;
-    for (int i = 0; i < 3; i++)
-        tube.frame.x[i] = sign * across[i];
-    memcpy(tube.frame.z, axis, sizeof tube.frame.z);
-    lx_cross(tube.frame.z, tube.frame.x, tube.frame.y);
-    if (append(sweeps, &tube))
-        return -1;
-    tube.angle1 = M_PI;
-    return append(sweeps, &tube);
-}
-
-/* Its ends, of which both sides are seen. */
-static int sweep_ends(const struct lx_emitter *cylinder, const double caps[2][3], const double axis[3],
-                      const double place_mm[3], const double across[3], struct lx_sweeps *sweeps)
-{
-    const double backwards[3] = {-axis[0], -axis[1], -axis[2]};
-    struct lx_emitter back = *cylinder;
-    back.is_back = true;
-    for (int i = 0; i < 2; i++)
-        if (sweep_disk(cylinder, caps[i], axis, place_mm, across, sweeps) ||
-            sweep_disk(&back, caps[i], backwards, place_mm, across, sweeps))
-            return -1;
-    return 0;
-}
-
-static int sweep_cylinder(const struct lx_emitter *cylinder, const double place_mm[3], const double across[3],
-                          struct lx_sweeps *sweeps)
-{
-    const double axis[3] = {cylinder->axis.x.value, cylinder->axis.y.value, cylinder->axis.z.value};
-    double away[3], offset[3], half = cylinder->height_mm / 2, caps[2][3], backwards[3];
-    for (int i = 0; i < 3; i++) {
-        offset[i] = cylinder->center_mm[i] - place_mm[i];
-        backwards[i] = -axis[i];
-        caps[0][i] = cylinder->center_mm[i] + half * axis[i];
-        caps[1][i] = cylinder->center_mm[i] - half * axis[i];
-    }
-    double along = lx_dot(offset, axis);
-    for (int i = 0; i < 3; i++)
-        away[i] = offset[i] - along * axis[i];
-    double distance = normalize(away);
-    if (lx_is_opening(cylinder))
-        return sweep_tube(cylinder, away, distance, along - half, axis, sweeps) ||
-                       sweep_ends(cylinder, (const double(*)[3])caps, axis, place_mm, across, sweeps)
-                   ? -1
-                   : 0;
-    if (distance > cylinder->radius_mm) {
-        struct lx_sweep side = {
-            .kind = LX_SWEEP_SIDE,
-            .height_mm = distance,
-            .radius_mm = cylinder->radius_mm,
-            .s_mm = along - half,
-            .length_mm = cylinder->height_mm,
-            .angle1 = -M_PI_2,
-            .angle = M_PI_2,
-        };
-        memcpy(side.frame.x, away, sizeof away);
-        memcpy(side.frame.z, axis, sizeof axis);
-        lx_cross(axis, away, side.frame.y);
-        if (append(sweeps, &side))
-            return -1;
-        side.angle1 = 0;
-        if (append(sweeps, &side))
-            return -1;
-    }
-    if (sweep_disk(cylinder, caps[0], axis, place_mm, across, sweeps))
-        return -1;
-    return sweep_disk(cylinder, caps[1], backwards, place_mm, across, sweeps);
-}
-
-/* sin(beta) = (R/rho) sin(t), t the angle of incidence */
-static struct lx_arc side_arc(const struct lx_sweep *side, double x)
-{
-    double t = side->angle1 + x * side->angle, ratio = side->radius_mm / side->height_mm, slant = fmax(cos(t), 0);
-    double sine = ratio * sin(t), cosine = sqrt((1 - ratio) * (1 + ratio) + ratio * slant * ratio * slant);
-    double c = (side->height_mm - side->radius_mm) * (side->height_mm + side->radius_mm) /
-               (side->height_mm * cosine + side->radius_mm * slant);
-    double s = side->s_mm, end = s + side->length_mm;
-    struct lx_arc arc = {
-        .measure = ratio * slant / cosine * side->angle,
-        .from = atan2(s, c),
-        .width = atan2(c * side->length_mm, c * c + s * end),
-        .distance_mm = c,
-        .slant = slant,
-    };
-    for (int i = 0; i < 3; i++)
-        arc.direction[i] = side->frame.x[i] * cosine + side->frame.y[i] * sine;
-    return arc;
-}
-
-/* From the angle about the axis; of the area R dphi ds that is the measure, for a cosine of incidence cos(tau). */
-static struct lx_arc tube_arc(const struct lx_sweep *tube, double x)
-{
-    const double angle = tube->angle1 + x * tube->angle, half = sin(angle / 2);
-    /* towards the axis and from there to the side, near an angle of half a turn as its difference */
-    const double turned = cos(angle / 2);
-    const double ahead = angle < M_PI_2 || angle > 3 * M_PI_2
-                             ? tube->height_mm + tube->radius_mm * (1 - 2 * half * half)
-                             : tube->height_mm - tube->radius_mm + 2 * tube->radius_mm * turned * turned;
-    const double aside = tube->radius_mm * sin(angle), c = hypot(ahead, aside);
-    struct lx_arc arc = {
-        .measure = tube->radius_mm * tube->angle / c,
-        .from = atan2(tube->s_mm, c),
-        .width = atan2(c * tube->length_mm, c * c + tube->s_mm * (tube->s_mm + tube->length_mm)),
-        .distance_mm = c,
-        .slant = 1,
-    };
-    for (int i = 0; i < 3; i++)
-        arc.direction[i] = tube->frame.x[i] * (ahead / c) + tube->frame.y[i] * (aside / c);
     return arc;
 }
 
@@ -447,7 +295,7 @@ double lx_sweep_approach(const struct lx_sweep *sweep, double x)
     return chord.line.y + slope * (chord.s + chord.width / 2);
 }
 
-int lx_sweeps_make(const struct lx_emitter *emitter, const double place_mm[3], const double across[3],
+int lx_sweeps_make(const struct lx_emitter *emitter, const double place_mm[3], const double across[3], bool is_occluded,
                    struct lx_sweeps *sweeps)
 {
     if (emitter->type == LX_FACETS) {
@@ -458,11 +306,12 @@ int lx_sweeps_make(const struct lx_emitter *emitter, const double place_mm[3], c
         return 0;
     }
     if (emitter->type == LX_BALL)
-        return sweep_ball(emitter, place_mm, across, sweeps);
+        return lx_is_elliptic(emitter) ? lx_sweep_ellipsoid(emitter, place_mm, across, sweeps)
+                                       : lx_sweep_ball(emitter, place_mm, across, sweeps);
     if (emitter->type == LX_CYLINDER)
-        return sweep_cylinder(emitter, place_mm, across, sweeps);
+        return lx_sweep_cylinder(emitter, place_mm, across, is_occluded, sweeps);
     const double axis[3] = {emitter->axis.x.value, emitter->axis.y.value, emitter->axis.z.value};
-    return sweep_disk(emitter, emitter->center_mm, axis, place_mm, across, sweeps);
+    return lx_sweep_disk(emitter, emitter->center_mm, axis, place_mm, across, sweeps);
 }
 
 struct lx_arc lx_sweep_arc(const struct lx_sweep *sweep, double x)
@@ -470,42 +319,25 @@ struct lx_arc lx_sweep_arc(const struct lx_sweep *sweep, double x)
     switch (sweep->kind) {
     case LX_SWEEP_STRIP: return strip_arc(sweep, x);
     case LX_SWEEP_DISK: return disk_arc(sweep, x);
-    case LX_SWEEP_BALL: return ball_arc(sweep, x);
-    case LX_SWEEP_TUBE: return tube_arc(sweep, x);
-    case LX_SWEEP_SIDE: break;
+    default: return lx_body_arc(sweep, x);
     }
-    return side_arc(sweep, x);
 }
 
 double lx_sweep_distance(const struct lx_sweep *sweep, const struct lx_arc *arc, double cos_tau, double sin_tau,
                          double *incidence)
 {
-    if (sweep->kind == LX_SWEEP_BALL) {
-        /* the cosine and the squared sine of the angle from the ball's centre */
-        double d = sweep->height_mm, r = sweep->radius_mm, x = lx_dot(arc->direction, sweep->frame.x);
-        double y = lx_dot(arc->direction, sweep->frame.y), sine2 = y * y + x * x * sin_tau * sin_tau;
-        double root = sqrt(fmax(r * r - d * d * sine2, 0));
-        *incidence = root / r;
-        return (d - r) * (d + r) / (d * x * cos_tau + root);
-    }
+    if (sweep->kind == LX_SWEEP_BALL || sweep->kind == LX_SWEEP_ELLIPSOID)
+        return lx_body_distance(sweep, arc, cos_tau, sin_tau, incidence);
     double distance = arc->distance_mm / cos_tau;
     *incidence = sweep->kind == LX_SWEEP_SIDE || sweep->kind == LX_SWEEP_TUBE ? arc->slant * cos_tau
                                                                               : sweep->height_mm / distance;
     return distance;
 }
 
-double lx_sweep_far(const struct lx_sweep *sweep, const struct lx_arc *arc, double tau, double *incidence)
-{
-    const double d = sweep->height_mm, x = lx_dot(arc->direction, sweep->frame.x);
-    const double root = d * x * sqrt(fmax(sin(arc->from + arc->width - tau) * sin(tau - arc->from), 0));
-    *incidence = root / sweep->radius_mm;
-    return d * x * cos(tau) + root;
-}
-
 bool lx_sweep_find(const struct lx_sweep *sweep, const double towards[3], double *x)
 {
     const double ahead = lx_dot(towards, sweep->frame.x), aside = lx_dot(towards, sweep->frame.y), h = sweep->height_mm;
-    if (!(ahead > 0) || sweep->kind == LX_SWEEP_TUBE)
+    if (!(ahead > 0))
         return false;
     if (sweep->kind == LX_SWEEP_STRIP || sweep->kind == LX_SWEEP_DISK) {
         const bool is_strip = sweep->kind == LX_SWEEP_STRIP;
@@ -516,9 +348,5 @@ bool lx_sweep_find(const struct lx_sweep *sweep, const double towards[3], double
         *x = is_strip ? share : asin(sqrt(share)) / M_PI_2;
         return true;
     }
-    const double sine = aside / hypot(ahead, aside) * (h / sweep->radius_mm);
-    if (!(fabs(sine) < 1))
-        return false;
-    *x = (asin(sine) - sweep->angle1) / sweep->angle;
-    return *x > 0 && *x < 1;
+    return lx_body_find(sweep, ahead, aside, x);
 }

@@ -84,10 +84,20 @@ def points_of(shape, frame, center, count=160):
         ends = [np.stack([ring * np.cos(2 * np.pi * v), ring * np.sin(2 * np.pi * v), 0 * u + sign * height / 2], 1)
                 for sign in (-1, 1)]
         parts = [(2 * np.pi * radius * height, side)] + [(np.pi * radius ** 2, end) for end in ends]
-    elif kind == "ellipse":
-        turned = 2 * np.pi * v
-        rim = np.stack([keys["along"] * np.cos(turned), keys["across"] * np.sin(turned), 0 * u], 1)
+    elif kind in ("ellipse", "elliptic cylinder"):
+        a, b, turned = keys["along"], keys["across"], 2 * np.pi * v
+        rim = np.stack([a * np.cos(turned), b * np.sin(turned), 0 * u], 1)
         local = np.sqrt(u)[:, None] * rim
+        if kind == "elliptic cylinder":
+            up = np.array([0, 0, keys["height"]])
+            side = 2 * np.pi * keys["height"] * np.hypot(a * np.sin(turned), b * np.cos(turned))
+            parts = [(side, rim + (u - 0.5)[:, None] * up)] + [(np.pi * a * b, local + s * up) for s in (-0.5, 0.5)]
+    elif kind == "ellipsoid":
+        z, flat, radii = 2 * u - 1, np.sqrt(1 - (2 * u - 1) ** 2), np.array(keys["radii"])
+        sphere = np.stack([flat * np.cos(2 * np.pi * v), flat * np.sin(2 * np.pi * v), z], 1)
+        local = radii * sphere
+        weight = weight * np.linalg.norm(sphere / radii, axis=1)
+        weight /= weight.sum()
     if kind == "box":
         size = keys["size"]
         parts = []
@@ -97,10 +107,10 @@ def points_of(shape, frame, center, count=160):
                 face = np.zeros((len(u), 3))
                 face[:, a], face[:, b], face[:, way] = (u - 0.5) * size[a], (v - 0.5) * size[b], sign * size[way]
                 parts.append((size[a] * size[b], face))
-    if kind in ("box", "cylinder"):
-        whole = sum(area for area, _ in parts)
+    if kind in ("box", "cylinder", "elliptic cylinder"):
         local = np.concatenate([part for _, part in parts])
-        weight = np.concatenate([area / whole * weight for area, _ in parts])
+        weight = np.concatenate([area * weight for area, _ in parts])
+        weight /= weight.sum()
     return center + local @ frame, weight
 
 
@@ -184,7 +194,10 @@ def random_elements(tap, tool):
     floor = {**SCENE["surfaces"][0], "material": material}
     for shape in ({"rectangle": {"size": [600, 250]}}, {"disk": {"radius": 240}}, {"box": {"size": [400, 250, 150]}},
                   {"sphere": {"radius": 200}}, {"cylinder": {"radius": 120, "height": 500}},
-                  {"ellipse": {"along": 250, "across": 140, "file": "-0.28 -0.5 0"}}):
+                  {"ellipse": {"along": 250, "across": 140, "file": "-0.28 -0.5 0"}},
+                  {"elliptic cylinder": {"along": 180, "across": 60, "height": 400, "file": "-0.12 -0.36 0.4"}},
+                  {"ellipsoid": {"radii": [250, 140, 60], "file": "-0.28 -0.5 -0.12"}},
+                  {"ellipsoid": {"radii": [60, 120, 260], "file": "-0.24 -0.12 -0.52"}}):
         kind = next(iter(shape))
         in_file = shape[kind].get("file")  # of what only files can declare
         tool.write("w.ies", lamp_text(ANGLES, PLANES, wings, in_file or "0 0 0"))
@@ -197,7 +210,7 @@ def random_elements(tap, tool):
         elements = []
         for i in range(4):
             way = unit([rng.gauss(0, 1) for _ in range(3)])
-            if i == 0 and kind != "sphere":  # in the plane of the opening's middle
+            if i == 0 and kind not in ("sphere", "ellipsoid"):  # in the plane of the opening's middle
                 way = unit(frame[0] * 0.8 + frame[1] * 0.6)
             distance = rng.uniform(450, 1200)
             elements.append((center + distance * way, unit(-way + [rng.uniform(-0.7, 0.7) for _ in range(3)])))
@@ -217,7 +230,7 @@ def random_elements(tap, tool):
 
 
 def openings_of_files(tap, tool):
-    """The file's opening is the shape that it declares; what is not round is told."""
+    """The file's opening is the shape that it declares."""
     for opening, shape in (
             ("0.3 0.5 0", {"rectangle": {"size": [500, 300]}}), ("0.3 0.5 0.1", {"box": {"size": [500, 300, 100]}}),
             ("-0.3 -0.3 0", {"disk": {"radius": 150}}), ("-0.3 -0.3 -0.3", {"sphere": {"radius": 150}}),
@@ -229,12 +242,84 @@ def openings_of_files(tap, tool):
         values = [value_at(tool, scene(tool, "o.yaml", {**light, "opening": how}), "200,100", "--tolerance", "1e-5")
                   for how in ("file", shape)]
         tap.ok(values[0] > 0 and values[0] == values[1], "width, length, height %s" % opening, *values)
-    for opening, sizes in ("-0.3 -0.5 -0.2", "500 × 300 × 200"), ("-0.3 -0.5 0.2", "500 × 300 × 200"):
+
+
+def openings_not_round(tap, tool):
+    """Ellipses and bodies over them: nearly round ones, small ones, and one body along each of the directions."""
+    even = {"type": "luminaire", "file": "o.ies", "position": [0, 0, 900], "c0": [0, 1, 0], "opening": "file"}
+
+    def told(opening, **others):
         tool.write("o.ies", lamp_text(ANGLES, PLANES, wings, opening))
-        result = tool.run("probe", scene(tool, "o.yaml", {"type": "luminaire", "file": "o.ies", "opening": "file",
-                                                          "position": [0, 0, 900]}))
-        tap.ok(result.code == 3 and sizes + " mm, is elliptic" in result.err and "o.yaml:1:" in result.err,
-               "a body that is not round: " + opening, result.err)
+        name = scene(tool, "o.yaml", {**even, **others})
+        return tool.run("probe", name, "-p", "200,100", "-p", "-20,10", "--json", "--tolerance",
+                        "1e-8").json()["points"]
+
+    for form in "-0.3 -0.3{} 0", "-0.3 -0.3{} 0.2", "-0.3 -0.3{} -0.3", "-0.3{} 0.6 -0.3", "0 -0.3{} -0.3":
+        pairs = list(zip(told(form.format("")), told(form.format("000000001"))))
+        tap.ok(all(abs(a["value"] - b["value"]) <= a["error"] + b["error"] + 1e-7 * a["value"] for a, b in pairs),
+               "nearly round: " + form, *[(a["value"], b["value"], a["error"]) for a, b in pairs])
+    for opening in "-0.0002 -0.0001 0", "-0.0002 -0.0001 0.0003", "-0.0001 -0.0002 -0.0003":
+        pairs = list(zip(told(opening), told("0 0 0")))
+        tap.ok(all(abs(a["value"] - b["value"]) <= 1e-6 * b["value"] for a, b in pairs), "tiny: " + opening,
+               *[(a["value"], b["value"]) for a, b in pairs])
+    values = []
+    for opening, axis, c0 in (("-0.2 -0.3 0.5", [0, 0, -1], [1, 0, 0]), ("-0.2 0.5 -0.3", [1, 0, 0], [0, 0, 1]),
+                              ("0.5 -0.2 -0.3", [1, 0, 0], [0, 1, 0])):
+        tool.write("o.ies", lamp_text([0.0, 180.0], [0.0], lambda plane, angle: 500.0, opening))
+        name = scene(tool, "o.yaml", {**even, "axis": axis, "c0": c0})
+        values.append(value_at(tool, name, "200,100", "--tolerance", "1e-10"))
+    tap.ok(max(values) - min(values) < 1e-9 * values[0], "one cylinder along each direction", values)
+    tool.write("o.ies", lambert("-0.3 -0.5 0"))
+    name = scene(tool, "o.yaml", {**even, "interpolation": "cosine", "position": [0, 0, 400]})
+    outline = [[150 * math.sin(math.pi * i / 720), 250 * math.cos(math.pi * i / 720), 400] for i in range(1440)]
+    other = scene(tool, "q.yaml", {"type": "planar", "intensity": 1000, "vertices": outline})
+    a, b = value_at(tool, name, "100,50"), value_at(tool, other, "100,50")
+    tap.ok(abs(a - b) < 1e-5 * b, "a Lambertian ellipse and a polygon of 1440 corners", a, b)
+
+
+def pictures_not_round(tap, tool):
+    """Pictures of ellipses and bodies over them, with a ball in the way, show what probes tell."""
+    ball = {"type": "sphere", "center": [200, 100, 500], "radius": 200, "material": MATT}
+    screen = {**SCENE["screen"], "width": 2000, "height": 2000, "resolution": [6, 6]}
+    for opening in "-0.2 -0.5 0", "-0.2 -0.5 0.3", "-0.2 -0.5 -0.3":
+        tool.write("w.ies", lamp_text(ANGLES, PLANES, wings, opening))
+        name = scene(tool, "e.yaml", {"type": "luminaire", "file": "w.ies", "position": [-300, 100, 1100],
+                                      "aim": [0, 0, 0], "c0": [1, 2, 0], "opening": "file"},
+                     surfaces=SCENE["surfaces"] + [ball], shadows="all", screen=screen)
+        tool.run("render", name, "-q", "-o", "e.npy")
+        picture = np.load(tool.file("e.npy"))
+        places = [(x, y) for x in range(0, 6, 2) for y in range(1, 6, 2)]
+        at = [(-1000 + 1000 / 3 * (x + 0.5), 1000 - 1000 / 3 * (y + 0.5)) for x, y in places]
+        ways = [word for place in at for word in ("-p", "%r,%r" % place)]
+        told = tool.run("probe", name, *ways, "--json", "--tolerance", "1e-7").json()["points"]
+        worst = max(abs(picture[y, x] - point["value"]) for (x, y), point in zip(places, told)) / picture.max()
+        tap.ok(worst < 2e-6 and picture.min() >= 0, "a picture under the opening %s" % opening, worst)
+
+
+def hidden_bodies(tap, tool):
+    """What plates hide of bodies, they hide as meshes as well."""
+    tool.write("plate.off", "OFF\n8 12 0\n%s\n3 0 2 1\n3 0 3 2\n3 4 5 6\n3 4 6 7\n%s" % (
+        "\n".join("%r %r %r" % (x, y, z) for z in (699.9999, 700.0001)
+                  for x, y in ((-150, -100), (150, -100), (150, 300), (-150, 300))),
+        "".join("3 %d %d %d\n3 %d %d %d\n" % (i, j, j + 4, i, j + 4, i + 4)
+                for i, j in ((0, 1), (1, 2), (2, 3), (3, 0)))))
+    plates = [{"type": "mesh", "file": "plate.off", "material": MATT},
+              {"type": "rectangle", "center": [0, 100, 700], "size": [300, 400], "material": MATT}]
+    ways = [word for p in ("0,0", "250,-100", "30,-300", "-450,450") for word in ("-p", p)]
+    # 250 is in the plane of an end of some
+    for opening, shape in (("0 0 0", {"cylinder": {"radius": 100, "height": 500, "axis": [1, 0, 0]}}),
+                           ("0 0 0", {"cylinder": {"radius": 120, "height": 500, "axis": [1, 0.2, 0]}}),
+                           ("-0.2 0.5 -0.1", "file"), ("0.5 -0.2 -0.1", "file"), ("-0.1 -0.3 -0.5", "file"),
+                           ("-0.2 -0.4 0", "file")):
+        tool.write("w.ies", lamp_text(ANGLES, PLANES, wings, opening))
+        lamp = {"type": "luminaire", "file": "w.ies", "position": [0, 0, 1500], "opening": shape}
+        told = []
+        for plate in plates:
+            name = scene(tool, "h.yaml", lamp, surfaces=SCENE["surfaces"] + [plate], shadows="all")
+            told.append(tool.run("probe", name, *ways, "--json", "--tolerance", "1e-4").json()["points"])
+        bad = [(a["value"], b["value"], a["error"], b["error"]) for a, b in zip(*told)
+               if not abs(a["value"] - b["value"]) <= a["error"] + b["error"] + 1e-6 * b["value"]]
+        tap.ok(not bad and told[1][1]["value"] > 0, "half hidden: %s %s" % (opening, json.dumps(shape)), *bad)
 
 
 def wrong_openings(tap, tool):
@@ -295,5 +380,6 @@ def pictures_and_grids(tap, tool):
 
 
 # with sanitizers pictures take minutes, and memory is as well tried by those of as_planar()
-run_tests(Tap(), panel_below, as_planar, random_elements, openings_of_files, wrong_openings,
-          *([] if os.environ.get("LUXEL_SANITIZED") else [pictures_and_grids]))
+run_tests(Tap(), panel_below, as_planar, random_elements, openings_of_files, openings_not_round, hidden_bodies,
+          wrong_openings,
+          *([] if os.environ.get("LUXEL_SANITIZED") else [pictures_and_grids, pictures_not_round]))
