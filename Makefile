@@ -254,7 +254,7 @@ web:
 
 check-web: web setup $(BUILD)/build.ninja
 	@$(COMPILE) $(BUILD) luxel:executable
-	@node web/tests/run.mjs build-web/core/web/core/luxel-core.wasm $(abspath $(BUILD))/cli/luxel build-web/page
+	@node web/tests/run.mjs build-web $(abspath $(BUILD))/cli/luxel
 
 # What is not translated yet is listed at the end.
 po: setup $(BUILD)/build.ninja

@@ -22,6 +22,7 @@ const html = read('index.html')
     .replace('</body>', () =>
         [
             data('embedded-core', read('luxel-core.wasm')),
+            data('embedded-core-2', read('luxel-core-2.wasm')),
             data('embedded-words', read('ru.json')),
             data('embedded-worker', read('worker.js')),
             `<script type="module">${script}</script>`,

@@ -47,10 +47,9 @@ const core = {
     name: 'luxel-core',
     transformIndexHtml: (html) => html.replace('<!-- licences -->', licences),
     generateBundle() {
-        const take = (fileName, from) =>
-            this.emitFile({ type: 'asset', fileName, source: fs.readFileSync(path.join(folder, from)) });
-        take('luxel-core.wasm', 'core/web/core/luxel-core.wasm');
-        take('ru.json', 'ru.json');
+        const take = (fileName) =>
+            this.emitFile({ type: 'asset', fileName, source: fs.readFileSync(path.join(folder, fileName)) });
+        for (const name of ['luxel-core.wasm', 'luxel-core-2.wasm', 'ru.json']) take(name);
     },
 };
 

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The page's end of the worker: questions as promises, and a new worker where the old one failed.
+// The page's end of the worker: questions as promises, and a new worker where the old one failed.  Workers begin with
+// the first part of the core, and are given the second one when it has come.
+import { belongTogether } from './core';
 import type { Questions } from './worker';
 import workerAddress from './worker?worker&url';
 
@@ -10,10 +12,14 @@ function embedded(id: string): Uint8Array<ArrayBuffer> | null {
     return text ? Uint8Array.from(atob(text), (character) => character.charCodeAt(0)) : null;
 }
 
-async function fetched(name: string | URL): Promise<Response> {
-    const response = await fetch(new URL(name, document.baseURI));
+async function fetched(name: string | URL, options: RequestInit = {}): Promise<Response> {
+    const response = await fetch(new URL(name, document.baseURI), options);
     if (!response.ok) throw new Error(`${name}: ${response.status}`);
     return response;
+}
+
+async function compiled(id: string, name: string, options: RequestInit = {}): Promise<WebAssembly.Module> {
+    return WebAssembly.compile(embedded(id) ?? (await (await fetched(name, options)).arrayBuffer()));
 }
 
 /** The smallest module with an operation on vectors. */
@@ -30,9 +36,23 @@ interface Asked {
     reject: (error: Error) => void;
 }
 
+/** What a worker says: the answer to a question, why there is none, or that it waits for the core's second part. */
+interface Answered {
+    id: number;
+    answer: unknown;
+    failure?: string;
+    isWaiting?: boolean;
+}
+
 // Pictures and values may take long, as where surfaces reflect light to each other.
 const LONG: (keyof Questions)[] = ['render', 'probe', 'table', 'section', 'sectionBetween', 'extrema', 'explain', 'balance'];
 const PATIENCE = 1500; // milliseconds that something urgent waits for them
+
+/** How it stands with the core's second part: some question waits for it, it is there, or it cannot be had. */
+export type Loading = 'awaited' | 'there' | { failure: Error };
+
+/** Why the second part is refused: it is not of the same build as the first. */
+export class OtherVersion extends Error {}
 
 /** Why a question has no answer: its worker was ended for the sake of something urgent. */
 export class Interrupted extends Error {}
@@ -44,7 +64,12 @@ export class Client {
     /** How often long work was given up for the sake of something urgent. */
     interruptions = 0;
     private next = 0;
-    private module!: WebAssembly.Module;
+    private module!: WebAssembly.Module; // the first part
+    private takeSecond!: (second: WebAssembly.Module) => void;
+    private second = new Promise<WebAssembly.Module>((resolve) => (this.takeSecond = resolve));
+    private isStuck = false; // whether the worker waits for the second part
+    /** Whether the second part has come. */
+    isWhole = false;
     private source!: string; // the address of the worker's text, which is kept so that a new one asks for nothing
     private words: Record<string, string> = {};
     private isTwin = false;
@@ -53,26 +78,42 @@ export class Client {
     private russian: Record<string, string> | null = null;
     /** Called when a worker had to be started anew. */
     onRestart: () => void = () => undefined;
+    onLoading: (state: Loading) => void = () => undefined;
 
     constructor(files = new Map<string, Uint8Array>()) {
         this.files = files;
     }
 
     async start(language: string) {
-        const bytes = embedded('embedded-core') ?? (await (await fetched('luxel-core.wasm')).arrayBuffer());
-        this.module = await WebAssembly.compile(bytes);
+        this.module = await compiled('embedded-core', 'luxel-core.wasm');
         const text =
             embedded('embedded-worker') ??
             (await (await fetched(new URL(workerAddress, import.meta.url))).arrayBuffer());
         this.source = URL.createObjectURL(new Blob([text], { type: 'text/javascript' }));
         this.words = await this.wordsOf(language);
-        return this.restart();
+        const builtins = await this.restart();
+        void this.complete();
+        return builtins;
+    }
+
+    /** Gets the core's second part; where that fails, it can be tried again. */
+    async complete(options: RequestInit = {}) {
+        try {
+            const second = await compiled('embedded-core-2', 'luxel-core-2.wasm', options);
+            if (!belongTogether(this.module, second)) throw new OtherVersion();
+            this.isWhole = true;
+            this.takeSecond(second);
+            this.onLoading('there');
+        } catch (error) {
+            this.onLoading({ failure: error as Error });
+        }
     }
 
     /** Another worker with a core of its own, for long work that may be given up. */
     async twin(): Promise<Client> {
         const twin = new Client(this.files);
-        Object.assign(twin, { module: this.module, source: this.source, words: this.words, isTwin: true });
+        const { module, second, source, words, onLoading } = this;
+        Object.assign(twin, { module, second, source, words, onLoading, isTwin: true });
         await twin.restart();
         return twin;
     }
@@ -108,9 +149,14 @@ export class Client {
 
     private restart() {
         this.worker?.terminate();
-        this.worker = new Worker(this.source);
-        this.worker.onmessage = ({ data }) => this.answered(data);
-        this.worker.onerror = (event) => this.failed(event.message);
+        const worker = (this.worker = new Worker(this.source));
+        worker.onmessage = ({ data }) => this.answered(data);
+        worker.onerror = (event) => this.failed(event.message);
+        this.isStuck = false;
+        void this.second.then((second) => {
+            worker.postMessage({ second });
+            this.isStuck = false;
+        });
         return this.post('start', this.module, this.words, this.files);
     }
 
@@ -132,9 +178,10 @@ export class Client {
         return this.urgent(name, ...values);
     }
 
-    // Starts another worker if something long was asked before the question with this number.
+    // Starts another worker if what was asked before the question with this number takes long or waits.
     private interrupt(before: number) {
-        if (this.starting || ![...this.waiting].some(([id, { name }]) => id < before && LONG.includes(name))) return;
+        const isLong = (id: number, name: keyof Questions) => id < before && (this.isStuck || LONG.includes(name));
+        if (this.starting || ![...this.waiting].some(([id, { name }]) => isLong(id, name))) return;
         this.interruptions++;
         const given = [...this.waiting.values()];
         this.waiting.clear();
@@ -142,7 +189,12 @@ export class Client {
         for (const { reject } of given) reject(new Interrupted('something urgent came'));
     }
 
-    private answered({ id, answer, failure }: { id: number; answer: unknown; failure?: string }) {
+    private answered({ id, answer, failure, isWaiting }: Answered) {
+        if (isWaiting) {
+            this.isStuck = true;
+            this.onLoading('awaited');
+            return;
+        }
         const asked = this.waiting.get(id);
         this.waiting.delete(id);
         if (failure === undefined) asked?.resolve(answer);

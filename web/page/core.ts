@@ -153,6 +153,22 @@ export interface Peak {
 /** What went wrong in the core itself, not in a scene: it is to be started anew. */
 export class CoreFailure extends Error {}
 
+/** Why a call of a core without its second part was given up halfway: it needs that part, and a new core. */
+export class PartMissing extends Error {}
+
+// The names by which web/split.mjs has the two parts take functions from each other, and that of their identity.
+const PLACEHOLDER = 'placeholder';
+const FIRST_PART = 'first';
+const IDENTITY = 'luxel-core';
+
+/** Whether two parts are of one core: those of different builds would call wrong functions. */
+export function belongTogether(first: WebAssembly.Module, second: WebAssembly.Module): boolean {
+    const [a, b] = [first, second].map((part) =>
+        WebAssembly.Module.customSections(part, IDENTITY).map((section) => new Uint8Array(section).join()),
+    );
+    return a.length === 1 && a[0] === b[0];
+}
+
 type Exports = Record<string, (...numbers: number[]) => number>;
 
 // What WASI calls a file that is not there, what a call of the system that there is not.
@@ -169,19 +185,38 @@ export class Core {
     /** The files that scenes name. */
     readonly folder = new Folder(() => this.memory.buffer as ArrayBuffer);
 
-    static async start(module: WebAssembly.Module): Promise<Core> {
+    /** Whether the second part is there. */
+    isWhole = false;
+
+    /** Starts the first part; the second one can be given now or later. */
+    static async start(first: WebAssembly.Module, second: WebAssembly.Module | null = null): Promise<Core> {
         const core = new Core();
         const imports: WebAssembly.Imports = {};
-        for (const { module: from, name, kind } of WebAssembly.Module.imports(module)) {
+        for (const { module: from, name, kind } of WebAssembly.Module.imports(first)) {
             if (kind !== 'function') throw new CoreFailure(`the core wants a ${kind}, ${from}.${name}`);
-            (imports[from] ??= {})[name] = core.imported(name);
+            (imports[from] ??= {})[name] = from === PLACEHOLDER ? core.missing(name) : core.imported(name);
         }
-        const { exports } = await WebAssembly.instantiate(module, imports);
+        const { exports } = await WebAssembly.instantiate(first, imports);
         core.memory = exports.memory as WebAssembly.Memory;
         core.table = exports.__indirect_function_table as WebAssembly.Table;
         core.call = exports as unknown as Exports;
+        if (second) core.complete(second);
         core.call._initialize();
         return core;
+    }
+
+    /** Takes the second part, which puts its functions into the first one's table, in place of the placeholders. */
+    complete(second: WebAssembly.Module) {
+        new WebAssembly.Instance(second, { [FIRST_PART]: this.call });
+        this.isWhole = true;
+    }
+
+    // What stands in the table for a function of the second part until that is there.
+    private missing(name: string): () => never {
+        return () => {
+            if (this.isWhole) throw new CoreFailure(`the core's second part lacks function ${name}`);
+            throw new PartMissing("the core's second part has not been loaded");
+        };
     }
 
     /** The texts that the core translates, by the English ones; those asked for before stay. */

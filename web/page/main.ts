@@ -14,6 +14,7 @@ import { Form } from './form';
 import { Gallery } from './gallery';
 import { header } from './header';
 import { download, packed, unpacked } from './link';
+import { LoadingNotice } from './loading';
 import { Messages } from './messages';
 import { Model, type Thing } from './model';
 import { explain, lightName, pointsTable, ProbePanel } from './panels';
@@ -62,6 +63,7 @@ class Page {
     private readonly dialog = h('dialog', { class: 'why' });
     private readonly messages = new Messages(this.model);
     private readonly stale = h('p', { class: 'stale', role: 'alert', hidden: true });
+    private readonly loading = new LoadingNotice(this.model.client);
     private readonly toast = h('p', { class: 'toast', role: 'status', hidden: true });
     private readonly table = h('div', { class: 'points' });
     private readonly statistics = h('p', { class: 'dim statistics' });
@@ -200,8 +202,10 @@ class Page {
         this.text.relabel();
         this.dial.relabel();
         this.compare.relabel();
+        this.loading.relabel();
         const parts = [
             this.header(),
+            this.loading.element,
             this.stale,
             h(
                 'main',

@@ -108,6 +108,14 @@ const RUSSIAN: Record<string, string> = {
     'This browser cannot run Luxel: it needs WebAssembly with SIMD (Chromium 91, Firefox 89, Safari 16.4 or newer).':
         'Этот браузер не может выполнить Luxel: нужен WebAssembly с SIMD (Chromium 91, Firefox 89, Safari 16.4 или новее).',
     'Luxel could not be loaded.': 'Не удалось загрузить Luxel.',
+    'The rest of Luxel is still being loaded. What needs it comes then.':
+        'Остальная часть Luxel ещё загружается. То, для чего она нужна, появится потом.',
+    'The rest of Luxel could not be loaded. What needs it waits.':
+        'Не удалось загрузить остальную часть Luxel. То, для чего она нужна, ждёт.',
+    'Try again': 'Повторить',
+    'Luxel has been renewed on the server. Load the page anew.':
+        'На сервере теперь другая версия Luxel. Загрузите страницу заново.',
+    'Load anew': 'Загрузить заново',
     'The link holds no scene that can be read.': 'В ссылке нет сцены, которую можно прочитать.',
     more: 'ещё',
     'numbers…': 'числа…',

@@ -1,20 +1,17 @@
 // SPDX-License-Identifier: MIT
-// The core for tests in Node: core.ts and what it includes as JavaScript, and the WebAssembly of the build folder.
-import fs from 'node:fs';
+// The core for tests in Node: both of its parts, as the build folder holds them for the page.
 import path from 'node:path';
-import { fileURLToPath } from 'node:url';
-import { build } from 'esbuild';
+import { compiled, coreModule } from '../node_core.mjs';
 
-const web = path.dirname(path.dirname(fileURLToPath(import.meta.url)));
+export const PARTS = ['luxel-core.wasm', 'luxel-core-2.wasm'];
 
-export async function startCore(wasm) {
-    const { outputFiles } = await build({
-        entryPoints: [path.join(web, 'page/core.ts')],
-        bundle: true,
-        format: 'esm',
-        write: false,
-    });
-    const text = Buffer.from(outputFiles[0].contents).toString('base64');
-    const { Core } = await import(`data:text/javascript;base64,${text}`);
-    return Core.start(await WebAssembly.compile(fs.readFileSync(wasm)));
+/** Both parts of a build folder, and what core.ts exports. */
+export async function partsOf(folder) {
+    const [first, second] = await Promise.all(PARTS.map((name) => compiled(path.join(folder, name))));
+    return { first, second, ...(await coreModule()) };
+}
+
+export async function startCore(folder) {
+    const { first, second, Core } = await partsOf(folder);
+    return Core.start(first, second);
 }

@@ -12,7 +12,8 @@ export function started() {
     return chromium.launch({ executablePath: CHROMIUM, args: ['--no-sandbox', '--disable-gpu'] });
 }
 
-export async function opened(browser, url, options = {}) {
+/** A page with a whole picture, made by the first part of the core. */
+export async function begun(browser, url, options = {}) {
     const context = await browser.newContext({ viewport: { width: 1400, height: 900 }, locale: 'en-GB', ...options });
     const page = await context.newPage();
     page.faults = [];
@@ -21,6 +22,13 @@ export async function opened(browser, url, options = {}) {
     page.setDefaultTimeout(PATIENCE);
     await page.goto(url);
     await ready(page);
+    return page;
+}
+
+/** A page with all that it fetches. */
+export async function opened(browser, url, options = {}) {
+    const page = await begun(browser, url, options);
+    await until(page, 'model.client.isWhole');
     return page;
 }
 
@@ -52,10 +60,13 @@ export async function shot(page, name) {
 }
 
 export async function openScene(page, name) {
-    const text = await page.evaluate(
-        (name) => window.luxel.inside.builtins.find((each) => each.name === name).text,
-        name,
+    await openText(
+        page,
+        await page.evaluate((name) => window.luxel.inside.builtins.find((each) => each.name === name).text, name),
     );
+}
+
+export async function openText(page, text) {
     await page.evaluate((text) => window.luxel.inside.open(text), text);
     await page.waitForFunction((text) => {
         const { model } = window.luxel.inside;

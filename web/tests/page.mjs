@@ -4,9 +4,9 @@ import { execFileSync } from 'node:child_process';
 import fs from 'node:fs';
 import os from 'node:os';
 import path from 'node:path';
-import { pathToFileURL } from 'node:url';
 import axe from 'axe-core';
 import { FIREFOX, inFirefox } from './firefox.mjs';
+import { loading } from './loading.mjs';
 import { more, PAGES } from './more.mjs';
 import { boxOf, dragBy, inside, lampIn, opened, openScene, shot, started, until } from './hands.mjs';
 import { serve } from './server.mjs';
@@ -384,13 +384,6 @@ async function inDark(browser, url) {
     await page.context().close();
 }
 
-async function single(browser, folder) {
-    const page = await opened(browser, pathToFileURL(path.join(folder, 'luxel.html')).href);
-    check((await inside(page, 'model.picture.facts.maximum.value')) > 10, 'no picture');
-    equal(page.faults, [], 'faults');
-    await page.context().close();
-}
-
 async function withoutWasm(browser, url) {
     const context = await browser.newContext({ locale: 'en-GB' });
     await context.addInitScript(() => delete globalThis.WebAssembly);
@@ -483,7 +476,7 @@ export async function page(folder, tool) {
     await test('a phone, 390 px wide', () => onPhone(browser, url));
     await test('small screens', () => onSmallScreens(browser, url));
     await test('dark', () => inDark(browser, url));
-    await test('a single file, from the disk', () => single(browser, folder));
+    await loading(browser, folder, tool);
     await test('a browser without WebAssembly is told', () => withoutWasm(browser, url));
     await browser.close();
     if (fs.existsSync(FIREFOX)) await test('Firefox has the same numbers', () => inFirefox(url, most));

@@ -8,8 +8,7 @@ import { fileURLToPath } from 'node:url';
 const [folder, tool] = process.argv.slice(2);
 const root = path.dirname(path.dirname(path.dirname(fileURLToPath(import.meta.url))));
 const page = path.join(folder, 'page');
-const core = path.join(folder, 'core/web/core/luxel-core.wasm');
-const SOURCES = ['src', 'include', 'data/scenes', 'po/ru.po', 'web/core', 'web/page'];
+const SOURCES = ['src', 'include', 'data/scenes', 'po/ru.po', 'web/core', 'web/page', 'web/split.mjs'];
 const SCENES = ['report', 'three-lights', 'spot', 'two-spheres'];
 
 /** When the newest file of a folder was changed. */
@@ -23,7 +22,7 @@ function reasonToSkip() {
     const chromium = process.env.LUXEL_CHROMIUM ?? '/usr/bin/chromium';
     if (!fs.existsSync(chromium)) return `there is no ${chromium}`;
     const single = path.join(page, 'luxel.html'); // what is made last
-    if (!fs.existsSync(single) || !fs.existsSync(core)) return 'the page is not built: make web';
+    if (!fs.existsSync(single)) return 'the page is not built: make web';
     if (!fs.existsSync(path.join(root, 'web/node_modules/playwright-core'))) return 'no packages of npm: make web';
     const made = fs.statSync(single).mtimeMs;
     const changed = SOURCES.find((source) => newest(path.join(root, source)) > made);
@@ -37,7 +36,7 @@ else {
     const { numbers } = await import('./numbers.mjs');
     const { inShort } = await import('./page.mjs');
     const { plan } = await import('./tap.mjs');
-    await numbers(await startCore(core), tool, SCENES);
+    await numbers(await startCore(folder), tool, SCENES);
     await inShort(page, tool);
     process.exitCode = plan();
 }

@@ -12,14 +12,15 @@ const TYPES = {
     '.wasm': 'application/wasm',
 };
 
-/** Serves a folder, and pages that are made by the test: their text by name. */
+/** Serves a folder, and pages that are made by the test: by name their text, or who answers with the usual bytes. */
 export function serve(folder, pages = {}) {
     const asked = [];
     const server = http.createServer((request, response) => {
         const name = path.basename(request.url.split('?')[0]) || 'index.html';
         asked.push(name);
         const file = path.join(folder, name);
-        if (pages[name])
+        if (typeof pages[name] === 'function') pages[name](response, fs.readFileSync(file));
+        else if (pages[name])
             response.writeHead(200, { 'content-type': TYPES[path.extname(name)] ?? 'text/plain' }).end(pages[name]);
         else if (!fs.existsSync(file)) response.writeHead(404).end();
         else

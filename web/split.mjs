@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: MIT
+// Splits the core in two: node split.mjs CORE.wasm FIRST.wasm SECOND.wasm.  The first part holds what a page calls
+// until its reader has seen, probed and changed a plain scene; all else is the second part, which is fetched meanwhile.
+// wasm-split of binaryen, which emscripten brings, parts the functions by a trial: those that are called in it are the
+// first part.  The trial is always the same, and so are the parts that it gives of one core.
+import { execFileSync } from 'node:child_process';
+import { createHash } from 'node:crypto';
+import fs from 'node:fs';
+import os from 'node:os';
+import path from 'node:path';
+import { fileURLToPath } from 'node:url';
+import { compiled, coreModule } from './node_core.mjs';
+
+/** The built-in scenes whose first pictures the first part makes. */
+export const SCENES = ['sphere', 'report', 'two-spheres', 'three-lights', 'spot', 'distant', 'ambient'];
+
+const PROFILE = 'write_profile';
+const FEATURES = ['simd', 'bulk-memory', 'sign-ext', 'nontrapping-float-to-int', 'mutable-globals'];
+
+function binaryen(program, ...values) {
+    try {
+        return execFileSync(program, values, { maxBuffer: 1 << 28 }).toString();
+    } catch (error) {
+        throw error.code === 'ENOENT' ? new Error(`there is no ${program}: install binaryen`) : error;
+    }
+}
+
+function check(truth, message) {
+    if (!truth) throw new Error(message);
+}
+
+/** What a page asks in its first seconds; each answer must be there, or the trial has not called what it should. */
+export function tryCore(core) {
+    const builtins = core.builtins();
+    check(builtins.length && core.version(), 'it tells no scenes');
+    core.translate({ point: 'точечный', brightness: 'яркость' });
+    const paths = core.parameters().keys.map(({ path }) => path.replaceAll('[]', '[0]'));
+    check(paths.length, 'it tells no parameters');
+    // The form and the views ask for most keys, and for some that a light or a surface has not.
+    const things = ['lights[0]', 'surfaces[0]'];
+    const ends = new Set(paths.map((key) => key.slice(key.lastIndexOf('.') + 1)));
+    const keys = [...paths, ...things, ...things.flatMap((thing) => [...ends].map((end) => `${thing}.${end}`))];
+    for (const name of SCENES) {
+        const scene = builtins.find((each) => each.name === name);
+        check(scene, `it has no scene "${name}"`);
+        try {
+            tryScene(core, scene.text, keys);
+        } catch (error) {
+            error.message = `scene "${name}": ${error.message}`;
+            throw error;
+        }
+    }
+}
+
+function tryScene(core, text, keys) {
+    check(core.open(text), JSON.stringify(core.messages()));
+    const { lights, points } = core.scene();
+    keys.forEach((key) => core.get(key));
+    for (const stride of [8, 2, 1]) {
+        check(core.render(stride), `no picture: ${JSON.stringify(core.messages())}`);
+        check(core.samples().values.length, 'no samples');
+    }
+    for (const irradiance of [true, false]) {
+        core.quantity(irradiance);
+        check(core.render(1), 'no picture of the other quantity');
+        check(core.probe(10, 20), 'no probe');
+    }
+    points.forEach(([x, y]) => core.probe(x, y));
+    check(core.section(10, 20, 30, 50) && core.sectionBetween([-100, 0], [100, 50], 50), 'no section');
+    for (const logarithmic of [false, true]) check(core.isophotes(8, logarithmic), 'no isophotes');
+    check(core.project([0, 0, 100]) && core.unproject(0, 0, 100), 'no place on the screen');
+    const copy = '{type: point, position: [100, 200, 1500], intensity: 5}';
+    for (const changes of [
+        [{ set: lights[0].place ? 'lights[0].position=[100, 200, 1500]' : 'lights[0].irradiance=3' }],
+        [{ set: 'surfaces[0].center=[10, 20, 300]' }],
+        [{ list: 'lights', index: 0, insert: copy }, { remove: 'lights[0]' }],
+    ]) {
+        const changed = core.edit(text, changes);
+        check(changed, `no change: ${JSON.stringify(core.messages())}`);
+        check(core.open(changed) && core.render(2), `not as changed: ${JSON.stringify(core.messages())}`);
+    }
+    check(!core.open(text.replace(/radius: \d+/, 'radius: -3')) && core.messages().length, 'a mistake is not told');
+}
+
+/** Tries a core that notes which of its functions are called, and takes the note. */
+async function profileOf(file) {
+    Date.now = performance.now = () => 0; // nothing may hang on how long it takes
+    const { Core } = await coreModule();
+    const core = await Core.start(await compiled(file));
+    tryCore(core);
+    const { page_memory, [PROFILE]: write, memory } = core.call;
+    const size = write(0, 0);
+    const place = page_memory(size);
+    check(place && write(place, size) === size, 'its profile could not be written');
+    return new Uint8Array(memory.buffer, place, size).slice();
+}
+
+/** Appends what tells a core from others: by it the page knows that two parts belong together. */
+function sign(file, identity) {
+    const name = 'luxel-core'; // core.ts reads it
+    const content = Buffer.concat([Buffer.from([name.length]), Buffer.from(name), identity]);
+    fs.appendFileSync(file, Buffer.concat([Buffer.from([0, content.length]), content]));
+}
+
+// A placeholder is JavaScript, which can be given no vectors: a call of it would end as another fault than it is.
+function refuseVectors(file) {
+    const lines = binaryen('wasm-dis', file).split('\n');
+    const imports = lines.filter((line) => line.includes('(import "placeholder"'));
+    check(imports.length, 'nothing is left for the second part');
+    check(
+        !imports.some((line) => line.includes('v128')),
+        'a function of the second part that the first one calls has vectors as arguments: let it take their addresses',
+    );
+}
+
+async function split(whole, first, second) {
+    const features = FEATURES.map((feature) => `--enable-${feature}`);
+    const folder = fs.mkdtempSync(path.join(os.tmpdir(), 'luxel-split-'));
+    const [noting, profile] = ['noting.wasm', 'profile'].map((name) => path.join(folder, name));
+    try {
+        binaryen('wasm-split', '--instrument', `--profile-export=${PROFILE}`, ...features, whole, '-o', noting);
+        fs.writeFileSync(profile, await profileOf(noting));
+        const names = ['--import-namespace=first', '--placeholder-namespace=placeholder']; // core.ts gives them
+        binaryen('wasm-split', `--profile=${profile}`, ...names, ...features, whole, '-o1', first, '-o2', second);
+    } finally {
+        fs.rmSync(folder, { recursive: true });
+    }
+    refuseVectors(first);
+    const identity = createHash('sha256').update(fs.readFileSync(whole)).digest().subarray(0, 16);
+    for (const file of [first, second]) sign(file, identity);
+}
+
+if (process.argv[1] === fileURLToPath(import.meta.url)) {
+    try {
+        await split(...process.argv.slice(2));
+    } catch (error) {
+        console.error(`split.mjs: the core could not be split in two: ${error.message}`);
+        process.exitCode = 1;
+    }
+}
