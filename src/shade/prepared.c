@@ -174,16 +174,6 @@ void lx_prepared_clear(struct lx_prepared *prepared)
     *prepared = (struct lx_prepared){0};
 }
 
-/* What the lights' laws have in common. */
-enum laws { ALL_UNATTENUATED, ALL_PHYSICAL, MIXED };
-
-static enum laws common_law(const struct lx_emitters *emitters)
-{
-    if (emitters->unattenuated == emitters->count)
-        return ALL_UNATTENUATED;
-    return emitters->by_square == emitters->count ? ALL_PHYSICAL : MIXED;
-}
-
 /* An intensity without a distance makes no irradiance, and a mixture of laws no unit at all. */
 static const char *unit_of_irradiance(const struct lx_emitters *emitters, bool photometric)
 {
@@ -191,17 +181,17 @@ static const char *unit_of_irradiance(const struct lx_emitters *emitters, bool p
     return emitters->by_square == emitters->count ? unit : LX_N("relative");
 }
 
-/* Of `parts` surfaces and parts of them so many weigh by 1/pi. */
+/* Of `parts` surfaces and parts of them so many weigh by 1/pi.  No light at all obeys every law. */
 static const char *unit_of_brightness(const struct lx_emitters *emitters, bool photometric, size_t over_pi,
                                       size_t parts)
 {
     const bool all = over_pi == parts && over_pi > 0, none = over_pi == 0;
-    enum laws laws = common_law(emitters);
-    if (laws == ALL_UNATTENUATED && none)
+    const bool physical = emitters->by_square == emitters->count;
+    if (emitters->unattenuated == emitters->count && none)
         return photometric ? LX_N("cd") : LX_N("W/sr");
-    if (laws == ALL_PHYSICAL && none)
+    if (physical && none)
         return photometric ? LX_N("lx") : LX_N("W/m²");
-    if (laws == ALL_PHYSICAL && all)
+    if (physical && all)
         return photometric ? LX_N("cd/m²") : LX_N("W/(sr·m²)");
     return LX_N("relative");
 }

@@ -45,6 +45,7 @@ static const struct {
     {PLAIN_BALL, WINDOW ", attenuation: none, parts: 3}", {"W/sr", "cd"}, {"relative", "relative"}},
     {PLAIN_BALL, WINDOW ", attenuation: practical, k: 100}", {"relative", "relative"}, {"relative", "relative"}},
     {PLAIN_BALL, "", {"W/sr", "cd"}, {"W/m²", "lx"}},
+    {BALL_OVER_PI, "", {"W/(sr·m²)", "cd/m²"}, {"W/m²", "lx"}},
     {BALL_OVER_PI ", " PLAIN_BALL, BY_SQUARE, {"relative", "relative"}, {"W/m²", "lx"}},
     {PLAIN_BALL ", " BALL_OVER_PI, BY_SQUARE, {"relative", "relative"}, {"W/m²", "lx"}},
 };
