@@ -306,8 +306,8 @@ static double largest_integrand(const struct lx_problem *problem, const double p
     double by_area = 1; /* of flat ones dA/r^2 is less than the area in the rectangle, in which doubts are counted */
     for (size_t i = 0; lx_is_opening(problem->emitter) && i < problem->sweeps->count; i++) {
         const struct lx_sweep *sweep = &problem->sweeps->items[i];
-        if (sweep->kind != LX_SWEEP_STRIP && sweep->kind != LX_SWEEP_DISK)
-            by_area = fmax(by_area, away / sweep->height_mm);
+        if (sweep->kind != LX_SWEEP_STRIP && sweep->kind != LX_SWEEP_DISK) /* the axis may go through the place */
+            by_area = fmax(by_area, away / fmax(sweep->height_mm, sweep->radius_mm));
     }
     return by_law * by_area * (problem->lobe ? fmin(BETWEEN * exp(fmax(problem->highest, problem->top)), 1) : 1);
 }

@@ -251,7 +251,7 @@ const struct lx_shaft *lx_occlusion_begin(const double place_mm[3], const double
     occlusion->obstacles.count = occlusion->obstacles.sheet_count = 0;
     occlusion->obstacles.edge_count = occlusion->obstacles.layered_count = 0;
     occlusion->horizon_count = 0;
-    occlusion->has_outline = occlusion->is_dark = false;
+    occlusion->has_outline = occlusion->is_dark = occlusion->has_polygons = false;
     memcpy(occlusion->place_mm, place_mm, sizeof occlusion->place_mm);
     if (normal) {
         add_plane(&occlusion->shaft, normal, place_mm);
@@ -312,6 +312,23 @@ static bool look_up(const struct lx_emitter *emitter, const struct lx_occlusion 
     return true;
 }
 
+/* Takes sheets that may reach into a round source, of which its outline does not know what they hide, as polygons. */
+static int take_sheets(const struct lx_emitter *emitter, struct lx_occlusion *occlusion)
+{
+    enum { MOST_SHEETS = 64 };
+    struct lx_obstacles *obstacles = &occlusion->obstacles;
+    if ((emitter->type != LX_BALL && emitter->type != LX_CYLINDER) || obstacles->sheet_count > MOST_SHEETS)
+        return 0;
+    for (size_t i = 0; i < obstacles->sheet_count; i++) {
+        struct lx_obstacle polygon = {.type = LX_OBSTACLE_POLYGON, .corner_count = 3};
+        memcpy(polygon.corners_mm, obstacles->sheets[i].corners_mm, sizeof obstacles->sheets[i].corners_mm);
+        if (lx_obstacles_append(obstacles, &polygon))
+            return -1;
+    }
+    occlusion->has_polygons = true;
+    return 0;
+}
+
 /*
  * What sheets do: where no edge of theirs comes into the shaft, they hide all or nothing.  One plane hides nothing of
  * what the other leaves, so with two of them this is not tried.
@@ -350,6 +367,8 @@ int lx_occlusion_settle(const struct lx_emitter *emitter, double place_error_mm,
     const double *place = occlusion->place_mm;
     size_t kept = 0;
     double size = fabs(place[0]) + fabs(place[1]) + fabs(place[2]), largest = 0;
+    if (take_sheets(emitter, occlusion))
+        return -1;
     for (size_t i = 0; i < obstacles->count; i++) {
         struct lx_obstacle obstacle = obstacles->items[i];
         if (!make_relative(&obstacle, emitter, place) ||

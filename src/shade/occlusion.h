@@ -36,6 +36,7 @@ struct lx_occlusion {
     unsigned horizon_count;
     struct lx_outline *outline; /* of the sheets, whose memory is kept */
     bool has_outline, is_dark;  /* they hide something perhaps; all, certainly */
+    bool has_polygons;          /* those that may reach into a round source are obstacles as well */
     double error_mm;            /* how far any of them may be off */
     struct lx_hidden *hidden;   /* room for the most on an arc */
     size_t most_hidden;

@@ -58,7 +58,7 @@ struct lx_outline {
     const struct lx_sweeps *sweeps; /* that it was laid out for */
     struct lx_outline_lay *lays;
     size_t lay_count;
-    bool is_doubtful; /* sheets reach into a round source: what of it they hide is not known */
+    bool is_doubtful; /* too many sheets reach into a round source: what of it they hide is not known */
     bool is_broken;   /* there is too much of it */
 };
 

@@ -215,7 +215,7 @@ static bool may_be_before(const struct laying *laying, const double corners[3][3
     return outside[0] < 3 && outside[1] < 3 && outside[2] < 3 && outside[3] < 3;
 }
 
-/* Where a flat source's plane cuts a sheet; how round sources may be met by it. */
+/* Where a flat source's plane cuts a sheet; round sources may be met by it, unless it is among the obstacles. */
 static int add_section(struct laying *laying, const struct lx_sheet *sheet)
 {
     const double limit = laying->limit_mm;
@@ -227,7 +227,8 @@ static int add_section(struct laying *laying, const struct lx_sheet *sheet)
     }
     if (!(highest > limit) || !(lowest < laying->farthest_mm))
         return 0;
-    laying->occlusion->outline->is_doubtful |= laying->farthest_mm > limit && may_be_before(laying, corners);
+    laying->occlusion->outline->is_doubtful |=
+        laying->farthest_mm > limit && !laying->occlusion->has_polygons && may_be_before(laying, corners);
     if (!(lowest <= limit))
         return 0;
     const bool turned = sheet->turn < 0;

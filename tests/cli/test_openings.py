@@ -379,7 +379,33 @@ def pictures_and_grids(tap, tool):
     tap.ok("opening" in text and "closed form" not in text, "explained", text)
 
 
+def meshes_as_plates(tap, tool):
+    """Two triangles hide of round sources what the plate does: before them, reaching into them, on the axis of a tube."""
+    tool.write("w.ies", WINGS)
+    tool.write("m.obj", "v -1 -1 0\nv 1 -1 0\nv 1 1 0\nv -1 1 0\nf 1 2 3\nf 1 3 4\n")
+    center, lamp = [0, 0, 900], {"type": "luminaire", "file": "w.ies", "position": [0, 0, 900]}
+    elements = [((0, 0, 100), (0, 0.2, 1)), ((40, 20, 100), (0.1, 0.2, 1)), ((30, 10, 640), (0.2, 0, 1)),
+                ((500, -300, 200), (-0.3, 0.1, 1)), ((-700, 0, 850), (1, 0, 0.2))]
+    sources = [("ball", {"type": "volume", "radiance": 100, "sphere": {"center": center, "radius": 180}}),
+               ("cylinder", {"type": "volume", "radiance": 100, "cylinder": {
+                   "center": center, "radius": 120, "height": 400, "axis": [1, 0.5, 0]}}),
+               ("tube", {**lamp, "opening": {"cylinder": {"radius": 120, "height": 400}}}),
+               ("lying tube", {**lamp, "opening": {"cylinder": {"radius": 60, "height": 500, "axis": [1, 2, 0]}}})]
+    for kind, light in sources:
+        for at in [0, 0, 450], [90, 30, 760]:
+            told = []
+            for plate in ({"type": "rectangle", "size": [240, 240]},
+                          {"type": "mesh", "file": "m.obj", "scale": 120, "normals": "flat"}):
+                plate["position" if plate["type"] == "mesh" else "center"] = at
+                name = scene(tool, "m.yaml", light, surfaces=SCENE["surfaces"] + [plate], shadows="all")
+                told.append(probe(tool, name, elements, "--quantity", "irradiance"))
+            bad = [(place, a["value"], a["error"], b["value"], b["error"])
+                   for (place, _), a, b in zip(elements, *told)
+                   if abs(a["value"] - b["value"]) > a["error"] + b["error"] or b["error"] > 1e-8 * a["value"]]
+            tap.ok(not bad and any(point["value"] > 0 for point in told[0]), "%s, a mesh at %s" % (kind, at), *bad)
+
+
 # with sanitizers pictures take minutes, and memory is as well tried by those of as_planar()
 run_tests(Tap(), panel_below, as_planar, random_elements, openings_of_files, openings_not_round, hidden_bodies,
-          wrong_openings,
+          meshes_as_plates, wrong_openings,
           *([] if os.environ.get("LUXEL_SANITIZED") else [pictures_and_grids, pictures_not_round]))
