@@ -380,7 +380,7 @@ def pictures_and_grids(tap, tool):
 
 
 def meshes_as_plates(tap, tool):
-    """Two triangles hide of round sources what the plate does: before them, reaching into them, on the axis of a tube."""
+    """Two triangles hide of round sources what the plate does: before, reaching into them, on the axis of a tube."""
     tool.write("w.ies", WINGS)
     tool.write("m.obj", "v -1 -1 0\nv 1 -1 0\nv 1 1 0\nv -1 1 0\nf 1 2 3\nf 1 3 4\n")
     center, lamp = [0, 0, 900], {"type": "luminaire", "file": "w.ies", "position": [0, 0, 900]}
