@@ -79,11 +79,14 @@ static double opening_at(struct lx_problem *problem, const double towards[3], do
 {
     const struct lx_pointed *luminaire = problem->emitter->profile.luminaire;
     double area = 1 / fmax(incidence, DBL_MIN);
-    if (problem->emitter->type == LX_BALL) { /* the weight is for the distance of the near side */
+    if (problem->emitter->type == LX_BALL) {
+        const enum lx_sweep_wall wall = problem->sweep->wall;
         double incidences[2];
         const double far = lx_sweep_far(problem->sweep, &problem->arc, tau, incidences);
-        area = 1 / fmax(incidences[0], LEAST_INCIDENCE) +
-               law(problem->emitter, far) / law(problem->emitter, distance_mm) / fmax(incidences[1], LEAST_INCIDENCE);
+        area = 1 / fmax(incidences[wall == LX_FAR_WALL], LEAST_INCIDENCE);
+        if (wall == LX_BOTH_WALLS) /* the weight is for the distance of the near side */
+            area +=
+                law(problem->emitter, far) / law(problem->emitter, distance_mm) / fmax(incidences[1], LEAST_INCIDENCE);
     }
     *error = area * (lx_pointed_slope(luminaire) * (moved + 8 * DBL_EPSILON) + 16 * DBL_EPSILON);
     return area * lx_pointed_near(luminaire, towards, &problem->kept);

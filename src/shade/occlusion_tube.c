@@ -167,7 +167,7 @@ size_t lx_hide_by_tube(const struct half_plane *half, const struct lx_obstacle *
     if (half->is_line)
         propose_on_line(half, (struct point){half->line_mm, 0}, (struct point){0, 1}, p, d, e, tube->radius_mm,
                         ON_THE_SOURCE, &candidates);
-    else if (half->is_ellipse && !is_before)
+    else if ((half->is_ellipse || half->sweep->wall == LX_FAR_WALL) && !is_before)
         lx_propose_by_scan(half, tube, tube_hides, &candidates);
     else if (!is_before)
         propose_on_ball(half, p, d, e, tube->radius_mm, &candidates);

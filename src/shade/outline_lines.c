@@ -53,7 +53,7 @@ static void bound_sweep(struct laying *laying)
     const double tangent = r / sqrt((h - r) * (h + r)), far = (h - r) * (h + r) / h;
     const double u1 = s->angle1 < 0 ? -tangent : 0, u2 = u1 + tangent;
     laying->limit_mm = (h - r) * (1 - ON_SOURCE);
-    laying->farthest_mm = far;
+    laying->farthest_mm = s->wall == LX_FAR_WALL ? h + r : far;
     if (s->kind == LX_SWEEP_BALL) {
         set_range(laying, u1, u2, -tangent, tangent);
         return;

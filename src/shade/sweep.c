@@ -295,6 +295,19 @@ double lx_sweep_approach(const struct lx_sweep *sweep, double x)
     return chord.line.y + slope * (chord.s + chord.width / 2);
 }
 
+/* Makes sweeps of both sides of bodies sweeps of the near one, and appends those of the far one. */
+static int part_walls(struct lx_sweeps *sweeps)
+{
+    for (size_t i = 0, count = sweeps->count; i < count; i++) {
+        struct lx_sweep far = sweeps->items[i];
+        far.wall = LX_FAR_WALL;
+        sweeps->items[i].wall = LX_NEAR_WALL;
+        if (lx_sweeps_append(sweeps, &far))
+            return -1;
+    }
+    return 0;
+}
+
 int lx_sweeps_make(const struct lx_emitter *emitter, const double place_mm[3], const double across[3], bool is_occluded,
                    struct lx_sweeps *sweeps)
 {
@@ -305,9 +318,12 @@ int lx_sweeps_make(const struct lx_emitter *emitter, const double place_mm[3], c
                 return -1;
         return 0;
     }
-    if (emitter->type == LX_BALL)
-        return lx_is_elliptic(emitter) ? lx_sweep_ellipsoid(emitter, place_mm, across, sweeps)
-                                       : lx_sweep_ball(emitter, place_mm, across, sweeps);
+    if (emitter->type == LX_BALL) {
+        if (lx_is_elliptic(emitter) ? lx_sweep_ellipsoid(emitter, place_mm, across, sweeps)
+                                    : lx_sweep_ball(emitter, place_mm, across, sweeps))
+            return -1;
+        return is_occluded && lx_is_opening(emitter) ? part_walls(sweeps) : 0;
+    }
     if (emitter->type == LX_CYLINDER)
         return lx_sweep_cylinder(emitter, place_mm, across, is_occluded, sweeps);
     const double axis[3] = {emitter->axis.x.value, emitter->axis.y.value, emitter->axis.z.value};
@@ -326,6 +342,12 @@ struct lx_arc lx_sweep_arc(const struct lx_sweep *sweep, double x)
 double lx_sweep_distance(const struct lx_sweep *sweep, const struct lx_arc *arc, double cos_tau, double sin_tau,
                          double *incidence)
 {
+    if (sweep->wall == LX_FAR_WALL) {
+        double incidences[2];
+        const double far = lx_sweep_far(sweep, arc, atan2(sin_tau, cos_tau), incidences);
+        *incidence = incidences[1];
+        return far;
+    }
     if (sweep->kind == LX_SWEEP_BALL || sweep->kind == LX_SWEEP_ELLIPSOID)
         return lx_body_distance(sweep, arc, cos_tau, sin_tau, incidence);
     double distance = arc->distance_mm / cos_tau;

@@ -30,8 +30,12 @@ enum lx_sweep_kind {
     LX_SWEEP_TUBE /* all of a cylinder's side, as an opening; its incidence is told so that areas come out right */
 };
 
+/* Of a ball or an ellipsoid as an opening, which is seen through: what stands within it hides its far side alone. */
+enum lx_sweep_wall { LX_BOTH_WALLS, LX_NEAR_WALL, LX_FAR_WALL };
+
 struct lx_sweep {
     enum lx_sweep_kind kind;
+    enum lx_sweep_wall wall;
     struct lx_sweep_frame frame;
     double height_mm; /* of a flat source's plane over the element; from the axis of a cylinder, from a ball's centre */
     double radius_mm; /* of the round ones; of an ellipse half of what it measures across the arcs */
@@ -72,7 +76,7 @@ struct lx_sweeps {
 /*
  * The sweeps of what an element at a place sees of a source, horizon apart.  Arcs of flat sources and balls run
  * perpendicularly to `across`, so that its angle from L is easy along them.  Where something is in the way, sweeps of
- * tubes are cut so that each has a longitude once.  0, or -1 when memory ran out.
+ * tubes are cut so that each has a longitude once, and those of balls have one side.  0, or -1 when memory ran out.
  */
 int lx_sweeps_make(const struct lx_emitter *emitter, const double place_mm[3], const double across[3], bool is_occluded,
                    struct lx_sweeps *sweeps);

@@ -379,6 +379,45 @@ def pictures_and_grids(tap, tool):
     tap.ok("opening" in text and "closed form" not in text, "explained", text)
 
 
+def within_a_sphere(tap, tool):
+    """What stands within a spherical opening hides its far side alone, against sums over many points of it."""
+    tool.write("w.ies", WINGS)
+    center, axis, c0 = np.array([0.0, 0, 900]), np.array([0.0, 0, -1]), np.array([1.0, 0, 0])
+    light = {"type": "luminaire", "file": "w.ies", "position": list(center), "opening": {"sphere": {"radius": 200}}}
+    places, weights = points_of(light["opening"], np.array([c0, np.cross(c0, axis), axis]), center)
+    elements = [((40, 20, 100), (0.1, 0.2, 1)), ((400, -300, 300), (-0.3, 0.1, 1))]
+
+    def by_plate(place, ways):
+        with np.errstate(divide="ignore"):
+            share = (920 - place[2]) / ways[:, 2]
+        met = np.abs(place + share[:, None] * ways)
+        return (share > 0) & (share < 1) & (met[:, 0] < 110) & (met[:, 1] < 90)
+
+    def by_ball(place, ways):
+        share = np.clip(((center - place) * ways).sum(1) / (ways * ways).sum(1), 0, 1)
+        return np.linalg.norm(place + share[:, None] * ways - center, axis=1) < 90
+
+    def by_tube(place, ways):
+        a, b, c = (ways[:, :2] ** 2).sum(1), (ways[:, :2] * place[:2]).sum(1), (place[:2] ** 2).sum() - 60 ** 2
+        root, hidden = np.sqrt(np.maximum(b * b - a * c, 0)), np.zeros(len(ways), bool)
+        for share in (-b - root) / a, (-b + root) / a:
+            hidden |= (b * b > a * c) & (share > 0) & (share < 1) & (np.abs(place[2] + share * ways[:, 2] - 900) < 80)
+        return hidden
+
+    for surface, hides in (({"type": "rectangle", "center": [0, 0, 920], "size": [220, 180]}, by_plate),
+                           ({"type": "sphere", "center": list(center), "radius": 90}, by_ball),
+                           ({"type": "cylinder", "center": list(center), "radius": 60, "height": 160,
+                             "axis": [0, 0, 1]}, by_tube)):
+        name = scene(tool, "i.yaml", light, surfaces=SCENE["surfaces"] + [surface], shadows="all")
+        told = probe(tool, name, elements, "--quantity", "irradiance", "--tolerance", "1e-5")
+        for (place, normal), point in zip(elements, told):
+            seen = weights * ~hides(np.array(place), places - place)
+            truth = [shining(places, part, np.array(place), unit(normal), axis, {"specular": 0, "shininess": 1}, axis,
+                             c0)[0] for part in (seen, weights)]
+            tap.ok(abs(point["value"] - truth[0]) < 0.03 * (truth[1] - truth[0]),
+                   "a %s within a spherical opening" % surface["type"], point["value"], *truth)
+
+
 def meshes_as_plates(tap, tool):
     """Two triangles hide of round sources what the plate does: before, reaching into them, on the axis of a tube."""
     tool.write("w.ies", WINGS)
@@ -407,5 +446,5 @@ def meshes_as_plates(tap, tool):
 
 # with sanitizers pictures take minutes, and memory is as well tried by those of as_planar()
 run_tests(Tap(), panel_below, as_planar, random_elements, openings_of_files, openings_not_round, hidden_bodies,
-          meshes_as_plates, wrong_openings,
+          meshes_as_plates, within_a_sphere, wrong_openings,
           *([] if os.environ.get("LUXEL_SANITIZED") else [pictures_and_grids, pictures_not_round]))
