@@ -8,6 +8,7 @@
 #include "measures.h"
 #include "number.h"
 #include "scalar.h"
+#include "space_lines.h"
 
 static const double FINE = 0.1;
 
@@ -330,7 +331,15 @@ gboolean app_mark_shift(const AppMark *mark, const double step_mm[3], AppDocumen
     if (mark->is_distant) {
         const double radius = dome_radius(document);
         AppHand hand = {.mark = *mark};
-        const double shown[2] = {mark->screen_mm[0] + step_mm[0], mark->screen_mm[1] + step_mm[1]};
+        double direction[3], unit[3];
+        char *key = g_strdup_printf("lights[%zu].direction", mark->index);
+        char *text = app_document_get(document, key, NULL); /* the mark may be behind it */
+        if (app_list_read(text, direction, 3) != 3 || !app_space_unit(direction, unit))
+            for (int k = 0; k < 3; k++)
+                unit[k] = -mark->place_mm[k];
+        g_free(text);
+        g_free(key);
+        const double shown[2] = {step_mm[0] - unit[0] * radius, step_mm[1] - unit[1] * radius};
         dome_place(&hand, shown, radius, 0, place);
         return put(document, mark, place);
     }

@@ -158,6 +158,8 @@ static void drag_begin(GtkGestureDrag *gesture, double x, double y, AppStage *se
     self->has_moved = FALSE;
     self->is_toggling = is_lamp(&thing) && (state & (GDK_CONTROL_MASK | GDK_SHIFT_MASK));
     self->was_chosen = is_lamp(&thing) && self->chosen->len > 1 && app_stage_is_chosen(self, thing.index);
+    g_clear_pointer(&self->turn, app_turn_free);
+    self->turn = self->was_chosen ? app_turn_begin(self->document, self->chosen, thing.index) : NULL;
     app_document_begin_gesture(self->document);
     if (!self->was_chosen && !self->is_toggling)
         select_thing(self);
@@ -173,20 +175,24 @@ static double grain_of(const AppStage *self, GdkModifierType state)
     return power * (share < 2 ? 2 : share < 5 ? 5 : 10);
 }
 
-/* Moves the thing that is held, and with a lamp the others that are chosen, as one step of undo. */
+/* Moves the thing that is held, and with a lamp the others that are chosen, as one step of undo: those that stand
+ * somewhere by as much, or light from far away turns together. */
 static void move_held(AppStage *self, const double to_mm[3], double grain_mm)
 {
     AppThing *thing = &self->thing;
-    const gboolean several = self->was_chosen && thing->kind == APP_THING_LAMP;
+    const gboolean several = self->was_chosen && is_lamp(thing);
     double step[3];
     memcpy(step, thing->at_mm, sizeof step);
     app_document_set_topic(self->document, several ? "lights" : NULL);
-    if (app_space_move(thing, self->projection, to_mm, grain_mm, self->document) && several) {
+    const gboolean done = app_space_move(thing, self->projection, to_mm, grain_mm, self->document);
+    if (done)
+        app_turn_follow(self->turn, self->document);
+    if (done && several && thing->kind == APP_THING_LAMP) {
         for (int k = 0; k < 3; k++)
             step[k] = thing->at_mm[k] - step[k];
         for (guint i = 0; i < self->chosen->len; i++) {
             const AppMark mark = {.kind = APP_MARK_SOURCE, .index = g_array_index(self->chosen, gsize, i)};
-            if (mark.index != thing->index) /* light that stands nowhere stays */
+            if (mark.index != thing->index) /* light from far away stands nowhere, and stays */
                 app_mark_shift(&mark, step, self->document);
         }
     }
@@ -218,6 +224,7 @@ static void drag_end(GtkGestureDrag *gesture, double dx, double dy, AppStage *se
     if (!self->is_held)
         return;
     self->is_held = FALSE;
+    g_clear_pointer(&self->turn, app_turn_free);
     app_document_end_gesture(self->document);
     if (!self->has_moved && self->is_toggling)
         g_signal_emit(self, signals[TOGGLED], 0, (guint)self->thing.index);
@@ -347,6 +354,7 @@ static void app_stage_dispose(GObject *object)
 static void app_stage_finalize(GObject *object)
 {
     g_array_unref(APP_STAGE(object)->chosen);
+    app_turn_free(APP_STAGE(object)->turn);
     app_outlines_free(APP_STAGE(object)->outlines);
     G_OBJECT_CLASS(app_stage_parent_class)->finalize(object);
 }

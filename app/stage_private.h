@@ -5,6 +5,7 @@
 
 #include "outlines.h"
 #include "stage.h"
+#include "turn.h"
 
 /* From millimetres to the widget: the horizontal is x in both projections. */
 typedef struct AppStageMap {
@@ -26,6 +27,7 @@ struct _AppStage {
     gssize selected, hovered; /* lights */
     GArray *chosen;           /* gsize: the lights that are chosen together, the selected one among them */
     gboolean was_chosen;      /* what was pressed, with others */
+    AppTurn *turn;            /* of light from far away that is chosen with it, while it is held; NULL: none */
     gboolean is_toggling;     /* pressed to be chosen beside the others, or no longer */
     gboolean has_moved;       /* since it was pressed */
     AppThing thing;           /* that is held, or that the pointer is on */

@@ -336,6 +336,7 @@ static void app_view_dispose(GObject *object)
 static void app_view_finalize(GObject *object)
 {
     g_free(APP_VIEW(object)->hint);
+    app_turn_free(APP_VIEW(object)->turn);
     g_array_unref(APP_VIEW(object)->chosen);
     G_OBJECT_CLASS(app_view_parent_class)->finalize(object);
 }

@@ -89,14 +89,19 @@ static void take(AppView *self, const AppMark *mark, const double at[2])
     self->doing = DOING_MOVE;
     app_document_begin_gesture(self->document);
     self->was_chosen = app_view_is_chosen(self, mark);
+    g_clear_pointer(&self->turn, app_turn_free);
+    self->turn = self->was_chosen ? app_turn_begin(self->document, self->chosen, mark->index) : NULL;
     self->has_moved = FALSE;
     if (mark->kind != APP_MARK_SECTION && !self->was_chosen && !self->is_toggling)
         select_mark(self, mark);
 }
 
-/* Moves the other chosen sources as far as one of them was; distant light stands nowhere, and stays. */
-static void move_others(AppView *self, const AppMark *moved, const double step[3])
+/* Moves the other chosen sources as far as one of them was; light from far away turns as one of it does. */
+static void move_others(AppView *self, const AppMark *moved, const double step[3], const AppTurn *turn)
 {
+    app_turn_follow(turn, self->document);
+    if (moved->is_distant)
+        return;
     for (guint i = 0; i < self->marks->len; i++) {
         const AppMark *mark = &g_array_index(self->marks, AppMark, i);
         if (app_view_is_chosen(self, mark) && mark->index != moved->index && !mark->is_distant)
@@ -108,17 +113,18 @@ static void move_others(AppView *self, const AppMark *moved, const double step[3
 static void shift(AppView *self, const AppMark *mark, const double step[3])
 {
     const gboolean several = app_view_is_chosen(self, mark);
+    g_autoptr(AppTurn) turn = several ? app_turn_begin(self->document, self->chosen, mark->index) : NULL;
     app_document_set_topic(self->document, several ? "lights" : NULL);
     app_mark_shift(mark, step, self->document);
     if (several)
-        move_others(self, mark, step);
+        move_others(self, mark, step, turn);
     app_document_set_topic(self->document, NULL);
 }
 
 /* As the hand does; FALSE where that is not possible. */
 static gboolean move_mark(AppView *self, const AppTouch *touch)
 {
-    const gboolean several = app_view_is_chosen(self, &self->hand.mark) && !self->hand.mark.is_distant;
+    const gboolean several = app_view_is_chosen(self, &self->hand.mark);
     double step[3];
     memcpy(step, self->hand.mark.place_mm, sizeof step);
     app_document_set_topic(self->document, several ? "lights" : NULL);
@@ -126,7 +132,7 @@ static gboolean move_mark(AppView *self, const AppTouch *touch)
     for (int k = 0; k < 3; k++)
         step[k] = self->hand.mark.place_mm[k] - step[k];
     if (done && several)
-        move_others(self, &self->hand.mark, step);
+        move_others(self, &self->hand.mark, step, self->turn);
     app_document_set_topic(self->document, NULL);
     return done;
 }
@@ -204,6 +210,7 @@ static void drag_end(GtkGestureDrag *gesture, double dx, double dy, AppView *sel
     (void)dy;
     if (self->doing == DOING_MOVE)
         app_document_end_gesture(self->document);
+    g_clear_pointer(&self->turn, app_turn_free);
     self->doing = DOING_NOTHING;
     if (is_click && self->is_toggling)
         g_signal_emit_by_name(self, "toggled", (guint)self->hand.mark.index);

@@ -3,6 +3,7 @@
 #ifndef LUXEL_APP_VIEW_PRIVATE_H
 #define LUXEL_APP_VIEW_PRIVATE_H
 
+#include "turn.h"
 #include "view.h"
 #include "view_draw.h"
 
@@ -34,6 +35,7 @@ struct _AppView {
     Doing doing;
     gboolean is_toggling; /* pressed with Ctrl or Shift, and not moved yet */
     gboolean was_chosen;  /* what was pressed, with others */
+    AppTurn *turn;        /* of light from far away that is chosen with it, while it is held; NULL: none */
     gboolean has_moved;
     AppHand hand;
     double pan_start[2];

@@ -8,6 +8,7 @@
 #ifndef LUXEL_GLARE_H
 #define LUXEL_GLARE_H
 
+#include <luxel/balance.h>
 #include <luxel/photometry.h>
 #include <luxel/scene.h>
 #include <luxel/settings.h>
@@ -41,6 +42,29 @@ LUXEL_API luxel_status luxel_photometry_rate_glare(const luxel_photometry *photo
 LUXEL_API double luxel_ugr_room(size_t i, size_t axis);
 /* The i-th reflectance of ceiling [0], walls [1] and floor [2]. */
 LUXEL_API double luxel_ugr_reflectance(size_t i, size_t part);
+
+/* A luminaire sends less than this part of its light upwards, in percent, in a room that is rated with reflected light:
+ * what the ceiling makes of it depends on how far below it the luminaire hangs, and changes ratings by less than 0.05. */
+#define LUXEL_ROOM_UPWARDS 0.3
+
+/* One room by the light that its surfaces really reflect, any number of times. */
+typedef struct luxel_room_rating {
+    luxel_amount background; /* Lb in cd/m², where the luminaires are 1 m above the eye */
+    double ratings[2];       /* UGR crosswise and endwise, with the glare of the table; NaN: nothing dazzles */
+    double error;            /* bounds what the error of the background makes of both */
+    bool reached;            /* whether reflected light reached its bound; see luxel_settings */
+} luxel_room_rating;
+
+/*
+ * Rates room `room` of a table with the reflectances `triple` (luxel_ugr_room(), luxel_ugr_reflectance()): a scene of
+ * it under the luminaire of the file at `path`, of which the table is, is solved with reflected light, to
+ * settings->reflected_error, 0.01 where that is 0.  More than LUXEL_ROOM_UPWARDS of light upwards is the caller's to
+ * refuse.  LUXEL_ERROR_ARGUMENT: NULL, a table without ratings, no such room or reflectances.  Else errors as
+ * luxel_find_balance() lists them.
+ */
+LUXEL_API luxel_status luxel_rate_room(const char *path, const luxel_ugr_table *table, size_t room, size_t triple,
+                                       const luxel_settings *settings, luxel_diagnostics *diagnostics,
+                                       luxel_room_rating *rating);
 
 /* An observer who looks in a direction. */
 typedef struct luxel_sight {

@@ -16,7 +16,7 @@ from ._balance import Amount, Balance, LitSide
 from ._document import Document
 from ._errors import Diagnostic, LuxelError, LuxelKeyError, LuxelValueError, LuxelWarning
 from ._field import Field, compare, read
-from ._glare import Glare, GlareSource, UgrReflectances, UgrTable
+from ._glare import Glare, GlareSource, UgrReflectances, UgrRoom, UgrTable
 from ._grid import Grid
 from ._language import set_language
 from ._photometry import Diagram, Greatest, LampSet, Opening, Photometry, PhotometryFigures
@@ -34,6 +34,7 @@ __all__ = [
     "Field", "Figure", "Glare", "GlareSource", "Greatest", "Grid", "GridExtrema", "GridExtremum", "GridPeak",
     "Histogram", "Isophote", "Judgement", "LampSet", "Light", "LitSide", "LuxelError", "LuxelKeyError",
     "LuxelValueError", "LuxelWarning", "Mesh", "Opening", "Peak", "Photometry", "PhotometryFigures", "Probe",
-    "Probes", "Profile", "Scene", "Share", "Statistics", "Summary", "UgrReflectances", "UgrTable", "builtin_scenes",
-    "compare", "instruction_sets", "palettes", "read", "schema", "set_language", "variant", "__version__",
+    "Probes", "Profile", "Scene", "Share", "Statistics", "Summary", "UgrReflectances", "UgrRoom", "UgrTable",
+    "builtin_scenes", "compare", "instruction_sets", "palettes", "read", "schema", "set_language", "variant",
+    "__version__",
 ]

@@ -90,6 +90,33 @@ class UgrTable(NamedTuple):
         return _html.table([""] * 11, parts + ratings, title.strip())
 
 
+class UgrRoom(NamedTuple):
+    """UGR of a luminaire in one standard room by the light that its surfaces really reflect, any number of times."""
+
+    spacing: float  #: between luminaires, over their height H above the eye
+    across: float  #: the size of the room, in H
+    along: float
+    reflectances: Tuple[UgrReflectances, ...]  #: five of them; so many numbers the arrays have
+    background: "Floats"  #: Lb in cd/m² where the luminaires are 1 m above the eye
+    background_error: "Floats"  #: bounds its error
+    background_by_table: "Floats"  #: what the tabular method has
+    crosswise: "Floats"  #: the plane C0 along the line of sight; NaN where nothing dazzles
+    endwise: "Floats"  #: the plane C90 along it
+    error: "Floats"  #: bounds what the error of the background makes of both
+    reached: bool  #: reflected light is known as well as `reflected_error` asks for
+
+    def _repr_html_(self) -> str:
+        rows = [[translate(title)] + ["%.0f" % (100 * getattr(triple, part)) for triple in self.reflectances]
+                for title, part in (("ceiling, %", "ceiling"), ("walls, %", "walls"), ("floor, %", "floor"))]
+        for title, form, values in (("background by the table, cd/m²", "%.4g", self.background_by_table),
+                                    ("background, cd/m²", "%.4g", self.background),
+                                    ("its error at most", "%.2g", self.background_error),
+                                    ("crosswise", "%.2f", self.crosswise), ("endwise", "%.2f", self.endwise),
+                                    ("error at most", "%.2g", self.error)):
+            rows.append([translate(title)] + ["—" if x != x else form % x for x in values.tolist()])
+        return _html.table([""] * 6, rows, "UGR, %gH × %gH" % (self.across, self.along))
+
+
 def sight(eye_mm: Any, view: Any, up: Any) -> Tuple[Tuple[float, ...], ...]:
     """The observer as the library takes it; an upward direction of 0 is the scene's."""
     triple = "three numbers are expected, x, y and z"
@@ -123,3 +150,13 @@ def ugr_table(found: Any) -> Optional[UgrTable]:
     array: "Floats" = numpy.array(ratings, dtype=numpy.float64).reshape(len(rooms), 2, len(reflectances))
     return UgrTable(spacing, tuple(rooms), tuple(UgrReflectances(*triple) for triple in reflectances), array[:, 0],
                     array[:, 1])
+
+
+def ugr_room(found: Any, across: float, along: float) -> UgrRoom:
+    """The ratings of one room of a tuple of the library."""
+    import numpy
+
+    spacing, reflectances, by_table, ratings = found
+    background, background_error, crosswise, endwise, error = numpy.array([row[:5] for row in ratings]).T.copy()
+    return UgrRoom(spacing, across, along, tuple(UgrReflectances(*triple) for triple in reflectances), background,
+                   background_error, numpy.array(by_table), crosswise, endwise, error, all(row[5] for row in ratings))

@@ -3,16 +3,17 @@
 from __future__ import annotations
 
 import os
+import tempfile
 from typing import TYPE_CHECKING, Any, Dict, List, NamedTuple, Optional, Tuple, Union
 
 from . import _html, _luxel
 from ._arrays import floats, shared
 from ._errors import Diagnostic
-from ._glare import UgrTable, ugr_table
+from ._glare import UgrRoom, UgrTable, ugr_room, ugr_table
 from ._language import translate
 from ._pictures import Drawing, Path, drawing
 from ._results import Vector
-from ._settings import choice, real
+from ._settings import Progress, choice, real, settings
 
 if TYPE_CHECKING:
     from ._arrays import Floats
@@ -164,6 +165,23 @@ class Photometry:
         0.25.  None for what has no luminance towards an observer: points, types A and B.
         """
         return ugr_table(_luxel.photometry_ugr(self._holder, real("spacing", spacing)))
+
+    def room(self, across: float, along: float, spacing: float = 0.25, *, reflected_error: Optional[float] = None,
+             threads: int = 0, progress: Optional[Progress] = None) -> UgrRoom:
+        """The ratings of one room of ugr() by the light that its surfaces really reflect, as `--room` has them.
+
+        `across`, `along`: the room's size in heights of the luminaires above the eye, of a room of the table, such as
+        4 and 8.  `reflected_error` is the bound wanted of reflected light, as a share of the greatest mean
+        illuminance, 0.01 where it is not given; where it is missed there is a LuxelWarning.  It takes seconds with a
+        spacing of 1, minutes with 0.25.  ValueError: no such room or spacing, a point, types A and B, light upwards.
+        """
+        size = real("across", across), real("along", along)
+        how = settings(None, threads=threads, reflected_error=reflected_error, progress=progress)
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, "luminaire.ies")
+            self.write(path)
+            found = _luxel.photometry_room(self._holder, os.fsencode(path), size, real("spacing", spacing), how)
+        return ugr_room(found, *size)
 
     def intensity(self, plane: Any, angle: Any, interpolation: str = "angle") -> Any:
         """The intensity in cd at C (or a horizontal angle) and gamma (or a vertical one), in degrees.

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Luminaires: what their files say, their tables as views, what is read off them, and intensities in any direction. */
 #include "failure.h"
+#include "work.h"
 
 static void release_photometry(void *photometry)
 {
@@ -209,6 +210,95 @@ static PyObject *ugr(PyObject *module, PyObject *arguments)
     return ratings ? Py_BuildValue("(dNNN)", table.spacing, ugr_rooms(), ugr_reflectances(), ratings) : NULL;
 }
 
+/* Which room of the table has these heights across and along; LUXEL_UGR_ROOMS: none. */
+static size_t room_of(double across, double along)
+{
+    size_t room = 0;
+
+    while (room < LUXEL_UGR_ROOMS && (luxel_ugr_room(room, 0) != across || luxel_ugr_room(room, 1) != along))
+        room++;
+    return room;
+}
+
+/* Why a room cannot be rated with reflected light, as an exception; false: it can be. */
+static bool refuses_room(const luxel_photometry *lamp, const luxel_ugr_table *table, size_t room)
+{
+    luxel_photometry_figures figures;
+    const luxel_status status = luxel_photometry_measure(lamp, &figures);
+
+    if (status != LUXEL_OK)
+        PyErr_NoMemory();
+    else if (!table->exists)
+        PyErr_SetString(PyExc_ValueError, "the luminaire has no luminance towards an observer");
+    else if (room == LUXEL_UGR_ROOMS)
+        PyErr_SetString(PyExc_ValueError, "across, along: a room of the UGR table is expected, such as 4 and 8");
+    else if (!(100 - figures.dff < LUXEL_ROOM_UPWARDS))
+        PyErr_SetString(PyExc_ValueError, "part of the light goes upwards, and what it makes of the ceiling depends on "
+                                          "how far below it the luminaire hangs: make a scene of the room, and ask "
+                                          "Scene.glare()");
+    else
+        return false;
+    return true;
+}
+
+/* One triple of reflectances: background, its error, crosswise, endwise, their error, whether all was reached. */
+static PyObject *rate_triple(PyObject *module, const char *path, const luxel_ugr_table *table, size_t room,
+                             size_t triple, PyObject *settings)
+{
+    struct work work;
+    luxel_room_rating rating;
+    luxel_diagnostics *diagnostics;
+
+    if (!work_begin(&work, settings) || !(diagnostics = diagnostics_begin()))
+        return NULL;
+    work.before = (double)triple / LUXEL_UGR_REFLECTANCES;
+    work.share = 1.0 / LUXEL_UGR_REFLECTANCES;
+    work_leave(&work);
+    const luxel_status status = luxel_rate_room(path, table, room, triple, &work.settings, diagnostics, &rating);
+
+    work_return(&work);
+    if (!diagnostics_end(&module_state(module)->language, status, diagnostics))
+        return NULL;
+    return Py_BuildValue("(dddddO)", rating.background.value, rating.background.error, rating.ratings[0],
+                         rating.ratings[1], rating.error, rating.reached ? Py_True : Py_False);
+}
+
+/* room(lamp, path of a file of it, (across, along), spacing, settings): one room of the table by reflected light. */
+static PyObject *rate_room(PyObject *module, PyObject *arguments)
+{
+    PyObject *holder, *settings;
+    const char *path;
+    double across, along, spacing;
+    const luxel_photometry *lamp;
+    luxel_ugr_table table;
+    luxel_status status;
+
+    if (!PyArg_ParseTuple(arguments, "Oy(dd)dO", &holder, &path, &across, &along, &spacing, &settings) ||
+        !(lamp = photometry_of(module, holder)))
+        return NULL;
+    Py_BEGIN_ALLOW_THREADS
+    status = luxel_photometry_rate_glare(lamp, spacing, &table);
+    Py_END_ALLOW_THREADS
+    if (status == LUXEL_ERROR_MEMORY)
+        return PyErr_NoMemory();
+    if (status != LUXEL_OK)
+        return PyErr_Format(PyExc_ValueError, "spacing: 1, 1/2, 1/3 ... 1/8 is expected");
+
+    const size_t room = room_of(across, along);
+
+    if (refuses_room(lamp, &table, room))
+        return NULL;
+
+    PyObject *ratings = PyList_New(0);
+
+    for (size_t i = 0; ratings && i < LUXEL_UGR_REFLECTANCES; i++)
+        if (append(ratings, rate_triple(module, path, &table, room, i, settings)) < 0)
+            Py_CLEAR(ratings);
+    return ratings ? Py_BuildValue("(dNNN)", table.spacing, ugr_reflectances(),
+                                   numbers(table.backgrounds[room], LUXEL_UGR_REFLECTANCES), ratings)
+                   : NULL;
+}
+
 /* ---- directions ---- */
 
 enum { MOST_ARRAYS = 3 };
@@ -347,6 +437,9 @@ const PyMethodDef photometry_functions[] = {
              "Tuple[Holder, List[Tuple[Any, ...]]]"),
     FUNCTION("photometry_about", about, METH_O, "luminaire: Holder, /", "Tuple[Any, ...]"),
     FUNCTION("photometry_measured", measured, METH_O, "luminaire: Holder, /", "Tuple[Any, ...]"),
+    FUNCTION("photometry_room", rate_room, METH_VARARGS,
+             "luminaire: Holder, path: bytes, size: Tuple[float, float], spacing: float, settings: _Settings, /",
+             "Tuple[Any, ...]"),
     FUNCTION("photometry_ugr", ugr, METH_VARARGS, "luminaire: Holder, spacing: float, /",
              "Optional[Tuple[Any, ...]]"),
     FUNCTION("photometry_intensities", intensities, METH_VARARGS,

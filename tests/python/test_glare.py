@@ -86,4 +86,29 @@ def test_table(tap, tool):
     tap.ok(numpy.isfinite(found.crosswise).all() and found.crosswise.shape == (19, 5), "arrays", found.crosswise)
 
 
-run_tests(Tap(), test_observer, test_refused, test_table)
+def test_room(tap, tool):
+    tool.write("lamp.ies", lamp_text())
+    lamp, done = luxel.Photometry(tool.file("lamp.ies")), []
+    found = lamp.room(2, 2, 1, threads=1, progress=done.append)
+    told = tool.run("photometry", "lamp.ies", "--json", "--spacing", "1", "--room", "2,2").json()["ugr"]["room"]
+    tap.equal((found.across, found.along, found.spacing), (told["across"], told["along"], 1.0), "the room")
+    for name, numbers in (("background", [b["value"] for b in told["background"]]),
+                          ("background_error", [b["error"] for b in told["background"]]),
+                          ("background_by_table", told["background_by_table"]), ("crosswise", told["crosswise"]),
+                          ("endwise", told["endwise"]), ("error", told["error"])):
+        tap.ok(numpy.allclose(getattr(found, name), numbers, rtol=1e-9), name, getattr(found, name), numbers)
+    tap.ok(found.reached and 0.8 <= done[-1] <= 1 and done == sorted(done), "told how far it is", done)
+    table = lamp.ugr(1)
+    row = table.rooms.index((2.0, 2.0))
+    tap.ok(numpy.abs(found.crosswise - table.crosswise[row]).max() < 1, "near to the table", found.crosswise)
+    html = found._repr_html_()
+    tap.ok("2H × 2H" in html and "%.2f" % found.endwise[0] in html, "a table for notebooks", html)
+    tap.equal(pickle.loads(pickle.dumps(found)).reflectances, table.reflectances, "it is pickled")
+    for room, word in (((5, 5), "4 and 8"), ((2, 2, 0.3), "spacing")):
+        error = raises(ValueError, lamp.room, *room)
+        tap.ok(error is not None and word in str(error), "refused: %r" % (room,), error)
+    point = raises(ValueError, luxel.Photometry(lamp_text("0 0 0").encode()).room, 2, 2)
+    tap.ok(point is not None and "luminance" in str(point), "a point", point)
+
+
+run_tests(Tap(), test_observer, test_refused, test_table, test_room)

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 """The list of sources: adding, doubling, moving, deleting, switching off, looking at one alone; undo of each."""
 import json
+import math
 import re
 
 from desk import luxel, trial
@@ -241,8 +242,8 @@ def another_key_of_several(tap, desk):
            "of two that stand somewhere no more is said")
     desk.move(*window.place(rows[1]))
     desk.hand("keydown", "ctrl", "click", "1", "keyup", "ctrl")
-    tap.ok(wait("all", lambda: window.says("3 sources") and window.says("stands nowhere")),
-           "of light from far away it is said that a drag leaves it")
+    tap.ok(wait("all", lambda: window.says("3 sources") and window.says("turns light from far away")),
+           "of light from far away it is said that it is turned")
     desk.hand("keydown", "ctrl", "click", "1", "keyup", "ctrl")
     wait("both", lambda: chosen(window) == [True, False, True])
     window.click(window.control("label", "Intensity"), button=3)
@@ -282,6 +283,62 @@ def several_by_marks(tap, desk):
     tap.ok(wait("one", lambda: chosen(window) == [True, False, False]), "one more click takes the mark out")
 
 
+DIRECTION = re.compile(rb"direction: \[([^\]]*)\]")
+
+
+def directions(window):
+    """Of all sources from far away, as unit vectors."""
+    found = [[float(number) for number in text.split(b",")] for text in DIRECTION.findall(window.save())]
+    return [[number / math.hypot(*way) for number in way] for way in found]
+
+
+def angles(ways):
+    """Between each two of them, in degrees."""
+    return [math.degrees(math.acos(min(1, sum(a * b for a, b in zip(one, other)))))
+            for i, one in enumerate(ways) for other in ways[:i]]
+
+
+def turned_together(first, before, after):
+    """The first two have turned, with the angle between them as it was, and the others not at all."""
+    both = angles(after[:2])[0], angles(first[:2])[0]
+    return after[0] != before[0] and after[1] != before[1] and after[2:] == before[2:] and abs(both[0] - both[1]) < 0.02
+
+
+def several_from_far(tap, desk):
+    """Sources from far away that are chosen together turn as one that is dragged in the picture, or moved by keys."""
+    distant = b"type: distant, direction: [%s], irradiance: 2"
+    window = scene_of(desk, *(distant % way for way in (b"0.3, 0, -0.9", b"-0.3, 0.4, -0.8", b"0, -0.5, -0.8")))
+    wait("three", lambda: len(window.sources()) == 3)
+    before, start = window.save(), directions(window)
+    scale, x, y = window.map()
+    width, height = (float(re.search(rb"%s: ([\d.]+)" % side, before).group(1)) for side in (b"width", b"height"))
+    radius = min(width, height) / 2 * scale
+    marks = [(x - way[0] * radius, y + way[1] * radius) for way in start]
+    rows = list(window.widget.find("list").all("list item"))
+    window.click(rows[0])
+    wait("the first", lambda: chosen(window) == [True, False, False])
+    desk.move(*window.place(rows[1]))
+    desk.hand("keydown", "ctrl", "click", "1", "keyup", "ctrl")
+    wait("two", lambda: chosen(window) == [True, True, False])
+    desk.drag(marks[0], (marks[0][0] + 40, marks[0][1] + 30))
+    now = wait("a turn", lambda: directions(window) if directions(window)[0] != start[0] else None)
+    tap.ok(turned_together(start, start, now), "a drag of one turns both", start, now)
+    tap.ok(abs(now[0][0] - start[0][0] + 40 / radius) < 0.02 and abs(now[0][1] - start[0][1] - 30 / radius) < 0.02,
+           "it follows the pointer", start[0], now[0])
+    tap.equal(chosen(window), [True, True, False], "both stay chosen")
+    window.act("undo")
+    tap.ok(wait("as before", lambda: window.save() == before), "in one step of undo")
+    desk.key("Right")
+    now = wait("the keys", lambda: directions(window) if directions(window)[0] != start[0] else None)
+    tap.ok(turned_together(start, start, now) and now[0][0] < start[0][0], "arrows turn both", start, now)
+    desk.key("Up")
+    other = wait("more keys", lambda: directions(window) if directions(window)[0] != now[0] else None)
+    tap.ok(turned_together(start, now, other), "and further", now, other)
+    while window.save() != before:
+        window.act("undo")
+    tap.equal(directions(window), start, "undone")
+
+
 def several_at_once(tap, desk):
     """The box of a chosen row is that of all that are chosen, and so is "aim"; each is one step of undo."""
     spot = b"type: spot, position: [%d, 0, 2000], axis: [0, 0, -1], inner: 10, outer: 20, intensity: 9"
@@ -310,4 +367,5 @@ def several_at_once(tap, desk):
 
 
 trial(other_type, another_key, another_key_of_several, list_of_sources, every_kind, names_of_quantities, on_off_alone,
-      aimed, several_by_list, several_by_marks, several_at_once)
+      aimed, several_by_list, several_by_marks, several_from_far,
+      several_at_once)

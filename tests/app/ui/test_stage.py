@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: MIT
 """Plan and elevation: lamps are taken in each of them, and light up everywhere; a drag is one step of undo."""
+import math
 import re
 
 from desk import luxel, trial
@@ -9,8 +10,8 @@ ORANGE = (230, 159, 0)
 POSITION = re.compile(rb"position: \[([-\d.]+), ([-\d.]+), ([-\d.]+)\]")
 
 
-def badges(desk, window):
-    """The middles of the first source's badges, in the plan and in the elevation, on the screen."""
+def dots_of(desk, window):
+    """The places of the first source's colour on the screen, in the plan and in the elevation."""
     left, top = window.edges()
     area = window.widget.find("image", "Plan and elevation").area()
     x, y, width, height = (round(number) for number in (left + area[0], top + area[1], area[2], area[3]))
@@ -18,10 +19,28 @@ def badges(desk, window):
     dots = [(i // 3 % width, i // 3 // width) for i in range(0, len(data), 3) if tuple(data[i:i + 3]) == ORANGE]
     gaps = sorted({dot[1] for dot in dots})
     widest = max(range(1, len(gaps)), key=lambda i: gaps[i] - gaps[i - 1])
-    found = []
-    for part in ([dot for dot in dots if dot[1] < gaps[widest]], [dot for dot in dots if dot[1] >= gaps[widest]]):
-        found.append((x + sum(dot[0] for dot in part) / len(part), y + sum(dot[1] for dot in part) / len(part)))
-    return found
+    return [[(x + dot[0], y + dot[1]) for dot in dots if (dot[1] < gaps[widest]) == is_plan] for is_plan in (True, False)]
+
+
+def middle(dots):
+    return tuple(sum(dot[k] for dot in dots) / len(dots) for k in range(2))
+
+
+def badges(desk, window):
+    """The middles of the first source's badges, in the plan and in the elevation, on the screen."""
+    return [middle(part) for part in dots_of(desk, window)]
+
+
+def far_badge(desk, window, number):
+    """The badge at the upper right end of the arrow of light from far away, once it rests."""
+    def look():
+        part = dots_of(desk, window)[number]
+        end = max(part, key=lambda dot: dot[0] - dot[1])
+        return middle([dot for dot in part if math.dist(dot, end) < 10])
+
+    before = look()
+    desk.hand("sleep", "0.3")
+    return before if look() == before else None
 
 
 def resting(desk, window):
@@ -102,6 +121,41 @@ def together(tap, desk):
     tap.ok(wait("one", lambda: chosen() == [True, False]), "a click chooses the one alone")
 
 
+def turned(tap, desk):
+    """Light from far away that is chosen together turns together, in the plan and in the elevation."""
+    path = desk.path("far.yaml")
+    head, rest = luxel("scene", "report").split(b"lights:\n")
+    with open(path, "wb") as file:
+        file.write(head + b"lights:\n" + b"".join(b"  - {type: distant, direction: [%s], irradiance: 3}\n" % way for way in (
+            b"-0.5, -0.3, -0.8", b"0.3, -0.4, -0.8")) + rest.split(b"\n", 1)[1])
+    window = desk.start(path).window()
+    wait("two sources", lambda: len(window.sources()) == 2)
+    chosen = lambda: [row.has("selected") for row in window.widget.find("list").all("list item")]
+
+    def ways():
+        found = re.findall(rb"direction: \[([^\]]*)\]", window.save())
+        return [[float(number) for number in way.split(b",")] for way in found]
+
+    def between(pair):
+        return sum(a * b for a, b in zip(*pair)) / math.hypot(*pair[0]) / math.hypot(*pair[1])
+
+    start = ways()
+    rows = list(window.widget.find("list").all("list item"))
+    window.click(rows[0])
+    wait("the first", lambda: chosen() == [True, False])
+    desk.move(*window.place(rows[1]))
+    desk.hand("keydown", "ctrl", "click", "1", "keyup", "ctrl")
+    wait("both", lambda: chosen() == [True, True])
+    for name, number in (("plan", 0), ("elevation", 1)):
+        before = window.save()
+        badge = wait("badges that rest", lambda: far_badge(desk, window, number))
+        desk.drag(badge, (badge[0] - 14, badge[1] + 9))
+        now = wait("a turn", lambda: ways() if ways()[0] != start[0] else None)
+        tap.ok(now[1] != start[1] and abs(between(now) - between(start)) < 5e-4, "a drag in the %s turns both" % name, now)
+        window.act("undo")
+        tap.ok(wait("as before", lambda: window.save() == before), "in one step of undo")
+
+
 def lights_up(tap, desk):
     window = desk.start().window()
     window.act("source-duplicate")  # which is the chosen one from then on
@@ -147,4 +201,4 @@ def why(tap, desk):
            "one click away is the whole calculation")
 
 
-trial(drags, together, lights_up, why)
+trial(drags, together, turned, lights_up, why)
