@@ -44,7 +44,7 @@ LUXEL_API double luxel_ugr_room(size_t i, size_t axis);
 LUXEL_API double luxel_ugr_reflectance(size_t i, size_t part);
 
 /* A luminaire sends less than this part of its light upwards, in percent, in a room that is rated with reflected light:
- * what the ceiling makes of it depends on how far below it the luminaire hangs, and changes ratings by less than 0.05. */
+ * what the ceiling makes of it depends on how far below it the luminaire hangs; it is less than 0.05 of ratings. */
 #define LUXEL_ROOM_UPWARDS 0.3
 
 /* One room by the light that its surfaces really reflect, any number of times. */

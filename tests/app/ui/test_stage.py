@@ -19,7 +19,8 @@ def dots_of(desk, window):
     dots = [(i // 3 % width, i // 3 // width) for i in range(0, len(data), 3) if tuple(data[i:i + 3]) == ORANGE]
     gaps = sorted({dot[1] for dot in dots})
     widest = max(range(1, len(gaps)), key=lambda i: gaps[i] - gaps[i - 1])
-    return [[(x + dot[0], y + dot[1]) for dot in dots if (dot[1] < gaps[widest]) == is_plan] for is_plan in (True, False)]
+    dots = [(x + dot[0], y + dot[1]) for dot in dots]
+    return [[dot for dot in dots if (dot[1] < y + gaps[widest]) == is_plan] for is_plan in (True, False)]
 
 
 def middle(dots):
@@ -126,8 +127,9 @@ def turned(tap, desk):
     path = desk.path("far.yaml")
     head, rest = luxel("scene", "report").split(b"lights:\n")
     with open(path, "wb") as file:
-        file.write(head + b"lights:\n" + b"".join(b"  - {type: distant, direction: [%s], irradiance: 3}\n" % way for way in (
-            b"-0.5, -0.3, -0.8", b"0.3, -0.4, -0.8")) + rest.split(b"\n", 1)[1])
+        file.write(head + b"lights:\n" + b"".join(
+            b"  - {type: distant, direction: [%s], irradiance: 3}\n" % way
+            for way in (b"-0.5, -0.3, -0.8", b"0.3, -0.4, -0.8")) + rest.split(b"\n", 1)[1])
     window = desk.start(path).window()
     wait("two sources", lambda: len(window.sources()) == 2)
     chosen = lambda: [row.has("selected") for row in window.widget.find("list").all("list item")]
@@ -151,7 +153,8 @@ def turned(tap, desk):
         badge = wait("badges that rest", lambda: far_badge(desk, window, number))
         desk.drag(badge, (badge[0] - 14, badge[1] + 9))
         now = wait("a turn", lambda: ways() if ways()[0] != start[0] else None)
-        tap.ok(now[1] != start[1] and abs(between(now) - between(start)) < 5e-4, "a drag in the %s turns both" % name, now)
+        tap.ok(now[1] != start[1] and abs(between(now) - between(start)) < 5e-4, "a drag in the %s turns both" % name,
+               now)
         window.act("undo")
         tap.ok(wait("as before", lambda: window.save() == before), "in one step of undo")
 
