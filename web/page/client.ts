@@ -109,6 +109,12 @@ export class Client {
         }
     }
 
+    /** Has the browser's cache hold what the server has now, for the page that is loaded next. */
+    async renew() {
+        const names = ['luxel-core.wasm', 'luxel-core-2.wasm', new URL(workerAddress, import.meta.url)];
+        await Promise.allSettled(names.map((name) => fetched(name, { cache: 'reload' })));
+    }
+
     /** Another worker with a core of its own, for long work that may be given up. */
     async twin(): Promise<Client> {
         const twin = new Client(this.files);

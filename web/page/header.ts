@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The row at the top: scenes, quantity, undo and redo, files in and out, link, language.
+// The row at the top, two on phones: scenes, quantity, undo and redo, files in and out, link, language.
 import { choice, h } from './dom';
 import { ACCEPTED } from './files';
 import type { Model } from './model';
@@ -24,9 +24,16 @@ export interface Actions {
 
 /** The header, and the two buttons whose state follows the history. */
 export function header(model: Model, actions: Actions) {
-    const button = (label: string, onclick: () => void) => h('button', { type: 'button', onclick }, t(label));
-    const undo = button('Undo', () => model.undo());
-    const redo = button('Redo', () => model.redo());
+    // On phones a button may show a shorter text; its name stays.
+    const button = (label: string, onclick: () => void, brief = label) =>
+        h(
+            'button',
+            { type: 'button', onclick, 'aria-label': t(label), title: brief !== label && t(label) },
+            h('span', { class: 'long' }, t(label)),
+            h('span', { class: 'brief' }, t(brief)),
+        );
+    const undo = button('Undo', () => model.undo(), '↶');
+    const redo = button('Redo', () => model.redo(), '↷');
     const file = h('input', { type: 'file', accept: ACCEPTED, multiple: true, hidden: true, id: 'file' });
     file.addEventListener('change', async () => {
         await actions.take([...(file.files ?? [])]);
@@ -61,17 +68,25 @@ export function header(model: Model, actions: Actions) {
     const element = h(
         'header',
         {},
-        h('h1', {}, 'Luxel'),
-        h('span', { class: 'dim motto' }, t('Light in space')),
-        button('Built-in scenes…', () => actions.gallery()),
-        quantities,
-        undo,
-        redo,
-        button('Open…', () => file.click()),
-        file,
-        files,
-        button('Copy link', () => actions.copyLink()),
-        languages,
+        h(
+            'div',
+            { class: 'row' },
+            h('h1', {}, 'Luxel'),
+            h('span', { class: 'dim motto' }, t('Light in space')),
+            button('Built-in scenes…', () => actions.gallery(), 'Scenes…'),
+            quantities,
+            undo,
+            redo,
+        ),
+        h(
+            'div',
+            { class: 'row' },
+            button('Open…', () => file.click()),
+            file,
+            files,
+            button('Copy link', () => actions.copyLink(), 'Link'),
+            languages,
+        ),
     );
     return { element, undo, redo };
 }

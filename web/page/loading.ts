@@ -34,13 +34,18 @@ export class LoadingNotice {
     private tell(failure: Error) {
         const isOther = failure instanceof OtherVersion;
         const [message, name, act] = isOther
-            ? ['Luxel has been renewed on the server. Load the page anew.', 'Load anew', () => location.reload()]
+            ? ['Luxel has been renewed on the server. Load the page anew.', 'Load anew', () => this.renew()]
             : ['The rest of Luxel could not be loaded. What needs it waits.', 'Try again', () => this.again()];
         this.element.replaceChildren(
             h('span', {}, isOther ? t(message) : `${t(message)} (${failure.message})`),
             ' ',
             h('button', { type: 'button', onclick: act }, t(name)),
         );
+    }
+
+    private async renew() {
+        await this.client.renew();
+        location.reload();
     }
 
     // The server is asked and no cache, which may hold what failed.

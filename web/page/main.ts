@@ -17,8 +17,9 @@ import { download, packed, unpacked } from './link';
 import { LoadingNotice } from './loading';
 import { Messages } from './messages';
 import { Model, type Thing } from './model';
-import { explain, lightName, pointsTable, ProbePanel } from './panels';
+import { explain, lightName, ProbePanel } from './panels';
 import { PictureView } from './picture';
+import { PointsPanel } from './points';
 import { report } from './report';
 import { SectionPanel } from './section';
 import { SpaceView } from './space';
@@ -65,7 +66,7 @@ class Page {
     private readonly stale = h('p', { class: 'stale', role: 'alert', hidden: true });
     private readonly loading = new LoadingNotice(this.model.client);
     private readonly toast = h('p', { class: 'toast', role: 'status', hidden: true });
-    private readonly table = h('div', { class: 'points' });
+    private readonly points = new PointsPanel(this.model);
     private readonly statistics = h('p', { class: 'dim statistics' });
     private readonly chosen = h('p', { class: 'dim', 'aria-live': 'polite' });
     private undoButton!: HTMLButtonElement;
@@ -140,6 +141,8 @@ class Page {
             this.probe.ask(x, y);
             this.section.through(x, y);
         };
+        this.points.onChoose = (x, y) => this.picture.moveProbe(x, y);
+        this.points.place = () => this.picture.probe ?? [0, 0];
         this.probe.onValue = (probe) => {
             this.space.probe = probe;
             this.space.draw();
@@ -236,7 +239,7 @@ class Page {
                     h('h3', {}, t('Section')),
                     this.section.controls(),
                     this.section.canvas,
-                    this.table,
+                    this.points.element,
                     this.balance.element,
                 ),
                 h(
@@ -396,11 +399,7 @@ class Page {
         this.space.geometryChanged();
         this.showChosen();
         await this.picture.geometryChanged();
-        this.table.replaceChildren(
-            this.model.scene?.points.length
-                ? await pointsTable(this.model, (x, y) => this.picture.moveProbe(x, y))
-                : '',
-        );
+        await this.points.refresh();
         if (this.picture.probe === null)
             this.picture.moveProbe(...((this.model.scene?.points[0] as [number, number]) ?? [0, 0]));
         else this.picture.moveProbe(...this.picture.probe);

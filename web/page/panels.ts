@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What stands beside the picture: the probe with each light's share, the table of points, the explanation.
+// What stands beside the picture: the probe with each light's share, and the explanation.
 import type { Probe } from './core';
 import type { Compare } from './compare';
 import { h, lightColour } from './dom';
@@ -78,35 +78,6 @@ export class ProbePanel {
             h('ul', { class: 'shares', 'aria-label': t('Shares of the lights') }, ...(value === null ? [] : bars)),
         );
     }
-}
-
-export async function pointsTable(model: Model, onChoose: (x: number, y: number) => void): Promise<HTMLElement> {
-    const points = model.scene?.points ?? [];
-    const probes = await model.client.ask('table', points);
-    const unit = model.scene?.unit === 'relative' ? t('relative') : (model.scene?.unit ?? '');
-    const head = h(
-        'tr',
-        {},
-        ...['№', `x, ${t('mm')}`, `y, ${t('mm')}`, `${t(model.scene?.word ?? '')}, ${unit}`].map((text) =>
-            h('th', { scope: 'col' }, text),
-        ),
-    );
-    const rows = points.map(([x, y], i) => {
-        const go = h(
-            'button',
-            { type: 'button', class: 'small', 'aria-label': `${t('Point')} ${i + 1}`, onclick: () => onChoose(x, y) },
-            String(i + 1),
-        );
-        return h(
-            'tr',
-            {},
-            h('td', {}, go),
-            h('td', {}, number(x)),
-            h('td', {}, number(y)),
-            h('td', {}, number(probes[i]?.value, 6)),
-        );
-    });
-    return h('table', {}, h('caption', {}, t('Points')), h('thead', {}, head), h('tbody', {}, ...rows));
 }
 
 /** The dialog that explains a value: what the core writes as a page of HTML, taken into this one. */

@@ -65,6 +65,9 @@ const RUSSIAN: Record<string, string> = {
     Remove: 'Удалить',
     Points: 'Точки',
     Point: 'Точка',
+    'Add the probe’s place': 'Добавить точку измерения',
+    'Arrow keys walk, Enter changes, Delete removes, Insert adds the probe’s place.':
+        'Стрелки ходят по таблице, Enter меняет число, Delete удаляет точку, Insert добавляет точку измерения.',
     Section: 'Сечение',
     'Sections along x and y through the maximum.': 'Сечения вдоль x и y через максимум.',
     Curves: 'Кривые',
@@ -89,6 +92,8 @@ const RUSSIAN: Record<string, string> = {
     'root mean square': 'среднее квадратичное',
     'Built-in scenes': 'Встроенные сцены',
     'Built-in scenes…': 'Встроенные сцены…',
+    'Scenes…': 'Сцены…',
+    Link: 'Ссылка',
     Report: 'Отчёт',
     'Open the whole page': 'Открыть страницу целиком',
     mean: 'среднее',

@@ -186,6 +186,60 @@ async function editsByForm(page) {
     await until(page, "model.scene.lights[0].type === 'spot' && !model.stale");
 }
 
+/** The table of points, by keys alone: it is reached, walked, changed, and points are put in and taken out. */
+async function editsPoints(page, tool) {
+    await openScene(page, 'sphere');
+    const focused = () => page.evaluate(() => document.activeElement.textContent);
+    const cell = (text) => page.waitForFunction((text) => document.activeElement.textContent === text, text);
+    const count = (number) => until(page, `model.scene.points.length === ${number} && model.text === model.wholeText`);
+    await page.waitForFunction(() => document.querySelectorAll('.points tbody tr').length === 3);
+    await page.getByRole('button', { name: 'CSV' }).focus();
+    const isCell = () => page.evaluate(() => document.activeElement.closest('[role=grid]') !== null);
+    for (let i = 0; i < 12 && !(await isCell()); i++) await page.keyboard.press('Tab');
+    equal(await focused(), '1', 'the cell that Tab comes to');
+    await page.keyboard.press('ArrowDown');
+    await until(page, "picture.probe.join() === '120,80'");
+    await page.keyboard.press('ArrowRight');
+    await page.keyboard.press('Enter');
+    await page.getByRole('textbox', { name: 'Point 2, x, mm' }).waitFor();
+    await page.keyboard.type('nothing');
+    await page.keyboard.press('Enter');
+    await page.locator('.points [aria-invalid]').waitFor();
+    await page.keyboard.press('ControlOrMeta+a');
+    await page.keyboard.type('50,5');
+    await page.keyboard.press('Enter');
+    await until(page, "model.wholeText.includes('[50.5, 80]') && model.scene.points[1][0] === 50.5");
+    await cell('50.5');
+    const [{ value }] = JSON.parse(execFileSync(tool, ['probe', 'sphere', '-p', '50.5,80', '--json'])).points;
+    await page.waitForFunction(
+        (text) => document.querySelectorAll('.points tbody tr')[1].lastChild.textContent === text,
+        String(Number(value.toPrecision(6))),
+    );
+    await shot(page, 'points');
+    await page.keyboard.press('F2');
+    await page.keyboard.type('7');
+    await page.keyboard.press('Escape');
+    await cell('50.5');
+    await inside(page, 'picture.moveProbe(-20, 30)');
+    await page.keyboard.press('Insert');
+    await count(4);
+    equal(await inside(page, 'model.scene.points[2].join()'), '-20,30', 'the point that was added');
+    await cell('−20');
+    for (const left of [3, 2, 1, 0]) {
+        await page.keyboard.press('Delete');
+        await count(left);
+        await page.waitForFunction((left) => document.querySelectorAll('.points tbody tr').length === left, left);
+    }
+    await cell('Add the probe’s place');
+    await page.keyboard.press('Enter');
+    await count(1);
+    for (const left of [0, 1, 2, 3, 4, 3, 3]) {
+        await page.getByRole('button', { name: 'Undo' }).click();
+        await count(left);
+    }
+    await until(page, "model.scene.points[1].join() === '120,80'");
+}
+
 async function showsColours(page) {
     await openScene(page, 'report');
     await page.getByLabel('Colours').selectOption('turbo');
@@ -344,11 +398,40 @@ async function dragByFinger(page) {
     await until(page, `model.scene.lights[0].place[0] < ${before[0]} - 10`);
 }
 
+/** The header has at most two rows with all of its controls, none cut off, in both languages. */
+async function headerOnPhone(page) {
+    for (const language of ['ru', 'en']) {
+        await page.locator('header select').last().selectOption(language);
+        await page.waitForFunction((code) => document.documentElement.lang === code, language);
+        await page.waitForFunction(
+            (word) => document.querySelector('header .brief').textContent === word,
+            language === 'ru' ? 'Сцены…' : 'Scenes…',
+        );
+        await shot(page, `phone-${language}`);
+        const { rows, count, wrong } = await page.evaluate(() => {
+            const controls = [...document.querySelectorAll('header :is(button, select)')];
+            const boxes = controls.map((control) => control.getBoundingClientRect());
+            const isWrong = (control, { left, right, width }) =>
+                left < 0 || right > 390 || width < 24 || control.scrollWidth > control.clientWidth;
+            return {
+                rows: new Set(boxes.map(({ top }) => Math.round(top / 8))).size,
+                count: boxes.length,
+                wrong: controls.filter((control, i) => isWrong(control, boxes[i])).map(({ outerHTML }) => outerHTML),
+            };
+        });
+        equal([rows, count], [2, 8], `rows and controls of the header in "${language}"`);
+        equal(wrong, [], `controls that are cut off in "${language}"`);
+        const width = await page.evaluate(() => document.documentElement.scrollWidth);
+        check(width <= 390, `${width} px wide in "${language}"`);
+    }
+}
+
 async function onPhone(browser, url) {
     const page = await opened(browser, url, { viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true });
     const width = await page.evaluate(() => document.documentElement.scrollWidth);
     check(width <= 390, `${width} px wide`);
     await shot(page, 'phone');
+    await headerOnPhone(page);
     const box = await boxOf(page.locator('canvas.picture'));
     await page.touchscreen.tap(box.x + box.width * 0.6, box.y + box.height / 2);
     await until(page, 'picture.probe[0] > 10');
@@ -455,6 +538,7 @@ export async function page(folder, tool) {
     await test('Why? explains the value', () => explains(page));
     await test('errors are told in place, and the last good picture stays, stale', () => keepsLastGood(page));
     await test('the form changes the text; lights are added and removed', () => editsByForm(page));
+    await test('the table of points is walked and edited by keys', () => editsPoints(page, tool));
     await test('colours, range and isophotes', () => showsColours(page));
     await test('files are downloaded and opened again', () => downloads(page, tool));
     await more(page, browser, url, tool);
