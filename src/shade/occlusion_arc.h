@@ -61,7 +61,7 @@ typedef bool (*hides_test)(const struct half_plane *half, const struct lx_obstac
 size_t lx_hide_between(const struct half_plane *half, const struct lx_obstacle *obstacle, hides_test hides,
                        const struct candidates *candidates, struct lx_hidden *hidden, size_t count);
 
-/* Proposes where an obstacle begins and ceases to hide, of those that may reach into an ellipse or a ball. */
+/* Proposes where an obstacle begins and ceases to hide, of those that may reach into an ellipse. */
 void lx_propose_by_scan(const struct half_plane *half, const struct lx_obstacle *obstacle, hides_test hides,
                         struct candidates *candidates);
 

@@ -118,26 +118,28 @@ static size_t find_roots(const double *polynomial, int degree, const double rang
 }
 
 /*
- * Where the near side of a ball as a source meets the endless tube.  With t the tangent of half the angle from where
- * the ball is nearest, its place times 1 + t^2 is a polynomial, and so is its distance from the axis.
+ * Where the near side of a ball as a source, or the far one, meets the endless tube.  With t the tangent of half the
+ * angle from where the ball is nearest, or farthest, its place times 1 + t^2 is a polynomial, and so is its distance
+ * from the axis.
  */
 static void propose_on_ball(const struct half_plane *half, const double p[3], const double d[3], const double e[3],
                             double radius, struct candidates *candidates)
 {
     const double size = sqrt(fmax(half->square, 0)), square = radius * radius;
+    const double middle = half->center_mm, to_near = half->sweep->wall == LX_FAR_WALL ? -size : size;
     double far[3], side[3], near[3], roots[MOST_DEGREE];
     for (int k = 0; k < 3; k++) {
-        near[k] = (half->center_mm - size) * d[k] - p[k];
+        near[k] = (middle - to_near) * d[k] - p[k];
         side[k] = 2 * size * e[k];
-        far[k] = (half->center_mm + size) * d[k] - p[k];
+        far[k] = (middle + to_near) * d[k] - p[k];
     }
     const double polynomial[MOST_DEGREE + 1] = {lx_dot(near, near) - square, 2 * lx_dot(near, side),
                                                 2 * lx_dot(near, far) + lx_dot(side, side) - 2 * square,
                                                 2 * lx_dot(side, far), lx_dot(far, far) - square};
     const size_t count = find_roots(polynomial, MOST_DEGREE, (const double[]){-1, 1}, roots);
     for (size_t i = 0; i < count; i++) {
-        const double t = roots[i], scale = size / (1 + t * t);
-        const struct point at = {half->center_mm - (1 - t) * (1 + t) * scale, 2 * t * scale};
+        const double t = roots[i], scale = 1 / (1 + t * t);
+        const struct point at = {middle - to_near * (1 - t) * (1 + t) * scale, 2 * t * size * scale};
         const double slope = polynomial[1] + t * (2 * polynomial[2] + t * (3 * polynomial[3] + t * 4 * polynomial[4]));
         const double off = half->error_mm * (radius + half->error_mm) * 4 / fabs(slope);
         lx_propose(candidates, atan2(at.y, at.x), off * size / half->center_mm, ON_THE_SOURCE);
@@ -167,7 +169,7 @@ size_t lx_hide_by_tube(const struct half_plane *half, const struct lx_obstacle *
     if (half->is_line)
         propose_on_line(half, (struct point){half->line_mm, 0}, (struct point){0, 1}, p, d, e, tube->radius_mm,
                         ON_THE_SOURCE, &candidates);
-    else if ((half->is_ellipse || half->sweep->wall == LX_FAR_WALL) && !is_before)
+    else if (half->is_ellipse && !is_before)
         lx_propose_by_scan(half, tube, tube_hides, &candidates);
     else if (!is_before)
         propose_on_ball(half, p, d, e, tube->radius_mm, &candidates);

@@ -384,7 +384,7 @@ def within_a_sphere(tap, tool):
     tool.write("w.ies", WINGS)
     center, axis, c0 = np.array([0.0, 0, 900]), np.array([0.0, 0, -1]), np.array([1.0, 0, 0])
     light = {"type": "luminaire", "file": "w.ies", "position": list(center), "opening": {"sphere": {"radius": 200}}}
-    places, weights = points_of(light["opening"], np.array([c0, np.cross(c0, axis), axis]), center)
+    places, weights = points_of(light["opening"], np.array([c0, np.cross(c0, axis), axis]), center, 80)
     elements = [((40, 20, 100), (0.1, 0.2, 1)), ((400, -300, 300), (-0.3, 0.1, 1))]
 
     def by_plate(place, ways):
