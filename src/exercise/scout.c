@@ -15,6 +15,7 @@
 #include "../light/extended.h"
 #include "../shade/prepared.h"
 #include "../surface/mesh_faces.h"
+#include "../surface/sheet.h"
 
 enum {
     SAMPLES = 48,           /* along the shorter side of the screen */
@@ -28,6 +29,7 @@ enum {
 #define TOLERANCE 1e-2    /* of integrals: advice speaks of percents */
 #define REFLECTED 2e-2    /* the bound of reflected light, of the maximum */
 #define TRIANGLE_COST 5e7 /* of a triangle that reflects, in ns */
+#define TUBE_COST 5e10    /* of the side of a cylinder that does, and hides parts of an extended source */
 #define EXACT_COST 1e5    /* of the continuous maximum on a surface, in pixels */
 #define SURFACE_COST 0.5  /* of a surface that may be seen, or stand in the light of a source, at a pixel in ns */
 
@@ -51,6 +53,8 @@ struct sources {
     size_t count;
     double cost;   /* of all at a pixel */
     bool are_slow; /* whether any is extended and makes a highlight */
+    bool are_extended; /* whether any is */
+    size_t tubes;      /* that stand in their light */
     bool too_many;
 };
 
@@ -62,12 +66,16 @@ static int count_sources(const struct lx_scene_parameters *scene, struct sources
     *sources = (struct sources){.count = prepared.emitters.count, .too_many = prepared.emitters.is_short};
     for (size_t i = 0; !failed && i < prepared.surface_count; i++) {
         const struct lx_lobe *lobe = &prepared.surfaces[i].lobe;
+        struct lx_smooth_sheet sheets[LX_MOST_SHEETS];
+        const int sides = lx_shape_sheets(&prepared.surfaces[i].shape, sheets);
+        sources->tubes += sides > 0 && sheets[0].type == LX_SHEET_TUBE;
         shines = shines || (lobe->model != LX_LAMBERT && lobe->specular.value > 0);
     }
     for (size_t i = 0; !failed && i < prepared.emitters.count; i++) {
         struct lx_emitter room;
         const struct lx_emitter *emitter = lx_emitter_at(&prepared.emitters, i, &room);
         sources->cost += cost_of(emitter, shines, prepared.shadows ? prepared.surface_count - 1 : 0);
+        sources->are_extended = sources->are_extended || lx_is_extended(emitter);
         sources->are_slow = sources->are_slow || (shines && lx_is_extended(emitter));
     }
     lx_prepared_clear(&prepared);
@@ -227,18 +235,18 @@ static luxel_status look(const luxel_evaluator *evaluator, const luxel_field *fi
     return find_strongest(evaluator, &peak, &scout->strongest) ? LUXEL_ERROR_MEMORY : LUXEL_OK;
 }
 
-/* The cost of the triangles of meshes, where they send light on. */
-static double reflecting_cost(const struct lx_scene_parameters *scene)
+/* The cost of triangles of meshes, and of tubes before extended sources, where they send light on. */
+static double reflecting_cost(const struct lx_scene_parameters *scene, const struct sources *sources)
 {
-    double sum = 0;
-    for (size_t i = 0; i < scene->surfaces.count && lx_wants_reflections(scene); i++) {
+    double sum = sources->are_extended ? TUBE_COST * (double)sources->tubes : 0;
+    for (size_t i = 0; i < scene->surfaces.count; i++) {
         const struct lx_item *item = &scene->surfaces.items[i];
         if (item->variant != &lx_mesh_kind.variant)
             continue;
         const struct lx_shape shape = lx_surface_shape(&lx_mesh_kind, item->parameters);
         sum += TRIANGLE_COST * (double)lx_mesh_count(&shape);
     }
-    return sum;
+    return lx_wants_reflections(scene) ? sum : 0;
 }
 
 /* `copy` is committed, with the scene's own screen. */
@@ -257,7 +265,7 @@ static luxel_status scout_copy(luxel_scene *copy, double *effort, struct lx_scou
     scout->sample_mm = choose_step(scene);
     double pixels = scene->screen.width_mm / scout->sample_mm * (scene->screen.height_mm / scout->sample_mm);
     double cost = pixels * (sources.cost + SURFACE_COST * surfaces + 20) + (scout->is_coarse ? 0 : exact_cost);
-    cost += reflecting_cost(scene);
+    cost += reflecting_cost(scene, &sources);
     scout->too_large = sources.too_many || cost > *effort;
     if (scout->too_large)
         return LUXEL_OK;

@@ -155,6 +155,7 @@ void lx_links_find(const struct lx_radiosity *reflected, const struct lx_prepare
                               .made = &made};
     if (is_up_to_date(reflected, links))
         return;
+    veils->boxes = &reflected->boxes;
     const size_t known = links->count > 0 ? links->known : 0;
     for (size_t f = 0; f < reflected->face_count; f++) {
         finding.is_set = false;

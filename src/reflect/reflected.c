@@ -42,6 +42,7 @@ static void free_solution(struct lx_kept *kept)
     lx_parts_clear(reflected);
     free(reflected->on);
     free(reflected->faces);
+    lx_closed_boxes_clear(&reflected->boxes);
     free(reflected->tiles);
     free(reflected->groups);
     free(reflected->first_tile);

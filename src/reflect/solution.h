@@ -3,6 +3,7 @@
 #ifndef LX_REFLECT_SOLUTION_H
 #define LX_REFLECT_SOLUTION_H
 
+#include "box.h"
 #include "direct.h"
 #include "group.h"
 #include "links.h"
@@ -36,6 +37,7 @@ struct lx_radiosity {
     struct lx_matte_face *faces;
     size_t face_count;
     bool has_round_faces;  /* balls or tubes */
+    struct lx_closed_boxes boxes;
     struct lx_tile *tiles; /* face by face */
     size_t tile_count, tile_capacity;
     size_t most_tiles; /* no solution has many more */

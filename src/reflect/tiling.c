@@ -315,6 +315,8 @@ int lx_tiling_make(struct lx_radiosity *reflected)
     for (size_t f = 0; f < reflected->face_count; f++)
         area = fmax(area, reflected->faces[f].size_mm[0] * reflected->faces[f].size_mm[1]);
     lx_overlap_find(reflected);
+    if (lx_closed_boxes_find(reflected))
+        return -1;
     for (size_t f = 0; f < reflected->face_count; f++)
         if (cut_face(reflected, (uint32_t)f, sqrt(area)))
             return -1;
@@ -356,6 +358,7 @@ int lx_tiling_drop(struct lx_radiosity *reflected, const bool *is_lit)
             stays[f] = g != f && lx_faces_meet(&reflected->faces[f], &reflected->faces[g]);
     }
     darken_insides(reflected, is_lit, stays);
+    lx_closed_boxes_darken(reflected, stays);
     const int failed = lx_groups_drop(reflected, stays);
     free(stays);
     return failed;

@@ -315,6 +315,8 @@ bool lx_veils_set(const struct lx_prepared *prepared, const struct lx_receiver *
     sub(face->center_mm, receiver->place_mm, from);
     if (lx_dot(from, receiver->normal) < -face->radius_mm || !add_turned(veils, face))
         return false;
+    if (lx_closed_boxes_part(veils->boxes, receiver->place_mm, face))
+        return false;
     /* of what is hollow nothing is below a tangent plane of its inner side, and all is behind its outer one */
     const bool is_own = lx_receives_from_own(receiver, face);
     if (is_own && !is_within(&prepared->surfaces[receiver->own].shape, receiver))
@@ -332,6 +334,8 @@ bool lx_veils_set(const struct lx_prepared *prepared, const struct lx_receiver *
         if (s == face->surface) {
             if (!hides_itself(face, receiver))
                 continue;
+        } else if (lx_closed_boxes_turn_away(veils->boxes, s, receiver->place_mm)) {
+            continue;
         } else if (s == receiver->own && lx_mesh_count(&surface->shape) == 0) {
             if (is_within(&surface->shape, receiver))
                 add_shape(veils, &surface->shape);

@@ -8,6 +8,7 @@
 #ifndef LX_REFLECT_VEIL_H
 #define LX_REFLECT_VEIL_H
 
+#include "box.h"
 #include "shaft.h"
 #include "tile.h"
 
@@ -39,6 +40,7 @@ struct lx_veils {
     size_t count, capacity;
     double place_mm[3], normal[3], touch_mm; /* of the receiver; what is below rounding */
     struct lx_shafts shafts;      /* from what the receivers lie on */
+    const struct lx_closed_boxes *boxes;
     bool failed;                  /* memory ran out */
 };
 

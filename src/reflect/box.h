@@ -1,0 +1,49 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * Closed boxes: furniture of plates.  Six rectangles that plates fill, or cover, as a floor does that the box stands
+ * on, keep what is inside from what is outside: seen from outside, the sides that are turned away hide nothing that the
+ * others do not, and where it is dark inside the inner sides take no part.
+ */
+#ifndef LX_REFLECT_BOX_H
+#define LX_REFLECT_BOX_H
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+struct lx_radiosity;
+struct lx_matte_face;
+
+struct lx_closed_box {
+    double center_mm[3], axes[3][3], half_mm[3];
+    size_t plates[6]; /* the prepared surfaces that are its sides, two for each axis; SIZE_MAX: one that is covered */
+};
+
+/* Of which box a prepared surface is a side. */
+struct lx_box_side {
+    uint32_t box;  /* 0: of none; else its number + 1 */
+    uint32_t side; /* 2 axis + (1 beyond the middle) */
+};
+
+struct lx_closed_boxes {
+    struct lx_closed_box *items;
+    size_t count, capacity;
+    struct lx_box_side *sides; /* of each prepared surface */
+    double touch_mm;           /* what is below rounding */
+};
+
+/* Finds the boxes of the prepared scene; 0, or -1: memory ran out. */
+int lx_closed_boxes_find(struct lx_radiosity *reflected);
+void lx_closed_boxes_clear(struct lx_closed_boxes *boxes);
+
+/* Whether a surface is a side of a box that has the place outside and before another side. */
+bool lx_closed_boxes_turn_away(const struct lx_closed_boxes *boxes, size_t surface, const double place_mm[3]);
+
+/* Whether a place is inside a box and all of a face outside. */
+bool lx_closed_boxes_part(const struct lx_closed_boxes *boxes, const double place_mm[3],
+                          const struct lx_matte_face *face);
+
+/* Takes the inner sides of boxes that are dark inside from the faces that stay. */
+void lx_closed_boxes_darken(const struct lx_radiosity *reflected, bool *stays);
+
+#endif
