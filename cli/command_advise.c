@@ -41,6 +41,6 @@ const struct command command_advise = {
                       "clipped by its range, and whether all lies in the advised ranges. Each hint is a change that "
                       "mends it, to be given with -s. With --json the object is that of luxel check."),
     .examples = "luxel advise my.yaml\n"
-                "luxel advise my.yaml -s lights[0].position=[2000,0,2000]",
+                "luxel advise my.yaml -s 'lights[0].position=[2000,0,2000]'",
     .run = run,
 };

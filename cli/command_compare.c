@@ -218,8 +218,9 @@ const struct command command_compare = {
     .description =
         N_("A and B are scenes, which are computed, or files of values (.npy, .pfm, .exr, .csv). Exit code 1 "
            "where the largest difference is beyond the tolerance times the largest value (default 0: any "
-           "difference counts), or where one of them shows a surface and the other none. FILE becomes the "
-           "picture of the differences, B less A; in a .png middle grey is no difference."),
+           "difference counts), or where one of them shows a surface and the other none; also where their "
+           "pixels are not the same places. FILE becomes the picture of the differences, B less A; in a .png "
+           "middle grey is no difference."),
     .examples = "luxel compare mine.npy report --tolerance 1e-4\n"
                 "luxel compare a.yaml b.yaml -o difference.png --json",
     .run = run,

@@ -373,6 +373,6 @@ const struct command command_grade = {
         "of mistakes in the tables. With -s all variants are changed alike."),
     .examples = "luxel grade answers.csv\n"
                 "luxel grade submissions/ --csv=excel-ru > marks.csv\n"
-                "luxel grade answers.csv --tolerance 0.01 -s lights[0].attenuation=inverse-square",
+                "luxel grade answers.csv --tolerance 0.01 -s 'lights[0].attenuation=inverse-square'",
     .run = run,
 };

@@ -217,8 +217,8 @@ const struct command command_probe = {
                       "The points are those of -p, --at and --points or, without any, the scene's own. A free element "
                       "that lies on a surface, to 1e-9 of its size, belongs to it; elsewhere it has the material of "
                       "surfaces[0], unless --material names another. It is seen as the scene says, unless --view gives "
-                      "a direction, and every surface that stands in the way of a point-like or distant source shades "
-                      "it. Each FILE of -o appears whole or not at all: .csv is a table, .npy the values alone "
+                      "a direction, and every surface that stands in the way of a source shades it. "
+                      "Each FILE of -o appears whole or not at all: .csv is a table, .npy the values alone "
                       "(float64, NaN where there is none), .json what --json prints."),
     .examples = "luxel probe my.yaml -p 0,0 -p -150,0 --json\n"
                 "luxel probe --at 0,0,1300,0,0,1 --quantity irradiance\n"

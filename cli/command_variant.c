@@ -126,7 +126,7 @@ const struct command command_variant = {
                       "round and within the ranges of the exercise. Values follow the published solution: no "
                       "attenuation, the same intensity in all directions. luxel grade judges the answers."),
     .examples = "luxel variant 17 > variant-17.yaml\n"
-                "luxel variant 17 -s lights[0].attenuation=inverse-square\n"
+                "luxel variant 17 -s 'lights[0].attenuation=inverse-square'\n"
                 "luxel variant 17 -o variant-17.yaml",
     .run = run,
 };

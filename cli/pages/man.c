@@ -21,9 +21,9 @@ static void print_head(FILE *out)
           out);
     fputs(".SH DESCRIPTION\n", out);
     roff_text(
-        out, _("luxel computes how light sources brighten a surface, and shows it: spheres, rectangles, disks and "
-               "cylinders under ambient light, point sources and point clouds, distant sources, spotlights, planar and "
-               "volume sources, with the Lambert, Phong and Blinn-Phong models. "
+        out, _("luxel computes how light sources brighten a surface, and shows it: spheres, rectangles, disks, "
+               "cylinders, rooms and meshes under ambient light, point sources and point clouds, distant sources, "
+               "spotlights, planar and volume sources and luminaires, with the Lambert, Phong and Blinn-Phong models. "
                "Exact values carry a bound of their error. Every convention that two programs may differ in is a "
                "key of the scene and is printed with the result."));
     fputc('\n', out);

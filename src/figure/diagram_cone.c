@@ -43,29 +43,24 @@ static void write_heads(const struct lx_diagram *diagram, const struct lx_canvas
     lx_write(canvas, lx_diagram_word(diagram, LX_N("lx")), &type, columns[3], y, 1, 0, 0);
 }
 
-/* The cone with a line at each distance; wide beams are drawn only as wide as there is room. */
+/* The cone with a line at each distance; a beam wider than there is room for is drawn as wide as that. */
 static void draw_beam(const struct lx_canvas *canvas, const struct lx_pane *box, double beam_deg, double size)
 {
     cairo_t *cairo = canvas->cairo;
-    double x = box->x + box->width / 2, half = 0.5 * box->width;
-    double slope = beam_deg < 178 ? tan(0.5 * beam_deg * DEGREE) : HUGE_VAL;
-    double widest = fmin(half, slope * box->height),
-           reach = slope > 0 ? fmin(box->height, widest / slope) : box->height;
+    double x = box->x + box->width / 2, half = fmin(0.5 * box->width, box->height * tan(0.5 * beam_deg * DEGREE));
     cairo_move_to(cairo, x, box->y);
-    cairo_line_to(cairo, x - widest, box->y + reach);
-    cairo_line_to(cairo, x - widest, box->y + box->height);
-    cairo_line_to(cairo, x + widest, box->y + box->height);
-    cairo_line_to(cairo, x + widest, box->y + reach);
+    cairo_line_to(cairo, x - half, box->y + box->height);
+    cairo_line_to(cairo, x + half, box->y + box->height);
     cairo_close_path(cairo);
     lx_curve_color(canvas, 0, 0.25);
     cairo_fill(cairo);
     lx_curve_line(canvas, 0, size);
     cairo_set_line_width(cairo, 0.08 * size);
     for (int i = 1; i <= STEPS; i++) {
-        double y = box->y + box->height * i / STEPS, wide = fmin(half, slope * (y - box->y));
+        double share = (double)i / STEPS, y = box->y + box->height * share;
         lx_color(canvas, canvas->ink, 1);
-        cairo_move_to(cairo, x - wide, y);
-        cairo_line_to(cairo, x + wide, y);
+        cairo_move_to(cairo, x - half * share, y);
+        cairo_line_to(cairo, x + half * share, y);
         cairo_stroke(cairo);
     }
 }
@@ -85,7 +80,7 @@ double lx_draw_cone(const struct lx_diagram *diagram, const struct lx_canvas *ca
     if (!drawn)
         return end + lx_measure(canvas, print, &small).height;
     double middle = luxel_photometry_intensity(diagram->photometry, LUXEL_INTERPOLATE_ANGLE, 0, 0);
-    draw_beam(canvas, &cone, isfinite(figures->beam_deg) ? figures->beam_deg : 0, size);
+    draw_beam(canvas, &cone, isfinite(figures->beam_deg) ? fmin(figures->beam_deg, 180) : 0, size);
     write_heads(diagram, canvas, columns, place->y, size);
     for (int i = 1; i <= STEPS; i++) {
         const double numbers[COLUMNS] = {i, diameter(figures->beam_sections_deg[0], i),

@@ -180,6 +180,10 @@ def diagrams(tap, tool):
             tap.ok(result.code == 0 and tool.read(kind + ending).startswith(start), kind + ending, result)
         xml.etree.ElementTree.parse(tool.file(kind + ".svg"))
     tap.ok(len({tool.read(kind + ".svg") for kind in ("polar", "cartesian", "cone")}) == 3, "three kinds")
+    cuts = re.findall(r'd="M ([0-9.]+) ([0-9.]+) L ([0-9.]+) \2 "', tool.read("cone.svg").decode())
+    wide = [float(right) - float(left) for left, _, right in cuts]
+    tap.ok(len(wide) == 5 and all(abs(wide[i] / wide[4] - (i + 1) / 5) < 1e-3 for i in range(5)),
+           "a beam of 120 degrees is a cone as far as 5 m", wide)
     again = tool.run("photometry", "lamp.ies", "-o", "again.svg", "-o", "again.ies", "--json")
     tap.ok(again.code == 0 and tool.read("again.svg") == tool.read("polar.svg") and "again.ies" in tool.files() and
            again.json()["type"] == "C", "polar by default, with a conversion and the numbers", again)
