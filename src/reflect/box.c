@@ -8,6 +8,7 @@
 
 #include "../base/memory.h"
 #include "../base/vector.h"
+#include "../light/facets.h"
 #include "solution.h"
 
 /* Directions that are along one another. */
@@ -199,7 +200,8 @@ bool lx_closed_boxes_turn_away(const struct lx_closed_boxes *boxes, size_t surfa
     return is_outside && (side->side & 1 ? at[way] : -at[way]) < box->half_mm[way] - boxes->touch_mm;
 }
 
-/* Whether all of a face is beyond a plate that is a side of a box. */
+/* Whether all of a face is beyond a plate that is a side of a box, and some of it not in its plane, where it may
+ * lie on it: nothing says then which of them is seen (overlap.h). */
 static bool is_beyond(const struct lx_closed_boxes *boxes, const struct lx_closed_box *box,
                       const struct lx_matte_face *face)
 {
@@ -210,7 +212,9 @@ static bool is_beyond(const struct lx_closed_boxes *boxes, const struct lx_close
         const struct rectangle made = side_of(box, side);
         const double turn = side & 1 ? -1 : 1;
         const double inwards[3] = {turn * made.axis[0], turn * made.axis[1], turn * made.axis[2]};
-        if (box->plates[side] != SIZE_MAX && lx_face_reach(face, inwards, made.center_mm) <= boxes->touch_mm)
+        const double outwards[3] = {-inwards[0], -inwards[1], -inwards[2]};
+        if (box->plates[side] != SIZE_MAX && lx_face_reach(face, inwards, made.center_mm) <= boxes->touch_mm &&
+            lx_face_reach(face, outwards, made.center_mm) > boxes->touch_mm)
             return true;
     }
     return false;
@@ -252,9 +256,41 @@ static bool is_outer(const struct lx_closed_box *box, const struct lx_matte_face
     return false;
 }
 
-/* Whether any light falls on something in a box, or on the inner sides of it. */
+/* Whether an emitter may give light in a box: no sample of what it falls on tells, which a narrow beam may miss. */
+static bool reaches_into(const struct lx_emitter *emitter, const struct lx_prepared *prepared,
+                         const struct lx_closed_box *box, double touch_mm)
+{
+    const bool is_extended = lx_is_extended(emitter);
+    const double *place_mm = emitter->type == LX_FACETS ? emitter->facets->center_mm
+                             : is_extended              ? emitter->center_mm
+                                                        : emitter->position_mm;
+    double at[3], radius_mm = 0;
+    if (emitter->type == LX_UNIFORM || !(is_extended ? prepared->shadows_extended : prepared->shadows_on_free))
+        return true;
+    if (emitter->type == LX_DIRECTION)
+        return false;
+    if (is_extended)
+        radius_mm = emitter->type == LX_FACETS
+                        ? emitter->facets->radius_mm
+                        : fmax(emitter->radius_mm,
+                               fmax(emitter->radii_mm[0], fmax(emitter->radii_mm[1], emitter->radii_mm[2]))) +
+                              emitter->height_mm;
+    locate(box, place_mm, at);
+    for (int way = 0; way < 3; way++)
+        if (fabs(at[way]) > box->half_mm[way] + radius_mm + touch_mm)
+            return false;
+    return true;
+}
+
+/* Whether there may be light in a box: from a source that reaches into it, or on its inner sides or something in it. */
 static bool is_lit_inside(const struct lx_radiosity *reflected, const struct lx_closed_box *box)
 {
+    const struct lx_emitters *emitters = &reflected->prepared->emitters;
+    for (size_t i = 0; i < emitters->count; i++) {
+        struct lx_emitter room;
+        if (reaches_into(lx_emitter_at(emitters, i, &room), reflected->prepared, box, reflected->boxes.touch_mm))
+            return true;
+    }
     for (size_t t = 0; t < reflected->tile_count; t++) {
         const struct lx_tile *tile = &reflected->tiles[t];
         for (int q = 0; q < LX_RULE_NODES; q++) {
