@@ -31,7 +31,7 @@ WARNINGS_ARE_ERRORS = --werror
 .NOTPARALLEL:
 .PHONY: build help setup run app python check check-long bench install clean check-clang check-sanitize check-threads check-valgrind \
     format fuzz coverage fuzz-coverage mutants properties frozen freeze docs validation abi po packages check-packages \
-    check-kills check-wheel notebook web check-web
+    check-kills check-wheel check-aarch64 notebook web check-web
 
 build: $(BUILD)/build.ninja
 	@$(COMPILE) $(BUILD)
@@ -47,6 +47,7 @@ help:
 	@echo 'make check-clang     the same with clang, warnings being errors'
 	@echo 'make check-sanitize  the same with address and undefined-behaviour sanitizers (SANITIZE="gcc clang")'
 	@echo 'make check-threads   what computes in several threads, watched by the thread sanitizer'
+	@echo 'make check-aarch64   builds the library and the command for aarch64 and tries them by an emulator'
 	@echo 'make check-valgrind  the unit tests, and the command with every scene and format, under valgrind'
 	@echo 'make fuzz            look for inputs that break something: MINUTES=5 a target, FUZZ="scene edit"'
 	@echo 'make coverage        which lines and branches of src/ the tests reach, as a table of the rooms'
@@ -141,6 +142,10 @@ check-threads: setup
 	    -Db_sanitize=thread -Db_lundef=false -Doptimization=1 $(SANITIZED_SETS)
 	@G_SLICE=always-malloc TSAN_OPTIONS=suppressions=$(CURDIR)/tests/races.txt LUXEL_CAMPAIGN=$(CAMPAIGN) \
 	    $(RUN_TESTS) build-threads --num-processes $(JOBS) --timeout-multiplier 10 --suite threads $(TESTS)
+
+check-aarch64:
+	@tools/setup aarch64
+	@tools/check_aarch64 build-aarch64
 
 # Each target so long, one after the other; what it finds lies in build-fuzz/findings/TARGET, to be mended and then put
 # into fuzz/corpus/TARGET.  The corpus itself is not changed.
