@@ -121,15 +121,14 @@ CAMPAIGN ?= 20
 # Kernels take sanitizers' compilers most of the time; one set of vectors tells as much as three.
 SANITIZED_SETS = -Dinstruction_sets=x86-64-v3
 
-# The sanitizers' runtime is not linked into shared libraries by clang: b_lundef=false.  What the libraries that draw
-# keep to the end is in tests/leaks.txt.
+# Only what the tests need is built.  The sanitizers' runtime is not linked into shared libraries by clang:
+# b_lundef=false.  What the libraries that draw keep to the end is in tests/leaks.txt.
 check-sanitize: $(SANITIZE:%=sanitize-%)
 
 sanitize-%:
 	@tools/setup $(filter clang,$*)
 	@test -e build-sanitize-$*/build.ninja || CC=$* $(MESON) setup build-sanitize-$* $(WARNINGS_ARE_ERRORS) \
 	    -Db_sanitize=address,undefined -Db_lundef=false -Doptimization=1 $(SANITIZED_SETS)
-	@$(COMPILE) build-sanitize-$*
 	@UBSAN_OPTIONS=print_stacktrace=1:halt_on_error=1 ASAN_OPTIONS=detect_stack_use_after_return=1 \
 	    LSAN_OPTIONS=suppressions=$(CURDIR)/tests/leaks.txt:print_suppressions=0 LUXEL_CAMPAIGN=$(CAMPAIGN) \
 	    $(RUN_TESTS) build-sanitize-$* --num-processes $(JOBS) --timeout-multiplier 10 $(TESTS)
