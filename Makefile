@@ -43,7 +43,7 @@ help:
 	@echo 'make app             build and start the desktop app; APP="scene.yaml" opens a scene'
 	@echo 'make python          build the Python package in $(BUILD)/python: PYTHONPATH=$(BUILD)/python python3'
 	@echo 'make check           build and run the tests; ends with "N passed, N failed"'
-	@echo 'make check-long      those that take long: many random scenes, large files, other processors and compilers'
+	@echo 'make check-long      those that take long: random scenes, most windows of the app, large files, old processors'
 	@echo 'make check-clang     the same with clang, warnings being errors'
 	@echo 'make check-sanitize  the same with address and undefined-behaviour sanitizers (SANITIZE="gcc clang")'
 	@echo 'make check-threads   what computes in several threads, watched by the thread sanitizer'
