@@ -8,6 +8,12 @@
 
 #include "../base/memory.h"
 
+/* No beam is followed further down. */
+enum { DEEPEST = 14 };
+/* Below a beam, which may end at an edge, what the last samples differ by tells about how far off they are, and no
+ * more: so many times as much counts. */
+static const double SAFETY = 2;
+
 /* Direct irradiance at the nodes of a cell; *error is that of its integral.  0, or -1 where the work is to stop. */
 static int sample_cell(const struct lx_sampling_direct *sampling, const struct lx_tile_cell *cell,
                        const struct lx_asking *asking, double irradiance[LX_RULE_NODES], double *error)
@@ -58,67 +64,98 @@ struct descent {
     double errors;  /* of the samples, in the same */
 };
 
-static int look_closer(struct descent *descent, const struct lx_window *window, const struct lx_tile_cell *cell,
-                       int level, struct lx_direct *direct);
+/* What the samples of a quarter are beside the polynomial of the window. */
+struct change {
+    double off, difference; /* in flux: all that is off, and what it comes to */
+    double error;           /* of the samples */
+};
 
-/* The quarters of a window, whose light is at its nodes; they stay where they tell something. */
-static int make_quarters(struct descent *descent, const struct lx_window *window, const struct lx_tile_cell *cell,
-                         int level, struct lx_direct *direct)
+static struct change quarter_change(const double foreseen[LX_RULE_NODES], const double nodes[LX_RULE_NODES],
+                                    const struct lx_tile_cell *cell, double error)
+{
+    struct change change = {.error = error};
+    for (int q = 0; q < LX_RULE_NODES; q++) {
+        const double at = (nodes[q] - foreseen[q]) * cell->area[q];
+        change.off += fabs(at);
+        change.difference += at;
+    }
+    return change;
+}
+
+static void add_change(struct change *sum, const struct change *change)
+{
+    sum->off += change->off;
+    sum->difference += change->difference;
+    sum->error += change->error;
+}
+
+/* Where it ends, what the last samples tell is the error. */
+static void end_at(struct descent *descent, const struct change *change, double times)
+{
+    descent->squares += times * times * (change->difference * change->difference + 1e-4 * change->off * change->off);
+    descent->errors += change->error;
+}
+
+/*
+ * Goes on from a window whose light at the nodes is known, to its quarters; they stay where they tell something.  What
+ * they tell is followed down to level `most`, and so many levels further below a beam.
+ */
+static int look_closer(struct descent *descent, const struct lx_window *window, const struct lx_tile_cell *cell,
+                       int level, int most, struct lx_direct *direct)
 {
     const struct lx_sampling_direct *sampling = descent->sampling;
     struct lx_direct *quarters = lx_new_array(4, sizeof *quarters);
     struct lx_tile_cell *cells = lx_new_array(4, sizeof *cells);
-    double off = 0, difference = 0, errors = 0, moments[LX_RULE_NODES] = {0};
-    int failed = quarters && cells ? 0 : -1;
+    const double times = most > sampling->most_levels ? SAFETY : 1;
+    struct change changes[4] = {{0}}, all = {0};
+    double moments[LX_RULE_NODES] = {0};
+    bool is_narrow[4] = {false};
+    int failed = quarters && cells ? 0 : -1, narrow = 0;
     for (int i = 0; i < 4 && !failed; i++) {
         const struct lx_window quarter = lx_window_quarter(window, i);
         double foreseen[LX_RULE_NODES], error;
         lx_cell_make(descent->face, &quarter, &cells[i]);
         failed = sample_cell(sampling, &cells[i], descent->asking, quarters[i].nodes, &error);
-        errors += error;
         foresee(direct->nodes, i, foreseen);
-        for (int q = 0; q < LX_RULE_NODES; q++) {
-            const double change = (quarters[i].nodes[q] - foreseen[q]) * cells[i].area[q];
-            off += fabs(change);
-            difference += change;
-        }
+        changes[i] = quarter_change(foreseen, quarters[i].nodes, &cells[i], error);
+        add_change(&all, &changes[i]);
+        is_narrow[i] = level < DEEPEST && lx_beams_narrow(&sampling->beams, &cells[i]);
+        narrow += is_narrow[i];
     }
     direct->quarters = quarters;
-    const bool tells = off > sampling->least_flux && level < sampling->most_levels;
-    if (!tells) {
-        descent->squares += difference * difference + 1e-4 * off * off;
-        descent->errors += errors;
-    }
-    for (int i = 0; i < 4 && !failed && tells; i++) {
+    const bool tells = all.off > sampling->least_flux && level < most;
+    if (!tells && narrow == 0)
+        end_at(descent, &all, times);
+    for (int i = 0; i < 4 && !failed && (tells || narrow > 0); i++) {
         const struct lx_window quarter = lx_window_quarter(window, i);
-        failed = look_closer(descent, &quarter, &cells[i], level + 1, &quarters[i]);
+        const int further = is_narrow[i] ? level + 1 + sampling->most_levels : most;
+        if (tells || is_narrow[i])
+            failed =
+                look_closer(descent, &quarter, &cells[i], level + 1, further > most ? further : most, &quarters[i]);
+        else
+            end_at(descent, &changes[i], times);
     }
     for (int i = 0; i < 4 && !failed; i++)
         lift(quarters[i].nodes, cells[i].area, i, moments);
     for (int q = 0; q < LX_RULE_NODES && !failed; q++)
         direct->nodes[q] = moments[q] / cell->area[q];
     free(cells);
-    if (!tells || failed) {
+    if ((!tells && narrow == 0) || failed)
         lx_direct_clear(direct);
-    }
     return failed;
-}
-
-/* Goes on from a window whose light at the nodes is known. */
-static int look_closer(struct descent *descent, const struct lx_window *window, const struct lx_tile_cell *cell,
-                       int level, struct lx_direct *direct)
-{
-    return make_quarters(descent, window, cell, level, direct);
 }
 
 int lx_direct_sample(const struct lx_sampling_direct *sampling, const struct lx_matte_face *face,
                      const struct lx_asking *asking, struct lx_tile *tile)
 {
     struct descent descent = {.sampling = sampling, .face = face, .asking = asking};
+    const bool is_narrow = lx_beams_narrow(&sampling->beams, &tile->cell);
     double area = 0, error;
+    lx_direct_clear(&tile->direct);
     if (sample_cell(sampling, &tile->cell, asking, tile->direct.nodes, &error))
         return -1;
-    if (sampling->least_flux > 0 && look_closer(&descent, &tile->window, &tile->cell, 0, &tile->direct))
+    if ((is_narrow || isfinite(sampling->least_flux)) &&
+        look_closer(&descent, &tile->window, &tile->cell, 0, sampling->most_levels, &tile->direct))
         return -1;
     for (int q = 0; q < LX_RULE_NODES; q++)
         area += tile->cell.area[q];

@@ -1,19 +1,22 @@
 /* SPDX-License-Identifier: MIT */
 /*
  * Direct light on tiles, sampled by the world of elements: on each window at the nodes of Gauss's rule, and again on
- * its quarters until these tell nothing new.
+ * its quarters until these tell nothing new and no beam is so narrow that they might miss it.
  */
 #ifndef LX_REFLECT_DIRECT_H
 #define LX_REFLECT_DIRECT_H
 
 #include "../shade/world.h"
+#include "beam.h"
 #include "tile.h"
 
 struct lx_sampling_direct {
     struct lx_world world;
     struct lx_lobe lobe;
-    double least_flux; /* differences below this, in mm^2 times irradiance, tell nothing; 0: quarters are not asked */
-    int most_levels;
+    struct lx_beams beams;
+    /* Differences below this, in mm^2 times irradiance, tell nothing; infinite: beams alone are looked for. */
+    double least_flux;
+    int most_levels; /* of quarters, below those that beams ask for */
 };
 
 /* Sets the direct light of a tile and its error; 0, or -1 when memory ran out or the work is to stop. */

@@ -43,6 +43,7 @@ static void free_solution(struct lx_kept *kept)
     free(reflected->on);
     free(reflected->faces);
     lx_closed_boxes_clear(&reflected->boxes);
+    lx_beams_clear(&reflected->sampling.beams);
     free(reflected->tiles);
     free(reflected->groups);
     free(reflected->first_tile);
@@ -99,7 +100,7 @@ static void sample_tiles(void *data, unsigned worker, bool is_caller, unsigned f
         if (lx_direct_sample(&reflected->sampling, &reflected->faces[tile->face], &asking, tile))
             atomic_store(&sampling->failed, true);
         else
-            tile->has_light = reflected->sampling.least_flux > 0;
+            tile->has_light = isfinite(reflected->sampling.least_flux);
     }
 }
 
@@ -116,12 +117,14 @@ static luxel_status sample(struct lx_radiosity *reflected)
     return atomic_load(&sampling.failed) ? LUXEL_ERROR_MEMORY : LUXEL_OK;
 }
 
-/* First the nodes, which tell how much light there is, then all that counts. */
+/* First the nodes and beams, which tell how much light there is, then all that counts. */
 static luxel_status light_up(struct lx_radiosity *reflected, double error)
 {
     bool *is_lit = lx_new_array(reflected->face_count, sizeof *is_lit);
     double flux = 0;
-    luxel_status status = is_lit ? sample(reflected) : LUXEL_ERROR_MEMORY;
+    const double share = LITTLE * fmax(error, LEAST_ERROR);
+    const bool has_room = is_lit && !lx_beams_make(&reflected->prepared->emitters, share, &reflected->sampling.beams);
+    luxel_status status = has_room ? sample(reflected) : LUXEL_ERROR_MEMORY;
     for (size_t t = 0; t < reflected->tile_count && status == LUXEL_OK; t++)
         for (int q = 0; q < LX_RULE_NODES; q++) {
             const struct lx_tile *tile = &reflected->tiles[t];
@@ -134,8 +137,10 @@ static luxel_status light_up(struct lx_radiosity *reflected, double error)
     reflected->most_tiles = MOST_TILES + MOST_PAIRS / (reflected->face_count + 1);
     for (size_t f = 0; f < reflected->face_count; f++)
         reflected->most_tiles += reflected->faces[f].is_small;
-    reflected->sampling.least_flux = LITTLE * fmax(error, LEAST_ERROR) * flux;
-    return status == LUXEL_OK && flux > 0 ? sample(reflected) : status;
+    if (status != LUXEL_OK || !(flux > 0))
+        return status;
+    reflected->sampling.least_flux = share * flux;
+    return sample(reflected);
 }
 
 /* ---- what is asked for ---- */
@@ -213,11 +218,13 @@ static void set_fineness(struct lx_radiosity *reflected)
     const double fourth = sqrt(sqrt(scale)), eighth = sqrt(fourth);
     reflected->fine = (struct lx_fineness){.seen = 0.35 * eighth,
                                            .rough = 0.2 * fourth,
+                                           .narrow = 0.07 * fourth,
                                            .flat_part = 0.3 * fourth,
                                            .round_part = 0.06 * fourth,
                                            .group = 0.16 * fourth};
     reflected->coarse = (struct lx_fineness){.seen = 0.45 * eighth,
                                              .rough = 0.25 * fourth,
+                                             .narrow = 0.14 * fourth,
                                              .flat_part = 0.42 * fourth,
                                              .round_part = 0.12 * fourth,
                                              .group = 0.26 * fourth};
@@ -273,7 +280,10 @@ luxel_status lx_reflected_make(const struct lx_reflected_wish *wish, struct lx_r
         .prepared = wish->prepared,
         .sampled = *wish->prepared,
         .error = wish->error,
-        .sampling = {.world = {NULL, wish->kernels}, .lobe = lx_lobe_irradiance(), .most_levels = LEVELS},
+        .sampling = {.world = {NULL, wish->kernels},
+                     .lobe = lx_lobe_irradiance(),
+                     .least_flux = HUGE_VAL,
+                     .most_levels = LEVELS},
         .bounces = bounces->choice < 0 ? bounces->whole : 0,
         .threads = wish->threads,
         .control = wish->control,

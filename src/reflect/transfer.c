@@ -179,14 +179,33 @@ static double part_share(const struct sending *sending, const struct lx_tile_cel
     return sending->of->fineness->round_part * (lx_veils_are_horizons(sending->of->veils, cell) ? smoother : 1);
 }
 
+/* Whether most of the light of a window falls on a small part of it: its polynomial goes up and down then, and errors
+ * of the kernel's do not cancel. */
+static bool is_narrow(const struct lx_direct *direct)
+{
+    const double beyond = 4;
+    double sum = 0, greatest = 0;
+    for (int q = 0; q < LX_RULE_NODES; q++) {
+        sum += direct->nodes[q];
+        greatest = fmax(greatest, fabs(direct->nodes[q]));
+    }
+    return greatest * LX_RULE_NODES > beyond * fabs(sum);
+}
+
+static double seen_share(const struct lx_fineness *fineness, const struct light_at *light)
+{
+    if (!light->is_own || !light->direct->quarters)
+        return fineness->seen;
+    return is_narrow(light->direct) ? fineness->narrow : fineness->rough;
+}
+
 static void send_cell(const struct sending *sending, const struct lx_window *window, struct lx_tile_cell *cell,
                       const struct light_at *light, enum lx_outlook sight, int level)
 {
     const struct lx_fineness *fineness = sending->of->fineness;
-    const bool is_rough = light->is_own && light->direct->quarters;
     const bool by_nodes = sight == LX_PART_SEEN && (!lx_is_polygon(sending->of->face->sheet.type) ||
                                                     lx_veils_have_shapes(sending->of->veils, cell));
-    const double share = sight == LX_ALL_SEEN ? (is_rough ? fineness->rough : fineness->seen)
+    const double share = sight == LX_ALL_SEEN ? seen_share(fineness, light)
                          : by_nodes           ? part_share(sending, cell)
                                               : fineness->flat_part;
     const bool has_levels = level < MOST_LEVELS;

@@ -14,9 +14,10 @@
 #include "veil.h"
 
 /* How small cells have to be, as shares of their distance, or of what normals turn within: those that are seen, those
- * whose direct light is rough, and those seen in part, flat and round; groups. */
+ * whose direct light is rough, or most of it on a small part of them, and those seen in part, flat and round;
+ * groups. */
 struct lx_fineness {
-    double seen, rough, flat_part, round_part, group;
+    double seen, rough, narrow, flat_part, round_part, group;
 };
 
 struct lx_sent {

@@ -235,8 +235,8 @@ static void test_closed_box(void **state)
     for (int i = 0; i < 2; i++)
         if (!(fabs(values[i] - 150) <= errors[i]))
             fail_msg("place %d: %.10g +- %.2g, not 150", i, values[i], errors[i]);
-    /* spots that light only the bottom, a narrow one between the places that are sampled first; with a lid that leaves a
-     * gap the box is none, but hardly any light is lost */
+    /* spots that light only the bottom, a narrow one between the places that are sampled first; with a lid that leaves
+     * a gap the box is none, but hardly any light is lost */
     static const char *const spots[] = {
         "{type: spot, position: [500, -1000, 100], axis: [0, -1, 0], inner: 15, outer: 20, intensity: 100}",
         "{type: spot, position: [500, -1000, 100], axis: [0.02, -1, 0.07], inner: 3, outer: 4, intensity: 2000}, "

@@ -161,7 +161,31 @@ static void one_bounce(void **state)
            at, 1, 1e-3);
 }
 
-/* All that is wrong is told at once. */
+/* Spots that end at once, on the walls of a room: narrower than the places that are sampled first are apart, and such
+ * that their edges pass between these.  By a million directions within the cone, each to the wall that it meets. */
+static void narrow_beams(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *cone;
+        double irradiance[2]; /* on the ceiling and on a wall */
+    } spots[] = {
+        {"axis: [0.1, -1, 0.13], inner: 0.2, outer: 0.2, intensity: 2.5e7", {10.746391, 8.4052112}},
+        {"axis: [0.887, 0.241, 0.636], inner: 1.2, outer: 1.2, intensity: 694444.444444444", {0.98570037, 0}},
+        {"axis: [1, -0.3, 0.2], inner: 4, outer: 4, intensity: 62500", {3.8399626, 0}},
+        {"axis: [-0.5, 0.2, -0.7], inner: 6, outer: 6, intensity: 27777.7777777778", {3.9468556, 2.301985}},
+    };
+    for (size_t i = 0; i < sizeof spots / sizeof spots[0]; i++) {
+        const struct truth at[] = {{{-1000, 3000, 300}, {0, -1, 0}, spots[i].irradiance[0]},
+                                   {{2500, 1000, -500}, {-1, 0, 0}, spots[i].irradiance[1]}};
+        char light[200];
+        snprintf(light, sizeof light, "{type: spot, position: [300, 2000, 250], %s}", spots[i].cone);
+        expect(
+            scene_of("1", "{type: room, center: [0, 1500, 0], size: [5000, 3000, 4000], " MATERIAL("0.5") "}", light),
+            at, 2, 1e-2);
+    }
+}
+
 /* A ball under a lamp, of which half is lit: by 4000 x 8000 places of Gauss's rule on the ball.  From afar, where its
  * normals turn more than the ways to it; from nearby; from its side. */
 static void one_ball(void **state)
@@ -192,6 +216,7 @@ static void one_ball(void **state)
         }
 }
 
+/* All that is wrong is told at once. */
 static void refusals(void **state)
 {
     (void)state;
@@ -266,6 +291,7 @@ int main(void)
         cmocka_unit_test(integrating_sphere),
         cmocka_unit_test(concentric_spheres),
         cmocka_unit_test(one_bounce),
+        cmocka_unit_test(narrow_beams),
         cmocka_unit_test(one_ball),
         cmocka_unit_test(refusals),
         cmocka_unit_test(explanations),

@@ -1,0 +1,35 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * Beams: where light may fall so narrowly that samples of a window miss it, below the beam of a narrow spot, at its
+ * edge and close to a source.  Windows there are sampled more finely whatever their samples tell.
+ */
+#ifndef LX_REFLECT_BEAM_H
+#define LX_REFLECT_BEAM_H
+
+#include <stdbool.h>
+
+#include "../light/emitter.h"
+#include "tile.h"
+
+/* One for each emitter that has a place, but the points of clouds. */
+struct lx_beam {
+    double place_mm[3], radius_mm; /* of a ball around the source; of a point 0 */
+    double axis[3], half_rad;      /* within which most of its light is, at most HALF of beam.c */
+    double edge_rad;               /* where a cone ends at once, or nearly; 0: nowhere */
+};
+
+struct lx_beams {
+    struct lx_beam *items;
+    size_t count;
+    double at_edge; /* radii of cells that an edge crosses, as a share of the cone's */
+};
+
+/* Beams, no part of which that is more than `share` of its flux is to be missed.  0, or -1 when memory ran out; to be
+ * freed by lx_beams_clear() in any case. */
+int lx_beams_make(const struct lx_emitters *emitters, double share, struct lx_beams *beams);
+void lx_beams_clear(struct lx_beams *beams);
+
+/* Whether a beam falls on a cell, or may, and is much narrower than it. */
+bool lx_beams_narrow(const struct lx_beams *beams, const struct lx_tile_cell *cell);
+
+#endif
