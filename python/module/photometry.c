@@ -181,6 +181,21 @@ static PyObject *ugr_reflectances(void)
     return list;
 }
 
+/* The table of a luminaire; false, with an exception: there is none. */
+static bool rate_glare(const luxel_photometry *lamp, double spacing, luxel_ugr_table *table)
+{
+    luxel_status status;
+
+    Py_BEGIN_ALLOW_THREADS
+    status = luxel_photometry_rate_glare(lamp, spacing, table);
+    Py_END_ALLOW_THREADS
+    if (status == LUXEL_ERROR_MEMORY)
+        PyErr_NoMemory();
+    else if (status != LUXEL_OK)
+        PyErr_SetString(PyExc_ValueError, "spacing: 1, 1/2, 1/3 ... 1/8 is expected");
+    return status == LUXEL_OK;
+}
+
 /* ugr(lamp, spacing): None where the luminaire has no luminance; else spacing, rooms, reflectances and all ratings. */
 static PyObject *ugr(PyObject *module, PyObject *arguments)
 {
@@ -188,17 +203,10 @@ static PyObject *ugr(PyObject *module, PyObject *arguments)
     double spacing;
     const luxel_photometry *lamp;
     luxel_ugr_table table;
-    luxel_status status;
 
-    if (!PyArg_ParseTuple(arguments, "Od", &holder, &spacing) || !(lamp = photometry_of(module, holder)))
+    if (!PyArg_ParseTuple(arguments, "Od", &holder, &spacing) || !(lamp = photometry_of(module, holder)) ||
+        !rate_glare(lamp, spacing, &table))
         return NULL;
-    Py_BEGIN_ALLOW_THREADS
-    status = luxel_photometry_rate_glare(lamp, spacing, &table);
-    Py_END_ALLOW_THREADS
-    if (status == LUXEL_ERROR_MEMORY)
-        return PyErr_NoMemory();
-    if (status != LUXEL_OK)
-        return PyErr_Format(PyExc_ValueError, "spacing: 1, 1/2, 1/3 ... 1/8 is expected");
     if (!table.exists)
         return none();
 
@@ -271,18 +279,10 @@ static PyObject *rate_room(PyObject *module, PyObject *arguments)
     double across, along, spacing;
     const luxel_photometry *lamp;
     luxel_ugr_table table;
-    luxel_status status;
 
     if (!PyArg_ParseTuple(arguments, "Oy(dd)dO", &holder, &path, &across, &along, &spacing, &settings) ||
-        !(lamp = photometry_of(module, holder)))
+        !(lamp = photometry_of(module, holder)) || !rate_glare(lamp, spacing, &table))
         return NULL;
-    Py_BEGIN_ALLOW_THREADS
-    status = luxel_photometry_rate_glare(lamp, spacing, &table);
-    Py_END_ALLOW_THREADS
-    if (status == LUXEL_ERROR_MEMORY)
-        return PyErr_NoMemory();
-    if (status != LUXEL_OK)
-        return PyErr_Format(PyExc_ValueError, "spacing: 1, 1/2, 1/3 ... 1/8 is expected");
 
     const size_t room = room_of(across, along);
 
@@ -440,8 +440,7 @@ const PyMethodDef photometry_functions[] = {
     FUNCTION("photometry_room", rate_room, METH_VARARGS,
              "luminaire: Holder, path: bytes, size: Tuple[float, float], spacing: float, settings: _Settings, /",
              "Tuple[Any, ...]"),
-    FUNCTION("photometry_ugr", ugr, METH_VARARGS, "luminaire: Holder, spacing: float, /",
-             "Optional[Tuple[Any, ...]]"),
+    FUNCTION("photometry_ugr", ugr, METH_VARARGS, "luminaire: Holder, spacing: float, /", "Optional[Tuple[Any, ...]]"),
     FUNCTION("photometry_intensities", intensities, METH_VARARGS,
              "luminaire: Holder, interpolation: int, planes: Any, angles: Any, target: Any, /", "None"),
     FUNCTION("photometry_directions", directions, METH_VARARGS,

@@ -174,9 +174,7 @@ static bool integrates(const struct lx_emitters *emitters)
 /* What all of an opening would bring to a place as a point, no nearer than it is large. */
 static double opening_around(const struct lx_emitter *emitter, lx_bounded3 place)
 {
-    const bool is_facets = emitter->type == LX_FACETS;
-    const double *center = is_facets ? emitter->facets->center_mm : emitter->center_mm;
-    const double size = is_facets ? emitter->facets->radius_mm : hypot(emitter->radius_mm, emitter->height_mm / 2);
+    const double *center = lx_emitter_center(emitter), size = lx_emitter_radius(emitter);
     struct lx_emitter point = *emitter;
     point.type = LX_POINT;
     point.strength = emitter->radiance.value * lx_extended_area_mm2(emitter).value / 1e6;

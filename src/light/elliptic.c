@@ -72,7 +72,7 @@ double lx_elliptic_error(const struct lx_emitter *emitter)
 
 /* ---- areas ---- */
 
-/* What is left when all three are this near to each other is below a rounding. */
+/* The rest of the series, where all three are this near to each other, is below a rounding. */
 static const double NEAR = 1e-3;
 
 static double carlson_f(double x, double y, double z)

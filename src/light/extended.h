@@ -22,6 +22,8 @@
 #ifndef LX_LIGHT_EXTENDED_H
 #define LX_LIGHT_EXTENDED_H
 
+#include <math.h>
+
 #include "../base/wide.h"
 #include "../format/kept.h"
 #include "emitter.h"
@@ -56,6 +58,21 @@ struct lx_facets {
     double area_mm2;        /* of all faces */
     double corner_error_mm; /* how far the corners may be from where they should be: 0 where nothing was rounded */
 };
+
+/* The middle of an emitter that has a place, and the radius of the ball around it; of a point 0. */
+static inline const double *lx_emitter_center(const struct lx_emitter *emitter)
+{
+    return emitter->type == LX_FACETS ? emitter->facets->center_mm
+           : lx_is_extended(emitter)  ? emitter->center_mm
+                                      : emitter->position_mm;
+}
+
+static inline double lx_emitter_radius(const struct lx_emitter *emitter)
+{
+    if (!lx_is_extended(emitter))
+        return 0;
+    return emitter->type == LX_FACETS ? emitter->facets->radius_mm : hypot(emitter->radius_mm, emitter->height_mm / 2);
+}
 
 /* Takes one user away, the last with all of it; NULL is harmless. */
 void lx_facets_free(struct lx_facets *facets);

@@ -4,10 +4,11 @@
 
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "../base/memory.h"
 #include "../base/vector.h"
-#include "../light/facets.h"
+#include "../light/extended.h"
 
 /* Beams are no wider than this: from a source that is close, even light of all directions falls narrowly. */
 static const double HALF = 0.5;
@@ -18,7 +19,7 @@ static const double SHARE = 0.25;
 /* The samples of a cell and its quarters are eight each way: some of them are in a beam of this share of its radius. */
 static const double SEEN = 0.5;
 
-/* What falls off over a greater share of its angle is no edge. */
+/* A cone that falls off over a greater share of its angle has no edge. */
 static const double SOFT = 0.3;
 
 enum { AROUND = 8 };
@@ -53,19 +54,10 @@ static double half_angle(const struct lx_profile *profile, const double axis[3])
 
 static void make_beam(const struct lx_emitter *emitter, struct lx_beam *beam)
 {
-    const bool is_facets = emitter->type == LX_FACETS, is_extended = lx_is_extended(emitter);
-    const double *place_mm = is_facets     ? emitter->facets->center_mm
-                             : is_extended ? emitter->center_mm
-                                           : emitter->position_mm;
     const struct lx_profile *profile = &emitter->profile;
-    *beam = (struct lx_beam){.place_mm = {place_mm[0], place_mm[1], place_mm[2]}, .half_rad = HALF};
-    if (is_facets)
-        beam->radius_mm = emitter->facets->radius_mm;
-    else if (is_extended)
-        beam->radius_mm = hypot(
-            fmax(emitter->radius_mm, fmax(emitter->radii_mm[0], fmax(emitter->radii_mm[1], emitter->radii_mm[2]))),
-            emitter->height_mm / 2);
-    if (lx_profile_is_isotropic(profile) || (is_extended && !profile->luminaire))
+    *beam = (struct lx_beam){.radius_mm = lx_emitter_radius(emitter), .half_rad = HALF};
+    memcpy(beam->place_mm, lx_emitter_center(emitter), sizeof beam->place_mm);
+    if (lx_profile_is_isotropic(profile) || (lx_is_extended(emitter) && !profile->luminaire))
         return;
     beam->axis[0] = profile->axis.x.value;
     beam->axis[1] = profile->axis.y.value;

@@ -8,7 +8,7 @@
 
 #include "../base/memory.h"
 #include "../base/vector.h"
-#include "../light/facets.h"
+#include "../light/extended.h"
 #include "solution.h"
 
 /* Directions that are along one another. */
@@ -261,23 +261,14 @@ static bool reaches_into(const struct lx_emitter *emitter, const struct lx_prepa
                          const struct lx_closed_box *box, double touch_mm)
 {
     const bool is_extended = lx_is_extended(emitter);
-    const double *place_mm = emitter->type == LX_FACETS ? emitter->facets->center_mm
-                             : is_extended              ? emitter->center_mm
-                                                        : emitter->position_mm;
-    double at[3], radius_mm = 0;
+    double at[3];
     if (emitter->type == LX_UNIFORM || !(is_extended ? prepared->shadows_extended : prepared->shadows_on_free))
         return true;
     if (emitter->type == LX_DIRECTION)
         return false;
-    if (is_extended)
-        radius_mm = emitter->type == LX_FACETS
-                        ? emitter->facets->radius_mm
-                        : fmax(emitter->radius_mm,
-                               fmax(emitter->radii_mm[0], fmax(emitter->radii_mm[1], emitter->radii_mm[2]))) +
-                              emitter->height_mm;
-    locate(box, place_mm, at);
+    locate(box, lx_emitter_center(emitter), at);
     for (int way = 0; way < 3; way++)
-        if (fabs(at[way]) > box->half_mm[way] + radius_mm + touch_mm)
+        if (fabs(at[way]) > box->half_mm[way] + lx_emitter_radius(emitter) + touch_mm)
             return false;
     return true;
 }

@@ -19,7 +19,7 @@ struct lx_closed_box {
     size_t plates[6]; /* the prepared surfaces that are its sides, two for each axis; SIZE_MAX: one that is covered */
 };
 
-/* Of which box a prepared surface is a side. */
+/* The box that a prepared surface is a side of. */
 struct lx_box_side {
     uint32_t box;  /* 0: of none; else its number + 1 */
     uint32_t side; /* 2 axis + (1 beyond the middle) */

@@ -64,7 +64,7 @@ struct descent {
     double errors;  /* of the samples, in the same */
 };
 
-/* What the samples of a quarter are beside the polynomial of the window. */
+/* Samples of a quarter beside the polynomial of the window. */
 struct change {
     double off, difference; /* in flux: all that is off, and what it comes to */
     double error;           /* of the samples */

@@ -214,9 +214,7 @@ static int make_pieces(struct lx_problem *problem, struct lx_panels *panels)
 /* The angle under which the source is seen at most, and how near it comes. */
 static double greatest_angle(const struct lx_emitter *emitter, const double place_mm[3])
 {
-    bool is_facets = emitter->type == LX_FACETS;
-    const double *center = is_facets ? emitter->facets->center_mm : emitter->center_mm;
-    double radius = is_facets ? emitter->facets->radius_mm : hypot(emitter->radius_mm, emitter->height_mm / 2);
+    const double *center = lx_emitter_center(emitter), radius = lx_emitter_radius(emitter);
     double distance = hypot(hypot(center[0] - place_mm[0], center[1] - place_mm[1]), center[2] - place_mm[2]);
     return distance > radius ? 2 * asin(radius / distance) : M_PI;
 }
@@ -296,10 +294,8 @@ static int lay_occlusion(struct lx_problem *problem, struct lx_directions *cross
 static double largest_integrand(const struct lx_problem *problem, const double place_mm[3])
 {
     static const double BETWEEN = 4; /* more than at any of the places that were looked at */
-    const bool is_facets = problem->emitter->type == LX_FACETS;
-    const double *center = is_facets ? problem->emitter->facets->center_mm : problem->emitter->center_mm;
-    double away = is_facets ? problem->emitter->facets->radius_mm
-                            : hypot(problem->emitter->radius_mm, problem->emitter->height_mm / 2);
+    const double *center = lx_emitter_center(problem->emitter);
+    double away = lx_emitter_radius(problem->emitter);
     for (int k = 0; k < 3; k++)
         away += fabs(center[k] - place_mm[k]);
     const double by_law = problem->emitter->attenuation == LX_INVERSE_SQUARE ? 1 : fmax(away * away * 1e-6, 1);

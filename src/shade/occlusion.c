@@ -109,10 +109,10 @@ struct lx_shaft lx_shaft_to(const double from_mm[3], double radius_mm, const str
     const struct lx_facets *facets = emitter->facets;
     struct lx_shaft shaft = {
         .from_radius_mm = radius_mm,
-        .to_radius_mm = is_facets ? facets->radius_mm : hypot(emitter->radius_mm, emitter->height_mm / 2),
+        .to_radius_mm = lx_emitter_radius(emitter),
     };
     memcpy(shaft.from_mm, from_mm, sizeof shaft.from_mm);
-    memcpy(shaft.to_mm, is_facets ? facets->center_mm : emitter->center_mm, sizeof shaft.to_mm);
+    memcpy(shaft.to_mm, lx_emitter_center(emitter), sizeof shaft.to_mm);
     if (is_facets && facets->face_count == 1)
         bound_by_face(&shaft, facets);
     else if (emitter->type == LX_DISK)
@@ -277,7 +277,7 @@ static bool is_below(const struct lx_obstacle *space, const struct lx_emitter *e
 /* A direction to a place of the source above the horizons, if there is one: where it is highest, nearly. */
 static bool look_up(const struct lx_emitter *emitter, const struct lx_occlusion *occlusion, double way[3])
 {
-    const double *center = emitter->type == LX_FACETS ? emitter->facets->center_mm : emitter->center_mm;
+    const double *center = lx_emitter_center(emitter);
     double best = -HUGE_VAL;
     for (int k = 0; k < 3; k++)
         way[k] = center[k] - occlusion->place_mm[k];

@@ -181,7 +181,7 @@ static const char *unit_of_irradiance(const struct lx_emitters *emitters, bool p
     return emitters->by_square == emitters->count ? unit : LX_N("relative");
 }
 
-/* Of `parts` surfaces and parts of them so many weigh by 1/pi.  No light at all obeys every law. */
+/* The unit where `over_pi` of so many surfaces and parts of them weigh by 1/pi.  No light at all obeys every law. */
 static const char *unit_of_brightness(const struct lx_emitters *emitters, bool photometric, size_t over_pi,
                                       size_t parts)
 {

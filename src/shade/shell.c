@@ -134,13 +134,13 @@ luxel_status lx_shell_make(const struct lx_emitter *emitter, const struct lx_sha
 {
     const struct lx_facets *facets = emitter->facets;
     bool is_facets = emitter->type == LX_FACETS;
-    const double *center = is_facets ? facets->center_mm : emitter->center_mm;
+    const double *center = lx_emitter_center(emitter);
     double half = emitter->type == LX_CYLINDER ? emitter->height_mm / 2 : 0;
     *shell = (struct lx_shell){
         .type = emitter->type,
         .radiance = emitter->radiance.value,
         .law = lx_law_of(emitter),
-        .radius_mm = is_facets ? facets->radius_mm : hypot(emitter->radius_mm, half),
+        .radius_mm = lx_emitter_radius(emitter),
         .axis = {emitter->axis.x.value, emitter->axis.y.value, emitter->axis.z.value},
         .round_mm = is_facets ? 0 : emitter->radius_mm,
         .half_mm = half,

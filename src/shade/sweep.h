@@ -30,7 +30,7 @@ enum lx_sweep_kind {
     LX_SWEEP_TUBE /* all of a cylinder's side, as an opening; its incidence is told so that areas come out right */
 };
 
-/* Of a ball or an ellipsoid as an opening, which is seen through: what stands within it hides its far side alone. */
+/* Sides of a ball or an ellipsoid as an opening, which is seen through: what stands within hides the far one alone. */
 enum lx_sweep_wall { LX_BOTH_WALLS, LX_NEAR_WALL, LX_FAR_WALL };
 
 struct lx_sweep {
@@ -93,7 +93,7 @@ double lx_sweep_distance(const struct lx_sweep *sweep, const struct lx_arc *arc,
  */
 double lx_sweep_far(const struct lx_sweep *sweep, const struct lx_arc *arc, double tau, double incidences[2]);
 
-/* What tubes and ellipsoids take of the rectangle x = 1 of their frame, and between which x they are. */
+/* The part of the rectangle x = 1 of their frame that tubes and ellipsoids take, and the x between which they are. */
 struct lx_sweep_bounds {
     double u[2], v[2]; /* y/x, z/x */
     double x_mm[2];

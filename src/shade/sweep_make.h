@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* What flat sources (sweep.c) and bodies (sweep_body.c) share where sweeps are made. */
+/* Making sweeps: what flat sources (sweep.c) and bodies (sweep_body.c) share. */
 #ifndef LX_SHADE_SWEEP_MAKE_H
 #define LX_SHADE_SWEEP_MAKE_H
 
