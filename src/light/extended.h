@@ -71,7 +71,9 @@ static inline double lx_emitter_radius(const struct lx_emitter *emitter)
 {
     if (!lx_is_extended(emitter))
         return 0;
-    return emitter->type == LX_FACETS ? emitter->facets->radius_mm : hypot(emitter->radius_mm, emitter->height_mm / 2);
+    if (emitter->type == LX_FACETS)
+        return emitter->facets->radius_mm;
+    return emitter->type == LX_CYLINDER ? hypot(emitter->radius_mm, emitter->height_mm / 2) : emitter->radius_mm;
 }
 
 /* Takes one user away, the last with all of it; NULL is harmless. */

@@ -216,6 +216,7 @@ LX_LANE void NAME(shine_of)(struct NAME(lx_exponent) exponent, const struct NAME
         NAME(lanes) z = ray[i].z * ray[i].inverse + (at[i].vz - n_dot_l[i] * at[i].nz);
         NAME(lanes) across = x * x + (y * y + (z * z + (REAL)TINY));
         along[i] = NAME(greater)(n_dot_l[i] + at[i].along_n, NAME(all)(0));
+        square[i] = across; /* of Phong's none is asked for, which compilers cannot tell in a loop for both */
         if (model == LX_PHONG)
             NAME(phong)(&at[i], &ray[i], n_dot_l[i], across, &cosine[i], &versine[i]);
         else
