@@ -325,20 +325,29 @@ gboolean app_hand_move(AppHand *hand, const AppTouch *touch, const AppMoment *mo
     return done;
 }
 
+gboolean app_mark_direction(AppDocument *document, gsize light, double unit[3])
+{
+    double direction[3];
+    char *type_key = g_strdup_printf("lights[%zu].type", light), *key = g_strdup_printf("lights[%zu].direction", light);
+    char *type = app_document_get(document, type_key, NULL), *text = app_document_get(document, key, NULL);
+    const gboolean is_distant = g_strcmp0(type, "distant") == 0 && app_list_read(text, direction, 3) == 3;
+    g_free(type_key);
+    g_free(key);
+    g_free(type);
+    g_free(text);
+    return is_distant && app_space_unit(direction, unit);
+}
+
 gboolean app_mark_shift(const AppMark *mark, const double step_mm[3], AppDocument *document)
 {
     double place[3];
     if (mark->is_distant) {
         const double radius = dome_radius(document);
         AppHand hand = {.mark = *mark};
-        double direction[3], unit[3];
-        char *key = g_strdup_printf("lights[%zu].direction", mark->index);
-        char *text = app_document_get(document, key, NULL); /* the mark may be behind it */
-        if (app_list_read(text, direction, 3) != 3 || !app_space_unit(direction, unit))
+        double unit[3];
+        if (!app_mark_direction(document, mark->index, unit)) /* the mark may be behind it */
             for (int k = 0; k < 3; k++)
                 unit[k] = -mark->place_mm[k];
-        g_free(text);
-        g_free(key);
         const double shown[2] = {step_mm[0] - unit[0] * radius, step_mm[1] - unit[1] * radius};
         dome_place(&hand, shown, radius, 0, place);
         return put(document, mark, place);

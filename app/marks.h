@@ -58,6 +58,9 @@ typedef struct AppTouch {
 void app_hand_take(AppHand *hand, const AppMark *mark, const double pointer_mm[2], const double shown_mm[2]);
 /* Moves it; the numbers go into the document.  FALSE where that is not possible. */
 gboolean app_hand_move(AppHand *hand, const AppTouch *touch, const AppMoment *moment, AppDocument *document);
+/* The direction, of unit length, of a light from far away as the document has it; FALSE: it is another. */
+gboolean app_mark_direction(AppDocument *document, gsize light, double unit[3]);
+
 /* Shifts a mark in space by a step, for keys and the wheel. */
 gboolean app_mark_shift(const AppMark *mark, const double step_mm[3], AppDocument *document);
 

@@ -20,7 +20,7 @@ gboolean app_space_unit(const double vector[3], double unit[3])
     return length > 0 && isfinite(length);
 }
 
-static void cross(const double a[3], const double b[3], double product[3])
+void app_space_cross(const double a[3], const double b[3], double product[3])
 {
     for (int k = 0; k < 3; k++)
         product[k] = a[(k + 1) % 3] * b[(k + 2) % 3] - a[(k + 2) % 3] * b[(k + 1) % 3];
@@ -31,11 +31,11 @@ void app_space_basis(const double axis[3], const double up[3], double u[3], doub
     double n[3] = {axis[0], axis[1], axis[2]}, right[3];
     const double other[3] = {0, 0, axis[1] > 0 ? -1 : 1};
     app_space_unit(n, n);
-    cross(up, n, right);
+    app_space_cross(up, n, right);
     if (hypot(hypot(right[0], right[1]), right[2]) < 1e-9)
-        cross(other, n, right);
+        app_space_cross(other, n, right);
     app_space_unit(right, u);
-    cross(n, u, v);
+    app_space_cross(n, u, v);
 }
 
 static void along(const double place[3], const double u[3], double a, const double v[3], double b, double result[3])

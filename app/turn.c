@@ -4,6 +4,7 @@
 
 #include <math.h>
 
+#include "marks.h"
 #include "number.h"
 #include "space_lines.h"
 
@@ -23,35 +24,15 @@ static double dot(const double a[3], const double b[3])
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
-static void cross(const double a[3], const double b[3], double made[3])
-{
-    for (int k = 0; k < 3; k++)
-        made[k] = a[(k + 1) % 3] * b[(k + 2) % 3] - a[(k + 2) % 3] * b[(k + 1) % 3];
-}
-
-/* The direction of a source from far away as the document has it; FALSE: it is another. */
-static gboolean read_direction(AppDocument *document, gsize light, double unit[3])
-{
-    double direction[3];
-    char *type_key = g_strdup_printf("lights[%zu].type", light), *key = g_strdup_printf("lights[%zu].direction", light);
-    char *type = app_document_get(document, type_key, NULL), *text = app_document_get(document, key, NULL);
-    const gboolean is_distant = g_strcmp0(type, "distant") == 0 && app_list_read(text, direction, 3) == 3;
-    g_free(type_key);
-    g_free(key);
-    g_free(type);
-    g_free(text);
-    return is_distant && app_space_unit(direction, unit);
-}
-
 AppTurn *app_turn_begin(AppDocument *document, const GArray *lights, gsize held)
 {
     AppTurn *turn = g_new0(AppTurn, 1);
     turn->held = held;
     turn->followers = g_array_new(FALSE, FALSE, sizeof(Follower));
-    const gboolean is_held = read_direction(document, held, turn->from);
+    const gboolean is_held = app_mark_direction(document, held, turn->from);
     for (guint i = 0; is_held && i < lights->len; i++) {
         Follower follower = {.index = g_array_index(lights, gsize, i)};
-        if (follower.index != held && read_direction(document, follower.index, follower.from))
+        if (follower.index != held && app_mark_direction(document, follower.index, follower.from))
             g_array_append_val(turn->followers, follower);
     }
     if (turn->followers->len > 0)
@@ -67,11 +48,11 @@ static void turn_along(const double from[3], const double to[3], const double a[
     static const double SAME = 1e-9;
     const double up[3] = {0, 0, 1}, right[3] = {1, 0, 0};
     double axis[3], aside[3], cosine = dot(from, to);
-    cross(from, to, axis);
+    app_space_cross(from, to, axis);
     double sine = sqrt(dot(axis, axis));
     if (sine < SAME) {
-        cross(from, fabs(from[2]) < 0.9 ? up : right, aside);
-        cross(aside, from, axis); /* at right angles to both, nearest to the upright */
+        app_space_cross(from, fabs(from[2]) < 0.9 ? up : right, aside);
+        app_space_cross(aside, from, axis); /* at right angles to both, nearest to the upright */
         sine = cosine < 0 ? SAME : 0;
         cosine = cosine < 0 ? -1 : 1;
     }
@@ -79,7 +60,7 @@ static void turn_along(const double from[3], const double to[3], const double a[
     for (int k = 0; k < 3; k++)
         axis[k] /= length;
     const double along = dot(axis, a) * (1 - cosine);
-    cross(axis, a, aside);
+    app_space_cross(axis, a, aside);
     for (int k = 0; k < 3; k++)
         turned[k] = cosine * a[k] + sine * aside[k] + along * axis[k];
 }
@@ -88,7 +69,7 @@ void app_turn_follow(const AppTurn *turn, AppDocument *document)
 {
     enum { DIGITS = 10000 };
     double to[3], turned[3];
-    if (!turn || !read_direction(document, turn->held, to))
+    if (!turn || !app_mark_direction(document, turn->held, to))
         return;
     for (guint i = 0; i < turn->followers->len; i++) {
         const Follower *follower = &g_array_index(turn->followers, Follower, i);
