@@ -41,6 +41,7 @@ struct search {
     struct lx_lobe lobe;
     struct lx_cells cells;
     bool is_costly;
+    unsigned threads;
     unsigned n[2]; /* of the lattice */
     struct node *nodes;
 };
@@ -84,13 +85,24 @@ static void look(const struct search *search, struct node *nodes, unsigned count
 
 /* ---- the lattice ---- */
 
-static void look_at_lattice(void *data, unsigned worker, bool is_caller, unsigned first, unsigned last)
+static void look_at_nodes(void *data, unsigned worker, bool is_caller, unsigned first, unsigned last)
 {
     struct search *search = data;
     const struct lx_asking asking = {.control = search->control, .is_caller = is_caller};
     (void)worker;
     for (unsigned i = first; i < last && lx_asking_goes_on(&asking); i += LX_BATCH)
         look(search, &search->nodes[i], last - i < LX_BATCH ? last - i : LX_BATCH, is_caller);
+}
+
+/* Looks at that many nodes by all threads; false: nobody waits any more.  The progress counts those of the lattice. */
+static bool look_at_all(struct search *search, size_t count, bool is_lattice)
+{
+    const struct lx_rows_part part = {.last = (unsigned)count,
+                                      .tile_rows = lx_world_batch(&search->world),
+                                      .counts_itself = !is_lattice,
+                                      .work = look_at_nodes,
+                                      .data = search};
+    return lx_rows_run_part(search->control, lx_thread_count(search->threads, (unsigned)(count / 4 + 1)), &part);
 }
 
 /* Two nodes a cell each way, so that centres and sides are among them, or an even multiple. */
@@ -180,28 +192,36 @@ static void climb(const struct search *search, double sign, struct node *best)
     }
 }
 
-/* Whether a node may be as far that way as another, for all that their errors say. */
+/* Whether a node may be further that way than another, for all that their errors say. */
 static bool may_be_beyond(const struct node *a, const struct node *b, double sign)
 {
-    return a->has_value && sign * (a->value.value - b->value.value) >= -(a->value.error + b->value.error);
+    return a->has_value && sign * (a->value.value - b->value.value) > -(a->value.error + b->value.error);
 }
 
-/* Asks for the best node, and all of the lattice that may be as good, to the tolerance of the results. */
-static void settle(const struct search *search, const struct lx_prepared *prepared, double sign, struct node *best)
+/* Asks for the best node, and all of the lattice that may be better, to the tolerance of the results; false: memory ran
+ * out, or nobody waits any more. */
+static bool settle(const struct search *search, const struct lx_prepared *prepared, double sign, struct node *best)
 {
+    const size_t all = (size_t)search->n[0] * search->n[1];
     struct search exact = *search;
+    size_t count = 1;
+    for (size_t i = 0; i < all; i++)
+        count += may_be_beyond(&search->nodes[i], best, sign);
     exact.world.prepared = prepared;
-    struct node settled = *best;
-    look(&exact, &settled, 1, true);
-    for (size_t i = 0; i < (size_t)search->n[0] * search->n[1]; i++) {
-        struct node node = search->nodes[i];
-        if (!may_be_beyond(&node, best, sign))
-            continue;
-        look(&exact, &node, 1, true);
-        if (is_beyond(&node, &settled, sign))
-            settled = node;
-    }
-    *best = settled;
+    exact.nodes = lx_new_array(count, sizeof *exact.nodes);
+    if (!exact.nodes)
+        return false;
+    exact.nodes[0] = *best;
+    for (size_t i = 0, next = 1; i < all; i++)
+        if (may_be_beyond(&search->nodes[i], best, sign))
+            exact.nodes[next++] = search->nodes[i];
+    const bool is_whole = look_at_all(&exact, count, false);
+    *best = exact.nodes[0];
+    for (size_t i = 1; i < count; i++)
+        if (is_beyond(&exact.nodes[i], best, sign))
+            *best = exact.nodes[i];
+    free(exact.nodes);
+    return is_whole;
 }
 
 static luxel_grid_peak peak_of(const struct search *search, const struct node *node)
@@ -216,7 +236,9 @@ static luxel_grid_peak peak_of(const struct search *search, const struct node *n
     return peak;
 }
 
-static luxel_grid_peak find_peak(const struct search *search, const struct lx_prepared *prepared, double sign)
+/* False: memory ran out, or nobody waits any more. */
+static bool find_peak(const struct search *search, const struct lx_prepared *prepared, double sign,
+                      luxel_grid_peak *peak)
 {
     struct node starts[STARTS], best = {.has_value = false};
     const unsigned count = find_starts(search, sign, starts);
@@ -225,9 +247,10 @@ static luxel_grid_peak find_peak(const struct search *search, const struct lx_pr
         if (is_beyond(&starts[i], &best, sign))
             best = starts[i];
     }
-    if (best.has_value && search->hasty.tolerance > prepared->tolerance)
-        settle(search, prepared, sign, &best);
-    return peak_of(search, &best);
+    if (best.has_value && search->hasty.tolerance > prepared->tolerance && !settle(search, prepared, sign, &best))
+        return false;
+    *peak = peak_of(search, &best);
+    return true;
 }
 
 /* ---- with reflected light ---- */
@@ -296,10 +319,9 @@ static luxel_status run(const luxel_scene *scene, const struct lx_session *sessi
     struct lx_control control = {.rows = search->n[0] * search->n[1],
                                  .progress = session->settings.progress,
                                  .data = session->settings.progress_data};
-    const struct lx_rows_part part = {
-        .last = control.rows, .tile_rows = lx_world_batch(&search->world), .work = look_at_lattice, .data = search};
     search->control = &control;
-    if (!lx_rows_run_part(&control, lx_thread_count(session->settings.threads, control.rows / 4 + 1), &part))
+    search->threads = session->settings.threads;
+    if (!look_at_all(search, control.rows, true))
         return LUXEL_CANCELLED;
     if (reflects) {
         const luxel_status status = add_reflected(scene, session, i, search, diagnostics);
@@ -307,10 +329,10 @@ static luxel_status run(const luxel_scene *scene, const struct lx_session *sessi
             return status;
         extrema->maximum = furthest_node(search, 1);
         extrema->minimum = furthest_node(search, -1);
-    } else {
-        extrema->maximum = find_peak(search, &session->prepared, 1);
-        extrema->minimum = find_peak(search, &session->prepared, -1);
-    }
+    } else if ((!find_peak(search, &session->prepared, 1, &extrema->maximum) ||
+                !find_peak(search, &session->prepared, -1, &extrema->minimum)) &&
+               !atomic_load(&control.stop))
+        return lx_out_of_memory(diagnostics);
     return atomic_load(&control.stop) ? LUXEL_CANCELLED : LUXEL_OK;
 }
 

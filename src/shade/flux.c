@@ -87,7 +87,8 @@ static bool may_be_hidden(const struct hunt *hunt, const struct lx_emitter *emit
     const bool endless = emitter->type == LX_DIRECTION;
     struct lx_ball towards = {.center = {emitter->towards.x.value, emitter->towards.y.value, emitter->towards.z.value}};
     const bool is_extended = lx_is_extended(emitter);
-    if (!hunt->prepared->shadows_on_free || (is_extended && !hunt->prepared->shadows_extended))
+    if (emitter->type == LX_UNIFORM || !hunt->prepared->shadows_on_free ||
+        (is_extended && !hunt->prepared->shadows_extended))
         return false;
     const struct lx_shaft shaft =
         is_extended ? lx_shaft_to(cells->center_mm, from.radius, emitter) : (struct lx_shaft){.to_radius_mm = 0};

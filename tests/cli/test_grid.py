@@ -367,6 +367,18 @@ def extrema(tap, tool):
     tap.ok("maximum on the whole plane 250 ±" in told, "the text", told)
 
 
+def across_a_body(tap, tool):
+    """Ambient light has no shadow: it reaches the cells that lie inside of a body."""
+    body = {"shadows": "all", "surfaces": [{"type": "sphere", "center": [0, 0, 1000], "radius": 320}]}
+    plane = {"center": [0, 0, 900], "size": [2000, 2000], "n": [8, 8]}
+    ambient = {"type": "ambient", "irradiance": 15}
+    alone, lamp, both = (tool.run("grid", "-", "--json", stdin=scene(lights, [plane], **body)).json()["grids"][0]
+                         for lights in ([ambient], [LAMP], [ambient, LAMP]))
+    tap.equal((alone["average"], alone["mean"], alone["extrema"]["minimum"]["value"]), (15, 15, 15), "ambient alone")
+    tap.ok(abs(both["mean"] - lamp["mean"] - 15) <= both["mean_error"] + lamp["mean_error"], "beside a lamp", both)
+    tap.ok(lamp["inside"] > 0 and lamp["extrema"]["minimum"]["value"] == 0, "which leaves them dark", lamp)
+
+
 def interrupted(tap, tool):
     tool.write("long.yaml", scene([{**LAMP, "position": [i, 0, 3000]} for i in range(300)],
                                   [{**FLOOR, "n": [2000, 2000]}]))
@@ -384,4 +396,4 @@ def interrupted(tap, tool):
 
 
 run_tests(Tap(), closed_numbers, closed_room, extended, honest_errors, text, on_a_source, tables, refused, threads,
-          a_picture, spacing, extrema, interrupted)
+          a_picture, spacing, extrema, across_a_body, interrupted)
