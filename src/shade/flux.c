@@ -55,7 +55,7 @@ struct task {
     struct lx_line_part *lit;
     size_t most_lit; /* of a line */
     double *ends;    /* of the intervals between the lines that matter */
-    size_t end_count, end_capacity;
+    size_t end_count;
 };
 
 static lx_bounded area_m2(const struct lx_cells *cells)
@@ -143,6 +143,15 @@ static bool seen_from(const struct plane *plane, const double position_mm[3], lx
     return true;
 }
 
+/* Whether an emitter without size lies behind the plane or in it, and so gives it nothing, whatever stands around. */
+static bool is_behind(const struct plane *plane, const struct lx_emitter *emitter)
+{
+    if (emitter->type != LX_POINT)
+        return false;
+    const lx_bounded height = above_plane(plane, emitter->position_mm).z;
+    return height.value <= -height.error;
+}
+
 /* Whether an emitter that nothing hides has a closed form, and the flux by it. */
 static bool in_closed_form(const struct plane *plane, const struct lx_emitter *emitter, lx_bounded *flux)
 {
@@ -160,10 +169,6 @@ static bool in_closed_form(const struct plane *plane, const struct lx_emitter *e
     if (emitter->type != LX_POINT)
         return false;
     lx_bounded3 at = above_plane(plane, emitter->position_mm);
-    if (at.z.value <= -at.z.error) {
-        *flux = lx_exact(0);
-        return true;
-    }
     if (emitter->attenuation != LX_INVERSE_SQUARE || profile->falloff != LX_NO_CONE || profile->luminaire ||
         !(at.z.value > at.z.error))
         return false;
@@ -312,8 +317,13 @@ static void note_feet(struct task *task, const struct lx_emitter *emitter)
 /* Where the lines change their shape, in order, the plane's ends among them; false: memory ran out. */
 static bool find_ends(struct task *task)
 {
-    if (lx_edges_turns(&task->edges, &task->ends, &task->end_count, &task->end_capacity) ||
-        lx_reserve(&task->ends, &task->end_capacity, task->end_count + MOST_FEET + 2, sizeof *task->ends))
+    struct lx_plane_places turns = {.items = NULL};
+    const bool is_whole = lx_edges_turns(&task->edges, &turns) == 0;
+    task->ends = is_whole ? lx_new_array(turns.count + MOST_FEET + 2, sizeof *task->ends) : NULL;
+    for (size_t i = 0; task->ends && i < turns.count; i++)
+        task->ends[task->end_count++] = turns.items[i].v;
+    free(turns.items);
+    if (!task->ends)
         return false;
     for (size_t i = 0; i < task->foot_count[1]; i++)
         task->ends[task->end_count++] = task->feet[1][i];
@@ -401,6 +411,8 @@ static lx_bounded open_flux(struct hunt *hunt, const struct lx_emitter *emitter)
  * shadows is off. */
 static lx_bounded flux_of(struct hunt *hunt, const struct lx_emitter *emitter)
 {
+    if (is_behind(&hunt->plane, emitter))
+        return lx_exact(0);
     if (!may_be_hidden(hunt, emitter))
         return open_flux(hunt, emitter);
     lx_bounded flux = integral_of(hunt, emitter, true);

@@ -83,8 +83,19 @@ size_t lx_edges_most(const struct lx_edges *edges);
  * them, in order; returns how many there are. */
 size_t lx_edges_lit(const struct lx_edges *edges, const struct lx_plane_line *line, struct lx_line_part *lit);
 
-/* Appends the v of all turns, in no order; 0, or -1 when memory ran out. */
-int lx_edges_turns(const struct lx_edges *edges, double **turns, size_t *count, size_t *capacity);
+/* A place (u, v) of the plane. */
+struct lx_plane_place {
+    double u, v;
+};
+
+/* Places in no order. */
+struct lx_plane_places {
+    struct lx_plane_place *items;
+    size_t count, capacity;
+};
+
+/* Appends the places of all turns; 0, or -1 when memory ran out. */
+int lx_edges_turns(const struct lx_edges *edges, struct lx_plane_places *turns);
 
 /* ---- of one edge ---- */
 

@@ -11,7 +11,7 @@
 #include "adaptive.h"
 #include "flux_edges.h"
 
-/* Panels besides those that the table makes; the fewest of a whole turn. */
+/* Panels besides those that are begun with; the fewest of a whole turn. */
 enum { MORE_PANELS = 1024, FEWEST = 12 };
 
 static const double DEGREE = 0.017453292519943295;
@@ -29,6 +29,8 @@ struct fan {
     double frame[3][3]; /* of the table */
     double normal[3], side[2][3], from_center[3], height;
     double *sums; /* by azimuth, then by polar angle: the integral from the first one on */
+    double *ends; /* of the panels: azimuths */
+    size_t end_count, end_capacity;
     struct lx_panel *panels;
     bool stopped;
 };
@@ -234,18 +236,126 @@ static double target(void *data, const struct lx_integral *integral)
     return fan->stopped ? HUGE_VAL : fan->asked->tolerance * fmax(integral->value, fan->asked->usual / unit);
 }
 
-/* A panel for each cell of the table, and no wide ones. */
-static size_t begin_panels(const struct fan *fan)
+/* ---- where panels end ---- */
+
+/* Appends an azimuth where it is within the table's. */
+static void note_end(struct fan *fan, double azimuth)
 {
     const struct lx_distribution *table = fan->table;
-    size_t count = 0;
+    if (!(azimuth >= table->azimuths[0] && azimuth <= table->azimuths[table->azimuth_count - 1]))
+        return;
+    if (lx_reserve(&fan->ends, &fan->end_capacity, fan->end_count + 1, sizeof *fan->ends))
+        fan->stopped = true;
+    else
+        fan->ends[fan->end_count++] = azimuth;
+}
+
+/* The azimuth of a place (u, v) of the plane, whatever turn it is counted in. */
+static void note_place(struct fan *fan, double u, double v)
+{
+    const double at[2] = {u * fan->asked->plane->size_mm[0], v * fan->asked->plane->size_mm[1]};
+    double way[3];
+    for (int k = 0; k < 3; k++)
+        way[k] = at[0] * fan->side[0][k] + at[1] * fan->side[1][k] - fan->from_center[k];
+    const double azimuth = atan2(lx_dot(fan->frame[1], way), lx_dot(fan->frame[0], way)) / DEGREE;
+    for (int turn = -1; turn <= 1; turn++)
+        note_end(fan, azimuth + 360 * turn);
+}
+
+/* The places of a side of the plane that are seen under a polar angle: (way . pole)^2 = cos^2 |way|^2. */
+static void note_polar(struct fan *fan, int side, double end, double polar)
+{
+    const double *size = fan->asked->plane->size_mm, cosine = cos(polar * DEGREE), *pole = fan->frame[2];
+    const double *along = fan->side[side], *aside = fan->side[1 - side];
+    double from[3], roots[2];
+    for (int k = 0; k < 3; k++)
+        from[k] = end * size[1 - side] * aside[k] - fan->from_center[k];
+    const double fall = lx_dot(from, pole), slope = lx_dot(along, pole), square = cosine * cosine;
+    const bool is_level = fabs(cosine) < 1e-12; /* a plane, and no cone */
+    const int count =
+        is_level ? lx_edge_roots(fall, slope, 0, roots)
+                 : lx_edge_roots(fall * fall - square * lx_dot(from, from),
+                                 2 * (fall * slope - square * lx_dot(from, along)), slope * slope - square, roots);
+    for (int i = 0; i < count; i++)
+        if (fabs(roots[i]) < size[side] / 2 && (is_level || (fall + roots[i] * slope > 0) == (cosine > 0)))
+            note_place(fan, side == 0 ? roots[i] / size[0] : end, side == 0 ? end : roots[i] / size[1]);
+}
+
+/* The places at which half-planes of the pole touch an edge: where the polar of the pole's foot meets it. */
+static void note_touches(struct fan *fan, const struct lx_conic *edge)
+{
+    const double *c = edge->c, *pole = fan->frame[2];
+    const double weight = lx_dot(pole, fan->normal); /* the foot in homogeneous coordinates, in its plane's sides */
+    const double u = (weight * lx_dot(fan->from_center, fan->side[0]) - fan->height * lx_dot(pole, fan->side[0])) /
+                     fan->asked->plane->size_mm[0];
+    const double v = (weight * lx_dot(fan->from_center, fan->side[1]) - fan->height * lx_dot(pole, fan->side[1])) /
+                     fan->asked->plane->size_mm[1];
+    const double a = 2 * c[3] * u + c[4] * v + c[1] * weight, b = c[4] * u + 2 * c[5] * v + c[2] * weight;
+    const double rest = c[1] * u + c[2] * v + 2 * c[0] * weight, square = a * a + b * b;
+    double roots[2];
+    if (!(square > 0))
+        return;
+    const struct lx_plane_line line = {.middle = {-a * rest / square, -b * rest / square}, .slope = {-b, a}};
+    const double du = line.slope[0], dv = line.slope[1], *at = line.middle;
+    const int count =
+        lx_edge_roots(lx_conic_at(edge, at[0], at[1]),
+                      du * (c[1] + 2 * c[3] * at[0] + c[4] * at[1]) + dv * (c[2] + 2 * c[5] * at[1] + c[4] * at[0]),
+                      du * (c[3] * du + c[4] * dv) + c[5] * dv * dv, roots);
+    for (int i = 0; i < count; i++) {
+        const double place[2] = {at[0] + roots[i] * du, at[1] + roots[i] * dv};
+        if (fabs(place[0]) < 0.5 && fabs(place[1]) < 0.5)
+            note_place(fan, place[0], place[1]);
+    }
+}
+
+static int by_size(const void *left, const void *right)
+{
+    const double a = *(const double *)left, b = *(const double *)right;
+    return a < b ? -1 : a > b;
+}
+
+/*
+ * Panels end where the table has a plane, at the corners of what is measured, where its sides leave an angle of the
+ * table and where shadows turn or begin: else what falls on it within a few azimuths alone, seen all but edge-on, would
+ * lie between the points of a rule.  None is wide.  False: memory ran out.
+ */
+static bool find_ends(struct fan *fan)
+{
+    const struct lx_distribution *table = fan->table;
+    struct lx_plane_places turns = {.items = NULL};
     for (size_t i = 0; i + 1 < table->azimuth_count; i++) {
         const double from = table->azimuths[i], length = table->azimuths[i + 1] - from;
         const size_t parts = (size_t)ceil(length * FEWEST / 360);
         for (size_t k = 0; k < parts; k++)
-            fan->panels[count++] = (struct lx_panel){.interval = i,
-                                                     .from = from + length * (double)k / (double)parts,
-                                                     .to = from + length * (double)(k + 1) / (double)parts};
+            note_end(fan, from + length * (double)k / (double)parts);
+    }
+    note_end(fan, table->azimuths[table->azimuth_count - 1]);
+    for (int i = 0; i < 4; i++) {
+        const double end = i & 1 ? 0.5 : -0.5;
+        note_place(fan, end, i & 2 ? 0.5 : -0.5);
+        for (size_t k = 0; k < table->polar_count; k++)
+            note_polar(fan, i / 2, end, table->polars[k]);
+    }
+    for (size_t i = 0; i < fan->edges.count; i++)
+        note_touches(fan, &fan->edges.items[i]);
+    const bool is_whole = lx_edges_turns(&fan->edges, &turns) == 0 && !fan->stopped;
+    for (size_t i = 0; i < turns.count; i++)
+        note_place(fan, turns.items[i].u, turns.items[i].v);
+    free(turns.items);
+    if (is_whole && !fan->stopped)
+        qsort(fan->ends, fan->end_count, sizeof *fan->ends, by_size);
+    return is_whole && !fan->stopped;
+}
+
+static size_t begin_panels(const struct fan *fan)
+{
+    const struct lx_distribution *table = fan->table;
+    size_t count = 0;
+    for (size_t i = 0; i + 1 < fan->end_count; i++) {
+        const double from = fan->ends[i], to = fan->ends[i + 1];
+        if (to > from)
+            fan->panels[count++] = (struct lx_panel){
+                .interval = cell_of(table->azimuths, table->azimuth_count, from), .from = from, .to = to};
     }
     return count;
 }
@@ -306,7 +416,7 @@ static bool make_room(struct fan *fan)
         !fan->edges.knows_shadows)
         return false;
     fan->lit = lx_new_array(lx_edges_most(&fan->edges), sizeof *fan->lit);
-    fan->panels = lx_new_array(fan->table->azimuth_count + FEWEST + MORE_PANELS, sizeof *fan->panels);
+    fan->panels = find_ends(fan) ? lx_new_array(fan->end_count + MORE_PANELS, sizeof *fan->panels) : NULL;
     return fan->lit && fan->panels && make_sums(fan);
 }
 
@@ -323,6 +433,7 @@ bool lx_luminaire_flux(const struct lx_flux_asked *asked, lx_bounded *flux)
     }
     lx_edges_clear(&fan.edges);
     free(fan.lit);
+    free(fan.ends);
     free(fan.panels);
     free(fan.sums);
     return is_found;

@@ -16,48 +16,44 @@ enum { MOST_MET = 32, DEGREE = 4 };
 
 struct turns {
     const struct lx_edges *edges;
-    double **list;
-    size_t *count, *capacity;
+    struct lx_plane_places *list;
     bool is_short; /* memory ran out */
 };
 
-struct place {
-    double u, v;
-};
-
-static bool is_on_plane(struct place at)
+static bool is_on_plane(struct lx_plane_place at)
 {
     return fabs(at.u) < 0.5 && fabs(at.v) < 0.5;
 }
 
 /* On which side of an edge a place is: in the shadow or not, or, of the light's own edges, by its sign. */
-static bool side_of(const struct lx_edges *edges, const struct lx_conic *edge, struct place at)
+static bool side_of(const struct lx_edges *edges, const struct lx_conic *edge, struct lx_plane_place at)
 {
     return edge->caster == LX_NO_CASTER ? lx_conic_at(edge, at.u, at.v) > 0
                                         : lx_caster_hides(edges, edge->caster, at.u, at.v);
 }
 
 /* Notes a candidate unless a third surface hides the light there. */
-static void note(struct turns *turns, const struct lx_conic *a, const struct lx_conic *b, struct place at)
+static void note(struct turns *turns, const struct lx_conic *a, const struct lx_conic *b, struct lx_plane_place at)
 {
     for (size_t i = 0; i < turns->edges->caster_count; i++)
         if (i != a->caster && i != b->caster && lx_caster_hides(turns->edges, i, at.u, at.v))
             return;
-    if (lx_reserve(turns->list, turns->capacity, *turns->count + 1, sizeof **turns->list)) {
+    struct lx_plane_places *list = turns->list;
+    if (lx_reserve(&list->items, &list->capacity, list->count + 1, sizeof *list->items)) {
         turns->is_short = true;
         return;
     }
-    (*turns->list)[(*turns->count)++] = at.v;
+    list->items[list->count++] = at;
 }
 
 /* ---- of one edge ---- */
 
 /* A candidate of one edge counts where light begins or ends as v grows past it, seen at the place `inside`. */
-static void note_alone(struct turns *turns, const struct lx_conic *edge, struct place at, double inside)
+static void note_alone(struct turns *turns, const struct lx_conic *edge, struct lx_plane_place at, double inside)
 {
-    const struct place below = {inside, at.v - BESIDE}, above = {inside, at.v + BESIDE};
+    const struct lx_plane_place below = {inside, at.v - BESIDE}, above = {inside, at.v + BESIDE};
     if (fabs(at.v) < 0.5 && side_of(turns->edges, edge, below) != side_of(turns->edges, edge, above))
-        note(turns, edge, edge, (struct place){inside, at.v});
+        note(turns, edge, edge, (struct lx_plane_place){inside, at.v});
 }
 
 static void note_edge(struct turns *turns, const struct lx_conic *edge)
@@ -69,14 +65,14 @@ static void note_edge(struct turns *turns, const struct lx_conic *edge)
                           : lx_edge_roots(c[1] * c[1] - 4 * c[3] * c[0], 2 * c[1] * c[4] - 4 * c[3] * c[2],
                                           c[4] * c[4] - 4 * c[3] * c[5], roots);
     for (int i = 0; i < count; i++) {
-        const struct place at = {-(c[1] + c[4] * roots[i]) / (2 * c[3]), roots[i]};
+        const struct lx_plane_place at = {-(c[1] + c[4] * roots[i]) / (2 * c[3]), roots[i]};
         if (is_on_plane(at))
             note_alone(turns, edge, at, at.u);
     }
     for (int side = -1; side <= 1; side += 2) {
         count = lx_edge_roots(c[0] + side * c[1] / 2 + c[3] / 4, c[2] + side * c[4] / 2, c[5], roots);
         for (int i = 0; i < count; i++)
-            note_alone(turns, edge, (struct place){side * 0.5, roots[i]}, side * (0.5 - BESIDE));
+            note_alone(turns, edge, (struct lx_plane_place){side * 0.5, roots[i]}, side * (0.5 - BESIDE));
     }
 }
 
@@ -153,7 +149,7 @@ static bool is_straight(const struct lx_conic *edge)
 }
 
 /* Where two straight edges meet; false: they are parallel. */
-static bool meet_straight(const double a[6], const double b[6], struct place *at)
+static bool meet_straight(const double a[6], const double b[6], struct lx_plane_place *at)
 {
     const double turn = a[1] * b[2] - a[2] * b[1];
     if (!(fabs(turn) > 1e-12 * (fabs(a[1]) + fabs(a[2])) * (fabs(b[1]) + fabs(b[2]))))
@@ -176,14 +172,14 @@ static int meet_lines(const double a[6], const double b[6], double *v)
     return roots_of(&resultant, v);
 }
 
-static void gradient(const double c[6], struct place at, double slope[2])
+static void gradient(const double c[6], struct lx_plane_place at, double slope[2])
 {
     slope[0] = c[1] + 2 * c[3] * at.u + c[4] * at.v;
     slope[1] = c[2] + c[4] * at.u + 2 * c[5] * at.v;
 }
 
 /* Newton's method; whether it comes to a place on the plane. */
-static bool settle(const struct lx_conic *a, const struct lx_conic *b, struct place *at)
+static bool settle(const struct lx_conic *a, const struct lx_conic *b, struct lx_plane_place *at)
 {
     enum { STEPS = 12 };
     const double settled = 1e-13;
@@ -208,7 +204,8 @@ static bool settle(const struct lx_conic *a, const struct lx_conic *b, struct pl
  * Notes where two edges meet if both are borders of light there: of the four sectors between them the lit ones are not
  * told by one of the edges alone.
  */
-static void note_meeting(struct turns *turns, const struct lx_conic *a, const struct lx_conic *b, struct place at)
+static void note_meeting(struct turns *turns, const struct lx_conic *a, const struct lx_conic *b,
+                         struct lx_plane_place at)
 {
     double p[2], q[2];
     bool is_dark[2][2];
@@ -221,7 +218,7 @@ static void note_meeting(struct turns *turns, const struct lx_conic *a, const st
         const double s = (i & 1 ? 1 : -1) / length_p, t = (i & 2 ? 1 : -1) / length_q;
         double du = -s * p[1] - t * q[1], dv = s * p[0] + t * q[0];
         const double length = hypot(du, dv);
-        const struct place beside = {at.u + BESIDE * du / length, at.v + BESIDE * dv / length};
+        const struct lx_plane_place beside = {at.u + BESIDE * du / length, at.v + BESIDE * dv / length};
         const bool is_another = b->caster != a->caster || b->caster == LX_NO_CASTER;
         is_dark[p[0] * du + p[1] * dv > 0][q[0] * du + q[1] * dv > 0] =
             side_of(turns->edges, a, beside) || (is_another && side_of(turns->edges, b, beside));
@@ -234,7 +231,7 @@ static void note_meeting(struct turns *turns, const struct lx_conic *a, const st
 
 static void note_pair(struct turns *turns, const struct lx_conic *a, const struct lx_conic *b)
 {
-    struct place at;
+    struct lx_plane_place at;
     if (is_straight(a) && is_straight(b)) {
         if (meet_straight(a->c, b->c, &at) && is_on_plane(at))
             note_meeting(turns, a, b, at);
@@ -251,16 +248,16 @@ static void note_pair(struct turns *turns, const struct lx_conic *a, const struc
         const double line = v[i / 2];
         const int met = lx_edge_roots(c[0] + line * (c[2] + line * c[5]), c[1] + line * c[4], c[3], u);
         for (int k = 0; k < met; k++) {
-            at = (struct place){u[k], line};
+            at = (struct lx_plane_place){u[k], line};
             if (settle(a, b, &at))
                 note_meeting(turns, a, b, at);
         }
     }
 }
 
-int lx_edges_turns(const struct lx_edges *edges, double **list, size_t *count, size_t *capacity)
+int lx_edges_turns(const struct lx_edges *edges, struct lx_plane_places *list)
 {
-    struct turns turns = {.edges = edges, .list = list, .count = count, .capacity = capacity};
+    struct turns turns = {.edges = edges, .list = list};
     for (size_t i = 0; i < edges->count; i++) {
         note_edge(&turns, &edges->items[i]);
         for (size_t k = 0; k < i; k++)

@@ -285,6 +285,24 @@ static void sampling(void **state)
     luxel_scene_free(scene);
 }
 
+/* A luminaire near the plane, whose light reaches it at few azimuths about an axis that lies along it: the average of
+ * many cells is the mean. */
+static void along_the_plane(void **state)
+{
+    (void)state;
+    luxel_scene *scene = scene_with(NULL,
+                                    "{type: luminaire, file: 'builtin:office-lamp.ies', position: [250, 400, 10], "
+                                    "axis: [1.647, 0.641, -0.034]}",
+                                    "{center: [0, 0, 0], size: [100, 2000], n: [150, 600]}");
+    luxel_grid *grid = measure(scene, 0);
+    assert_true(grid->has_mean && grid->average > 0);
+    assert_true(grid->mean_error <= 1e-8 * grid->mean);
+    if (!(fabs(grid->mean - grid->average) <= 1e-3 * grid->average))
+        fail_msg("%.17g +- %.3g is not %.17g", grid->mean, grid->mean_error, grid->average);
+    luxel_grid_free(grid);
+    luxel_scene_free(scene);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -293,6 +311,7 @@ int main(void)
         cmocka_unit_test(values_alone),         cmocka_unit_test(sampling),
         cmocka_unit_test(plates_aside),         cmocka_unit_test(plates_over),
         cmocka_unit_test(crowds_under_the_sun), cmocka_unit_test(bounds_of_penumbrae),
+        cmocka_unit_test(along_the_plane),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
