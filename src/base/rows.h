@@ -11,6 +11,8 @@
 #include <stddef.h>
 #include <time.h>
 
+#include "effort.h"
+
 /* Progress and cancelling of one piece of work.  Only the calling thread reports. */
 struct lx_control {
     atomic_bool stop;
@@ -27,15 +29,20 @@ struct lx_control {
  */
 bool lx_control_goes_on(struct lx_control *control, bool is_caller);
 
-/* Who asks.  NULL, or a control of NULL: nobody, and the work always goes on. */
+/* Who asks.  NULL, or a control of NULL: nobody, and the work always goes on, as long as there is effort for it. */
 struct lx_asking {
     struct lx_control *control;
     bool is_caller;
+    struct lx_effort *effort; /* that each question counts as; NULL: nothing is counted */
 };
+
+/* The effort of what is done between two questions, about. */
+enum { LX_QUESTION_EFFORT = 20 };
 
 static inline bool lx_asking_goes_on(const struct lx_asking *asking)
 {
-    return !asking || !asking->control || lx_control_goes_on(asking->control, asking->is_caller);
+    return !asking || (lx_effort_take(asking->effort, LX_QUESTION_EFFORT) &&
+                       (!asking->control || lx_control_goes_on(asking->control, asking->is_caller)));
 }
 
 /* Whether step i of a loop goes on, which asks at every so many-th step, the first among them. */

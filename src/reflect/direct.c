@@ -10,6 +10,8 @@
 
 /* No beam is followed further down. */
 enum { DEEPEST = 14 };
+/* The effort of each point or arc of a source that is looked at, and of each source anyway. */
+enum { PART_EFFORT = 10, EMITTER_EFFORT = 4 };
 /* Below a beam, which may end at an edge, what the last samples differ by tells about how far off they are, and no
  * more: so many times as much counts. */
 static const double SAFETY = 2;
@@ -27,6 +29,10 @@ static int sample_cell(const struct lx_sampling_direct *sampling, const struct l
     lx_elements_end(&elements);
     lx_world_settle(&sampling->world, &(struct lx_settling){.has_normals = false}, &elements);
     lx_world_all_light(&sampling->world, &elements, LX_WANT_IRRADIANCE, asking, &received);
+    size_t parts = 0;
+    for (int i = 0; i < LX_RULE_NODES; i++)
+        parts += (size_t)received.parts[i];
+    lx_effort_take(asking->effort, PART_EFFORT * parts + EMITTER_EFFORT * sampling->world.prepared->emitters.count);
     for (int i = 0; i < LX_RULE_NODES; i++) {
         irradiance[i] = received.on_element[i] ? 0 : received.irradiance.value[i];
         *error += received.on_element[i] ? 0 : cell->area[i] * received.irradiance.error[i];

@@ -52,7 +52,20 @@ uint32_t lx_group_after(const struct lx_radiosity *reflected, uint32_t group)
 
 /* ---- tiles ---- */
 
-static int append_tile(struct lx_radiosity *reflected, struct lx_group *group, struct lx_tile *old)
+/* What is known of a tile holds on its parts. */
+static void inherit(const struct lx_tile *whole, const struct lx_group *group, struct lx_tile *tile)
+{
+    tile->has_past = true;
+    tile->past_error = whole->past_error;
+    for (int i = 0; i < LX_ORDER; i++)
+        for (int j = 0; j < LX_ORDER; j++)
+            for (int k = 0; k < LX_RULE_NODES; k++)
+                tile->past[LX_ORDER * i + j] +=
+                    group->across[i][k / LX_ORDER] * group->upward[j][k % LX_ORDER] * whole->past[k];
+}
+
+static int append_tile(struct lx_radiosity *reflected, struct lx_group *group, struct lx_tile *old,
+                       const struct lx_tile *whole)
 {
     if (lx_reserve(&reflected->tiles, &reflected->tile_capacity, reflected->tile_count + 1, sizeof *reflected->tiles))
         return -1;
@@ -64,6 +77,8 @@ static int append_tile(struct lx_radiosity *reflected, struct lx_group *group, s
         old[group->first_tile].rows = NULL;
     } else {
         *tile = (struct lx_tile){.face = group->face, .window = group->window, .cell = group->cell};
+        if (whole && whole->has_past)
+            inherit(whole, group, tile);
     }
     tile->group = (uint32_t)(group - reflected->groups);
     group->first_tile = (uint32_t)reflected->tile_count++;
@@ -83,15 +98,17 @@ int lx_groups_number(struct lx_radiosity *reflected)
     if (!reflected->first_tile)
         failed = -1;
     for (size_t f = 0; f < reflected->face_count && !failed; f++) {
+        const struct lx_tile *whole = NULL; /* that has been cut */
         reflected->first_tile[f] = reflected->tile_count;
         for (uint32_t g = reflected->faces[f].group; g != LX_NO_GROUP && !failed;) {
             struct lx_group *group = &reflected->groups[g];
             if (group->child != LX_NO_GROUP) {
+                whole = group->tile_count == 1 ? &old[group->first_tile] : NULL;
                 group->first_tile = (uint32_t)reflected->tile_count;
                 g = group->child;
                 continue;
             }
-            failed = append_tile(reflected, group, old);
+            failed = append_tile(reflected, group, old, whole);
             g = lx_group_after(reflected, g);
         }
     }

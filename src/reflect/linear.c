@@ -43,6 +43,8 @@ static void multiply_rows(void *data, unsigned worker, bool is_caller, unsigned 
     (void)is_caller;
     for (size_t t = first; t < last; t++) {
         const struct lx_rows *rows = product->linear->reflected->tiles[t].rows;
+        if (product->linear->reflected->tiles[t].is_blind)
+            continue;
         double *sum = product->sum + t * LX_RULE_NODES;
         for (int q = 0; q < lx_rows_nodes(rows); q++)
             sum[q] = row_of(&rows->of[q], product->sent);

@@ -9,6 +9,9 @@
 #include "../base/memory.h"
 #include "solution.h"
 
+/* The effort of a face that is asked, and of the shaft to it. */
+enum { FACE_EFFORT = 2, SHAFT_EFFORT = 5 };
+
 /* Links of one receiver under way. */
 struct finding {
     const struct lx_radiosity *reflected;
@@ -157,12 +160,16 @@ void lx_links_find(const struct lx_radiosity *reflected, const struct lx_prepare
         return;
     veils->boxes = &reflected->boxes;
     const size_t known = links->count > 0 ? links->known : 0;
-    for (size_t f = 0; f < reflected->face_count; f++) {
+    for (size_t f = 0; f < reflected->face_count && lx_effort_take(veils->effort, FACE_EFFORT); f++) {
         finding.is_set = false;
         for (uint32_t g = reflected->faces[f].group; g != LX_NO_GROUP;) {
             const bool is_done = g < known ? keep(&finding, g) : look(&finding, g);
             g = is_done ? lx_group_after(reflected, g) : reflected->groups[g].child;
         }
+    }
+    if (!lx_effort_is_left(veils->effort)) {
+        lx_links_clear(&made);
+        return;
     }
     lx_links_clear(links);
     trim(&made);
@@ -262,7 +269,8 @@ int lx_rows_find(const struct lx_radiosity *reflected, uint32_t face, const stru
     (*rows)->is_linear = lx_is_linear(&reflected->faces[face], window);
     if (lx_shafts_set(reflected, cell, &veils->shafts))
         return -1;
-    for (int r = 0; r < LX_ROWS; r++) {
+    lx_effort_take(veils->effort, SHAFT_EFFORT * reflected->face_count);
+    for (int r = 0; r < LX_ROWS && lx_effort_is_left(veils->effort); r++) {
         const bool is_node = r < LX_RULE_NODES;
         if ((*rows)->is_linear && !has_linear_row(r))
             continue;

@@ -12,6 +12,7 @@
 #include "../base/memory.h"
 #include "between.h"
 #include "refine.h"
+#include "within.h"
 
 /* No picture has many more parts. */
 enum { MOST_PARTS = 2400 };
@@ -97,7 +98,8 @@ static int keep_parts(struct lx_radiosity *reflected, struct lx_shown_part *old,
 /* ---- one more integral ---- */
 
 /* As with tiles, coarse integrals at the nodes, and fine ones between them. */
-static void fill(const struct showing *showing, struct lx_veils *veils, struct lx_shown_part *part)
+static void fill(const struct showing *showing, struct lx_effort *effort, struct lx_veils *veils,
+                 struct lx_shown_part *part)
 {
     const struct lx_radiosity *reflected = showing->reflected;
     const uint32_t face = reflected->tiles[part->tile].face;
@@ -105,10 +107,12 @@ static void fill(const struct showing *showing, struct lx_veils *veils, struct l
     double arrives = 0, received = 0, between[LX_BETWEEN];
     struct lx_tile_cell cell;
     lx_cell_make(&reflected->faces[face], &part->window, &cell);
-    if (lx_rows_find(reflected, face, &part->window, &cell, veils, &part->rows)) {
+    veils->effort = effort;
+    if (effort->most > 0 && lx_rows_find(reflected, face, &part->window, &cell, veils, &part->rows))
         veils->failed = true;
-        return;
-    }
+    veils->effort = NULL;
+    if (veils->failed || effort->most == 0 || !lx_effort_is_left(effort))
+        return; /* what is known of it already stands */
     for (int q = 0; q < lx_rows_nodes(part->rows); q++) {
         const struct lx_arrival arrival = lx_links_sum(reflected, &part->rows->of[q], &light);
         part->nodes[q] = arrival.value;
@@ -139,26 +143,23 @@ static void fill_parts(void *data, unsigned worker, bool is_caller, unsigned fir
 {
     const struct showing *showing = data;
     for (size_t i = first; i < last && lx_control_goes_on(showing->reflected->control, is_caller); i++)
-        fill(showing, &showing->veils[worker], &showing->reflected->parts[showing->first + i]);
+        fill(showing, &showing->reflected->efforts[i], &showing->veils[worker],
+             &showing->reflected->parts[showing->first + i]);
 }
 
 /* Fills parts from one on, with what arrives there now. */
 static luxel_status fill_from(struct lx_radiosity *reflected, size_t first)
 {
     struct showing showing = {reflected, lx_new_array(reflected->threads, sizeof(struct lx_veils)), first};
-    const struct lx_rows_part part = {.last = (unsigned)(reflected->part_count - first),
-                                      .tile_rows = 1,
-                                      .counts_itself = true,
-                                      .work = fill_parts,
-                                      .data = &showing};
+    const struct lx_within within = {reflected->part_count - first, 1, fill_parts, &showing};
     bool has_room = showing.veils;
-    const bool whole = has_room && (part.last == 0 || lx_rows_run_part(reflected->control, reflected->threads, &part));
+    const luxel_status status = has_room ? lx_within_run(reflected, &within) : LUXEL_ERROR_MEMORY;
     for (size_t w = 0; showing.veils && w < reflected->threads; w++) {
         has_room = has_room && !showing.veils[w].failed;
         lx_veils_clear(&showing.veils[w]);
     }
     free(showing.veils);
-    return !has_room ? LUXEL_ERROR_MEMORY : whole ? LUXEL_OK : LUXEL_CANCELLED;
+    return !has_room ? LUXEL_ERROR_MEMORY : status;
 }
 
 luxel_status lx_parts_make(struct lx_radiosity *reflected)
@@ -183,6 +184,22 @@ luxel_status lx_parts_make(struct lx_radiosity *reflected)
 
 /* ---- cutting ---- */
 
+/* What a part shows holds on those that it is cut into. */
+static void inherit(const struct lx_shown_part *whole, struct lx_shown_part *part)
+{
+    part->own_error = whole->own_error;
+    part->error = whole->error;
+    part->worst = whole->worst;
+    for (int q = 0; q < LX_RULE_NODES; q++) {
+        double at[2];
+        for (int k = 0; k < 2; k++)
+            at[k] = (part->window.middle[k] - whole->window.middle[k] +
+                     part->window.half[k] * lx_rule_places[k ? q % LX_ORDER : q / LX_ORDER]) /
+                    whole->window.half[k];
+        part->nodes[q] = lx_rule_value(whole->nodes, at[0], at[1]);
+    }
+}
+
 static int cut(struct lx_radiosity *reflected, size_t p)
 {
     const struct lx_cuts cuts = lx_between_cuts(reflected->parts[p].residual);
@@ -195,6 +212,7 @@ static int cut(struct lx_radiosity *reflected, size_t p)
         part->tile = reflected->parts[p].tile;
         part->group = reflected->parts[p].group;
         part->window = lx_window_part(&reflected->parts[p].window, &cuts, i);
+        inherit(&reflected->parts[p], part);
     }
     reflected->parts[p].count = count;
     return 0;

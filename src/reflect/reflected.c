@@ -12,6 +12,7 @@
 #include "../surface/mesh_faces.h"
 #include "overlap.h"
 #include "refine.h"
+#include "within.h"
 
 enum { MOST_ROUNDS = 10, LEVELS = 6 };
 /* Where faces lie on one another in the light the bound stays large, however small tiles are. */
@@ -19,6 +20,10 @@ enum { FEW_ROUNDS = 2 };
 
 /* With more tiles than this share of the most, too few are left for another round. */
 static const double WORTH_A_ROUND = 0.92;
+/* All work together: it ends within a minute or two of one core.  Samples of direct light may take so much of what is
+ * left of it; with more than the last share gone, too little is left for another round. */
+static const size_t MOST_EFFORT = 1000000000;
+static const double SAMPLES_SHARE = 0.6, WORTH_AS_MUCH = 0.5;
 /* Differences of direct light that do not count, as a share of all of it and of the bound that is wanted. */
 static const double LITTLE = 5e-2;
 /* How exact integrals over sources are made that samples of direct light take, as a share of the bound that is wanted:
@@ -55,6 +60,8 @@ static void free_solution(struct lx_kept *kept)
     free(reflected->sent_slack);
     free(reflected->seen);
     free(reflected->parts);
+    free(reflected->efforts);
+    free(reflected->order);
     free(reflected);
 }
 
@@ -86,18 +93,27 @@ struct sampling {
     atomic_bool failed;
 };
 
+static int sample_tile(const struct lx_radiosity *reflected, const struct lx_asking *asking, struct lx_tile *tile)
+{
+    const struct lx_effort *effort = asking->effort;
+    tile->is_guessed = false;
+    if (effort->most > 0 && !lx_direct_sample(&reflected->sampling, &reflected->faces[tile->face], asking, tile))
+        return 0;
+    return effort->most > 0 && lx_effort_is_left(effort) ? -1 : lx_within_guess(reflected, asking, tile);
+}
+
 static void sample_tiles(void *data, unsigned worker, bool is_caller, unsigned first, unsigned last)
 {
     struct sampling *sampling = data;
     struct lx_radiosity *reflected = sampling->reflected;
-    const struct lx_asking asking = {.control = reflected->control, .is_caller = is_caller};
     (void)worker;
-    for (unsigned t = first; t < last && lx_asking_goes_on(&asking); t++) {
-        struct lx_tile *tile = &reflected->tiles[t];
+    for (unsigned i = first; i < last && lx_control_goes_on(reflected->control, is_caller); i++) {
+        const struct lx_asking asking = {reflected->control, is_caller, &reflected->efforts[i]};
+        struct lx_tile *tile = &reflected->tiles[reflected->order[i]];
         if (tile->has_light)
             continue;
         tile->is_overlaid = lx_overlap_on(reflected, tile) != NULL;
-        if (lx_direct_sample(&reflected->sampling, &reflected->faces[tile->face], &asking, tile))
+        if (sample_tile(reflected, &asking, tile))
             atomic_store(&sampling->failed, true);
         else
             tile->has_light = isfinite(reflected->sampling.least_flux);
@@ -107,14 +123,9 @@ static void sample_tiles(void *data, unsigned worker, bool is_caller, unsigned f
 static luxel_status sample(struct lx_radiosity *reflected)
 {
     struct sampling sampling = {.reflected = reflected};
-    const struct lx_rows_part part = {.last = (unsigned)reflected->tile_count,
-                                      .tile_rows = 1,
-                                      .counts_itself = true,
-                                      .work = sample_tiles,
-                                      .data = &sampling};
-    if (!lx_rows_run_part(reflected->control, reflected->threads, &part))
-        return LUXEL_CANCELLED;
-    return atomic_load(&sampling.failed) ? LUXEL_ERROR_MEMORY : LUXEL_OK;
+    const struct lx_within within = {reflected->tile_count, SAMPLES_SHARE, sample_tiles, &sampling};
+    const luxel_status status = lx_within_order(reflected) ? LUXEL_ERROR_MEMORY : lx_within_run(reflected, &within);
+    return status == LUXEL_OK && atomic_load(&sampling.failed) ? LUXEL_ERROR_MEMORY : status;
 }
 
 /* First the nodes and beams, which tell how much light there is, then all that counts. */
@@ -173,6 +184,8 @@ bool lx_reflected_is_reached(const struct lx_radiosity *reflected, const struct 
 static bool refine(struct lx_radiosity *reflected, const struct lx_reflected_wish *wish, bool *failed)
 {
     const size_t count = reflected->tile_count;
+    if ((double)reflected->effort.done > WORTH_AS_MUCH * (double)reflected->effort.most)
+        return false;
     if ((double)count >= WORTH_A_ROUND * (double)reflected->most_tiles)
         return false;
     bool *cuts = lx_new_array(count, sizeof *cuts);
@@ -286,6 +299,7 @@ luxel_status lx_reflected_make(const struct lx_reflected_wish *wish, struct lx_r
                      .most_levels = LEVELS},
         .bounces = bounces->choice < 0 ? bounces->whole : 0,
         .threads = wish->threads,
+        .effort = {.most = wish->effort > 0 ? wish->effort : MOST_EFFORT},
         .control = wish->control,
     };
     reflected->sampled.tolerance = fmax(reflected->sampled.tolerance, SAMPLED * wish->error);

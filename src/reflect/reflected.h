@@ -52,6 +52,7 @@ struct lx_reflected_wish {
     const struct lx_reflected_spot *spots; /* and where there are neither, for the means of all sides */
     size_t spot_count;
     struct lx_reflected_key key;
+    size_t effort; /* that the work may take, and little more; 0: a minute or two of one core (base/effort.h) */
     unsigned threads;
     struct lx_control *control;
 };

@@ -7,6 +7,9 @@
 
 #include "../base/vector.h"
 
+/* The effort of a question to a mesh. */
+enum { MESH_EFFORT = 30 };
+
 /* A plane, on which, but for rounding, nothing is inside. */
 static void add_plane(struct lx_region *region, const double normal[3], const double through_mm[3], double touch_mm)
 {
@@ -105,6 +108,7 @@ bool lx_region_is_free(const struct lx_veils *veils, const struct lx_shape *shap
     double corners[4][3], normal[3], from[3];
     if (lx_mesh_count(shape) == 0)
         return false;
+    lx_effort_take(veils->effort, MESH_EFFORT);
     begin(veils, &region);
     lx_cross(cell->first_mm, cell->second_mm, normal);
     if (lx_dot(normal, normal) > 0) {

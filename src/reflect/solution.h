@@ -3,6 +3,7 @@
 #ifndef LX_REFLECT_SOLUTION_H
 #define LX_REFLECT_SOLUTION_H
 
+#include "../base/effort.h"
 #include "box.h"
 #include "direct.h"
 #include "group.h"
@@ -36,7 +37,7 @@ struct lx_radiosity {
     double size_mm;   /* of the scene */
     struct lx_matte_face *faces;
     size_t face_count;
-    bool has_round_faces;  /* balls or tubes */
+    bool has_round_faces; /* balls or tubes */
     struct lx_closed_boxes boxes;
     struct lx_tile *tiles; /* face by face */
     size_t tile_count, tile_capacity;
@@ -53,7 +54,11 @@ struct lx_radiosity {
     double *sent, *sent_slack;   /* both of `before`, at the nodes of groups */
     struct lx_shown_part *parts; /* first one of each tile, which is all of it */
     size_t part_count, part_capacity;
-    double *seen; /* the share of all ways from a node, by Lambert's law, that end on faces */
+    struct lx_effort effort;   /* of all work */
+    struct lx_effort *efforts; /* of the pieces of a work (within.h) */
+    size_t effort_capacity;
+    size_t *order; /* of tiles, in which they are worked on */
+    double *seen;  /* the share of all ways from a node, by Lambert's law, that end on faces */
     unsigned threads;
     struct lx_control *control;
 };

@@ -11,12 +11,18 @@
 #include "between.h"
 #include "linear.h"
 #include "refine.h"
+#include "within.h"
 
 /* Rests that solutions of the linear system may leave: of the light, where it counts as residual, beside the bound that
  * is wanted; of the slack, where it is added. */
 static const double LIGHT_REST = 1e-3, SLACK_REST = 1e-6;
 /* No more, whatever is wanted, and no less than numbers hold. */
 static const double MOST_REST = 1e-5, LEAST_REST = 1e-12;
+
+/* The share of the effort that is left which rows may take. */
+static const double ROWS_SHARE = 0.9;
+/* A share of which nothing is known: it is within as much of this. */
+static const double ANY_SHARE = 0.5;
 
 /* A solution under way. */
 struct solving {
@@ -28,18 +34,34 @@ struct solving {
     const double *before, *after;            /* one bounce lies between them; the first at the nodes of groups */
 };
 
+/* The rows of a tile; false: memory ran out, or there was no effort left for them. */
+static bool find_rows(const struct lx_radiosity *reflected, struct lx_effort *effort, struct lx_veils *veils,
+                      struct lx_tile *tile)
+{
+    veils->effort = effort;
+    if (!tile->is_blind && effort->most > 0 &&
+        lx_rows_find(reflected, tile->face, &tile->window, &tile->cell, veils, &tile->rows))
+        veils->failed = true;
+    veils->effort = NULL;
+    tile->is_blind = tile->is_blind || effort->most == 0 || !lx_effort_is_left(effort);
+    if (tile->is_blind) {
+        lx_rows_free(tile->rows);
+        tile->rows = NULL;
+    }
+    return !tile->is_blind && !veils->failed;
+}
+
 /* Rows of the matrix and for the residual, tile by tile, and the first bounce. */
 static void make_rows(void *data, unsigned worker, bool is_caller, unsigned first, unsigned last)
 {
     struct solving *solving = data;
     struct lx_radiosity *reflected = solving->reflected;
     struct lx_veils *veils = &solving->veils[worker];
-    for (size_t t = first; t < last && lx_control_goes_on(reflected->control, is_caller); t++) {
+    for (size_t i = first; i < last && lx_control_goes_on(reflected->control, is_caller); i++) {
+        const size_t t = reflected->order[i];
         struct lx_tile *tile = &reflected->tiles[t];
-        if (lx_rows_find(reflected, tile->face, &tile->window, &tile->cell, veils, &tile->rows)) {
-            veils->failed = true;
-            return;
-        }
+        if (!find_rows(reflected, &reflected->efforts[i], veils, tile))
+            continue;
         double *direct = solving->direct + t * LX_RULE_NODES, *seen = reflected->seen + t * LX_RULE_NODES;
         for (int q = 0; q < lx_rows_nodes(tile->rows); q++) {
             const struct lx_arrival sent = lx_links_sum(reflected, &tile->rows->of[q], &(struct lx_light){0});
@@ -57,7 +79,7 @@ static void find_residuals(void *data, unsigned worker, bool is_caller, unsigned
     const struct lx_radiosity *reflected = solving->reflected;
     (void)worker;
     for (size_t t = first; t < last && lx_control_goes_on(reflected->control, is_caller); t++)
-        for (int p = 0; p < LX_BETWEEN; p++) {
+        for (int p = 0; p < LX_BETWEEN && !reflected->tiles[t].is_blind; p++) {
             const struct lx_links *links = lx_rows_between(reflected->tiles[t].rows, p);
             const struct lx_arrival sent = lx_links_sum(reflected, links, &(struct lx_light){solving->before, NULL});
             const size_t nodes = t * LX_RULE_NODES, i = t * LX_BETWEEN + (size_t)p;
@@ -86,6 +108,16 @@ static void judge_tile(const struct solving *solving, size_t t)
     tile->seen_error = LX_BETWEEN_FACTOR * lx_between_mean(solving->sights + t * LX_BETWEEN) + rule;
 }
 
+/* What was known before stands for what a blind tile receives. */
+static void keep_past(const struct solving *solving, size_t t)
+{
+    struct lx_tile *tile = &solving->reflected->tiles[t];
+    for (size_t i = t * LX_RULE_NODES; i < (t + 1) * LX_RULE_NODES; i++)
+        solving->residual[i] = tile->past_error;
+    tile->own_error = tile->past_error;
+    tile->seen_error = ANY_SHARE;
+}
+
 static bool run(const struct solving *solving, size_t count, lx_rows_work *work)
 {
     const struct lx_rows_part part = {
@@ -102,7 +134,10 @@ static bool look_between(struct solving *solving, const double *before, const do
     if (!run(solving, tiles, find_residuals))
         return false;
     for (size_t t = 0; t < tiles; t++)
-        judge_tile(solving, t);
+        if (solving->reflected->tiles[t].is_blind)
+            keep_past(solving, t);
+        else
+            judge_tile(solving, t);
     return true;
 }
 
@@ -217,6 +252,39 @@ static bool has_failed(const struct solving *solving)
     return failed;
 }
 
+/* All rows, and what stands for those that are missing. */
+static bool make_right(struct solving *solving)
+{
+    struct lx_radiosity *reflected = solving->reflected;
+    const struct lx_within rows = {reflected->tile_count, ROWS_SHARE, make_rows, solving};
+    bool is_any_blind = false;
+    if (lx_within_order(reflected) || lx_within_run(reflected, &rows) != LUXEL_OK || has_failed(solving))
+        return false;
+    for (size_t t = 0; t < reflected->tile_count; t++)
+        is_any_blind = is_any_blind || reflected->tiles[t].is_blind;
+    if (is_any_blind && lx_within_ceilings(reflected))
+        return false;
+    for (size_t i = 0; i < reflected->tile_count * LX_RULE_NODES; i++) {
+        const struct lx_tile *tile = &reflected->tiles[i / LX_RULE_NODES];
+        if (!tile->is_blind)
+            continue;
+        solving->direct[i] = tile->past[i % LX_RULE_NODES];
+        reflected->seen[i] = ANY_SHARE;
+    }
+    return true;
+}
+
+/* What stands where there is no effort for the next solution; that of some bounces is another one for each. */
+static void remember(struct lx_radiosity *reflected)
+{
+    for (size_t t = 0; t < reflected->tile_count && reflected->bounces == 0; t++) {
+        struct lx_tile *tile = &reflected->tiles[t];
+        memcpy(tile->past, reflected->indirect + t * LX_RULE_NODES, sizeof tile->past);
+        tile->past_error = tile->error;
+        tile->has_past = true;
+    }
+}
+
 static bool work(struct solving *solving)
 {
     struct lx_radiosity *reflected = solving->reflected;
@@ -228,8 +296,7 @@ static bool work(struct solving *solving)
         reflected->tiles[t].own_error = 0;
     }
     const double rest = fmin(fmax(LIGHT_REST * reflected->error, LEAST_REST), MOST_REST);
-    if (!run(solving, reflected->tile_count, make_rows) || has_failed(solving) ||
-        !solve(solving, solving->direct, rest, reflected->before, reflected->indirect))
+    if (!make_right(solving) || !solve(solving, solving->direct, rest, reflected->before, reflected->indirect))
         return false;
     lx_groups_lift(reflected, reflected->before, reflected->sent);
     if (!look_between(solving, reflected->sent, reflected->indirect))
@@ -244,6 +311,7 @@ static bool work(struct solving *solving)
         reflected->slack_before[i] += doubt(reflected, i);
     }
     lx_groups_lift(reflected, reflected->slack_before, reflected->sent_slack);
+    remember(reflected);
     return true;
 }
 

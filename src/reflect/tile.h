@@ -50,9 +50,13 @@ struct lx_tile {
     struct lx_tile_cell cell;
     struct lx_direct direct;
     bool has_light;
-    bool is_overlaid;    /* another face lies on it (overlap.h) */
-    double direct_error; /* of the mean of the direct light that was sampled */
-    double seen_error;   /* of the share of all ways from the tile that end on faces (lx_radiosity.seen), in the mean */
+    bool is_overlaid;                       /* another face lies on it (overlap.h) */
+    bool is_guessed;                        /* there was no effort left for its direct light, */
+    bool is_blind;                          /* or for what it receives (within.h), of which stays what is known: */
+    bool has_past;                          /* solutions before told it */
+    double past[LX_RULE_NODES], past_error; /* reflected irradiance, and a bound on all of it */
+    double direct_error;                    /* of the mean of the direct light that was sampled */
+    double seen_error; /* of the share of all ways from the tile that end on faces (lx_radiosity.seen), in the mean */
     double residual[2][2]; /* changes of the solution's: along s and t, towards the low and the high edge */
     double own_error;      /* what the polynomial of the solution may be off by itself, anywhere on the tile, */
     double error;          /* and with the errors of what it receives: a bound */

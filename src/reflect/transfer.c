@@ -7,7 +7,7 @@
 
 #include "../base/vector.h"
 
-enum { MOST_LEVELS = 60 };
+enum { MOST_LEVELS = 60, CELL_EFFORT = 8 };
 
 /* One tile and one receiver. */
 struct sending {
@@ -210,7 +210,7 @@ static void send_cell(const struct sending *sending, const struct lx_window *win
                                               : fineness->flat_part;
     const bool has_levels = level < MOST_LEVELS;
     double values[LX_RULE_NODES];
-    if (sight == LX_NONE_SEEN)
+    if (sight == LX_NONE_SEEN || !lx_effort_take(sending->of->veils->effort, CELL_EFFORT))
         return;
     if (has_levels && !(sight == LX_ALL_SEEN && sending->of->constant > 0) && !is_small(sending, cell, share)) {
         cut_cell(sending, window, cell, light, level);

@@ -12,6 +12,8 @@
 
 /* Corners of what stands for a circle. */
 enum { ROUND = 16 };
+/* The effort of a question to a mesh, of a surface that may be in the way, and of asking it for a single way. */
+enum { MESH_EFFORT = 30, SURFACE_EFFORT = 3, WAY_EFFORT = 1 };
 /* Ends of ways that are left out, as a share of them. */
 static const double ENDS = 1e-9;
 
@@ -190,6 +192,7 @@ static void add_mesh(struct lx_veils *veils, const struct lx_shape *mesh, const 
     uint32_t found[FEW];
     struct lx_region region;
     lx_region_before_face(veils, face, &region);
+    lx_effort_take(veils->effort, MESH_EFFORT);
     const size_t count = lx_mesh_within(mesh, (const double(*)[4])region.planes, region.count, FEW, found);
     if (count > FEW) {
         add_shape(veils, mesh);
@@ -216,6 +219,7 @@ static bool add_surface(struct lx_veils *veils, const struct lx_prepared_surface
 {
     struct lx_smooth_sheet sheets[LX_MOST_SHEETS];
     const struct lx_shape *shape = &surface->shape;
+    lx_effort_take(veils->effort, SURFACE_EFFORT);
     if (!may_stand_before(veils, shape->anchor_mm, shape->radius_mm, face->center_mm, face->radius_mm))
         return true;
     if (lx_mesh_count(shape) > 0) {
@@ -410,6 +414,7 @@ bool lx_veils_are_horizons(const struct lx_veils *veils, const struct lx_tile_ce
 static bool shape_takes(const struct lx_veils *veils, const struct lx_shape *shape, const double place_mm[3])
 {
     double from[3], way[3];
+    lx_effort_take(veils->effort, WAY_EFFORT);
     sub(place_mm, veils->place_mm, way);
     for (int i = 0; i < 3; i++) {
         from[i] = veils->place_mm[i] + ENDS * way[i];

@@ -8,6 +8,7 @@
 #ifndef LX_REFLECT_VEIL_H
 #define LX_REFLECT_VEIL_H
 
+#include "../base/effort.h"
 #include "box.h"
 #include "shaft.h"
 #include "tile.h"
@@ -39,9 +40,10 @@ struct lx_veils {
     struct lx_veil *items;
     size_t count, capacity;
     double place_mm[3], normal[3], touch_mm; /* of the receiver; what is below rounding */
-    struct lx_shafts shafts;      /* from what the receivers lie on */
+    struct lx_shafts shafts;                 /* from what the receivers lie on */
     const struct lx_closed_boxes *boxes;
-    bool failed;                  /* memory ran out */
+    struct lx_effort *effort; /* that the work counts as; NULL: it is not counted */
+    bool failed;              /* memory ran out */
 };
 
 /* How a cell is seen. */

@@ -10,6 +10,7 @@
 #include "veil.h"
 
 enum { MOST_CORNERS = 48, MOST_VEILS = 10 };
+enum { POLYGON_EFFORT = 5 };
 
 /* A convex polygon in coordinates of the cell, from -1 to 1. */
 struct polygon {
@@ -124,6 +125,8 @@ static bool hide(const struct view *view, const struct lx_veil *veil, struct pol
  * none of the next ones hides.  False: there are too many corners. */
 static bool add_visible(const struct view *view, const struct polygon *polygon, unsigned first, double sign)
 {
+    if (!lx_effort_take(view->veils->effort, POLYGON_EFFORT))
+        return true;
     add_polygon(view, polygon, sign);
     for (unsigned v = first; v < view->count; v++) {
         struct polygon hidden;

@@ -54,7 +54,7 @@ static bool goes_on(struct lx_control *control, size_t i)
 /* The rules that extended sources by laws other than 1/r^2 are summed by. */
 static luxel_status plan_rules(struct lx_plan *plan, struct lx_control *control, struct lx_planned_surface *surface)
 {
-    const struct lx_asking asking = {control, true};
+    const struct lx_asking asking = {.control = control, .is_caller = true};
     if (!plan->rules) {
         plan->rules = lx_gauss_rules_new(plan->precision == LUXEL_DOUBLE ? LX_DOUBLE_RULES : LX_SINGLE_RULES);
         plan->node_rules = lx_gauss_rules_new(LX_NODE_RULES);

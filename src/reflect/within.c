@@ -1,0 +1,182 @@
+/* SPDX-License-Identifier: MIT */
+/* Counting effort block by block, and what stands for what it does not reach. */
+#include "within.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+#include "../base/memory.h"
+
+/* ---- effort ---- */
+
+/* Pieces between which it is counted, and the share of all effort that each may take at most. */
+enum { AT_ONCE = 64, SHARE_OF_ONE = 48 };
+
+luxel_status lx_within_run(struct lx_radiosity *reflected, const struct lx_within *within)
+{
+    struct lx_effort *all = &reflected->effort;
+    const size_t left = all->most > all->done ? all->most - all->done : 0;
+    const size_t limit = all->done + (size_t)(within->share * (double)left), most = all->most / SHARE_OF_ONE;
+    if (lx_reserve(&reflected->efforts, &reflected->effort_capacity, within->count, sizeof *reflected->efforts))
+        return LUXEL_ERROR_MEMORY;
+    for (size_t first = 0; first < within->count; first += AT_ONCE) {
+        const size_t last = within->count - first < AT_ONCE ? within->count : first + AT_ONCE;
+        for (size_t i = first; i < last; i++)
+            reflected->efforts[i] = (struct lx_effort){.most = all->done < limit ? most : 0};
+        const struct lx_rows_part part = {.first = (unsigned)first,
+                                          .last = (unsigned)last,
+                                          .tile_rows = 1,
+                                          .counts_itself = true,
+                                          .work = within->work,
+                                          .data = within->data};
+        if (!lx_rows_run_part(reflected->control, reflected->threads, &part))
+            return LUXEL_CANCELLED;
+        for (size_t i = first; i < last; i++)
+            all->done += reflected->efforts[i].done;
+    }
+    return LUXEL_OK;
+}
+
+struct ranked {
+    double area;
+    size_t tile;
+};
+
+static int by_area(const void *a, const void *b)
+{
+    const struct ranked *x = a, *y = b;
+    return x->area != y->area ? (x->area < y->area ? 1 : -1) : (x->tile > y->tile) - (x->tile < y->tile);
+}
+
+int lx_within_order(struct lx_radiosity *reflected)
+{
+    const size_t count = reflected->tile_count;
+    struct ranked *ranked = lx_new_array(count, sizeof *ranked);
+    free(reflected->order);
+    reflected->order = lx_new_array(count, sizeof *reflected->order);
+    const int failed = ranked && reflected->order ? 0 : -1;
+    for (size_t t = 0; t < count && !failed; t++)
+        ranked[t] = (struct ranked){lx_tile_area(&reflected->tiles[t]), t};
+    if (!failed && count > 1)
+        qsort(ranked, count, sizeof *ranked, by_area);
+    for (size_t i = 0; i < count && !failed; i++)
+        reflected->order[i] = ranked[i].tile;
+    free(ranked);
+    return failed;
+}
+
+/* ---- direct light ---- */
+
+static void halve(struct lx_direct *direct)
+{
+    for (int q = 0; q < LX_RULE_NODES; q++)
+        direct->nodes[q] /= 2;
+    for (int i = 0; direct->quarters && i < 4; i++)
+        halve(&direct->quarters[i]);
+}
+
+int lx_within_guess(const struct lx_radiosity *reflected, const struct lx_asking *asking, struct lx_tile *tile)
+{
+    enum { FEW_LEVELS = 2 };
+    const struct lx_asking unbounded = {.control = asking->control, .is_caller = asking->is_caller};
+    struct lx_prepared open = reflected->sampled;
+    struct lx_sampling_direct sampling = reflected->sampling;
+    double light = 0;
+    open.shadows = open.shadows_extended = open.shadows_on_free = false;
+    sampling.world.prepared = &open;
+    sampling.most_levels = FEW_LEVELS;
+    if (lx_direct_sample(&sampling, &reflected->faces[tile->face], &unbounded, tile))
+        return -1;
+    halve(&tile->direct);
+    for (int q = 0; q < LX_RULE_NODES; q++)
+        light += tile->cell.area[q] * fabs(tile->direct.nodes[q]);
+    tile->direct_error = tile->direct_error / 2 + light / lx_tile_area(tile);
+    tile->is_guessed = true;
+    return 0;
+}
+
+/* ---- ceilings ---- */
+
+/* What of a tile tells how much it can send: reflectance times its greatest irradiance, and that times its area. */
+struct sender {
+    double brightest, flux, area;
+};
+
+static double greatest_of(const struct lx_direct *direct)
+{
+    double greatest = 0;
+    for (int q = 0; q < LX_RULE_NODES; q++)
+        greatest = fmax(greatest, fabs(direct->nodes[q]));
+    for (int i = 0; direct->quarters && i < 4; i++)
+        greatest = fmax(greatest, greatest_of(&direct->quarters[i]));
+    return greatest;
+}
+
+static struct sender sender_of(const struct lx_radiosity *reflected, const struct lx_tile *tile)
+{
+    const double between = 2; /* the nodes of the finest windows */
+    const double reflectance = reflected->faces[tile->face].reflectance, area = lx_tile_area(tile);
+    double light = 0;
+    for (int q = 0; q < LX_RULE_NODES; q++)
+        light += tile->cell.area[q] * tile->direct.nodes[q];
+    return (struct sender){
+        .brightest = reflectance * between * (tile->is_guessed ? 2 : 1) * greatest_of(&tile->direct),
+        .flux = reflectance * (fmax(light, 0) + tile->direct_error * area),
+        .area = area,
+    };
+}
+
+/*
+ * The most direct light that a tile may receive from the others by one bounce.  The kernel is nowhere greater than
+ * 1 / (pi d^2) at the least distance d, nor is all that a place sees of something more than 1.
+ */
+static double first_bounce(const struct lx_radiosity *reflected, const struct sender *senders, double brightest,
+                           size_t t)
+{
+    const struct lx_tile *tile = &reflected->tiles[t];
+    const struct lx_matte_face *face = &reflected->faces[tile->face];
+    double sum = 0;
+    for (size_t s = 0; s < reflected->tile_count && sum < brightest; s++) {
+        const struct lx_tile_cell *other = &reflected->tiles[s].cell;
+        double square = 0;
+        if (reflected->tiles[s].face == tile->face ? face->is_flat
+                                                   : !lx_faces_meet(face, &reflected->faces[reflected->tiles[s].face]))
+            continue;
+        for (int i = 0; i < 3; i++)
+            square += (other->center_mm[i] - tile->cell.center_mm[i]) * (other->center_mm[i] - tile->cell.center_mm[i]);
+        const double gap = sqrt(square) - other->radius_mm - tile->cell.radius_mm;
+        const double kernel = gap > 0 ? 1 / (M_PI * gap * gap) : HUGE_VAL;
+        const double seen = fmin(senders[s].area * kernel, 1);
+        sum += senders[s].flux > 0 ? fmin(senders[s].brightest * seen, senders[s].flux * kernel) : 0;
+    }
+    return fmin(sum, brightest);
+}
+
+int lx_within_ceilings(struct lx_radiosity *reflected)
+{
+    const size_t count = reflected->tile_count;
+    struct sender *senders = lx_new_array(count, sizeof *senders);
+    double *first = lx_new_array(count, sizeof *first), brightest = 0, greatest = 0, reflectance = 0;
+    const int failed = senders && first ? 0 : -1;
+    for (size_t t = 0; t < count && !failed; t++) {
+        senders[t] = sender_of(reflected, &reflected->tiles[t]);
+        brightest = fmax(brightest, senders[t].brightest);
+        reflectance = fmax(reflectance, reflected->faces[reflected->tiles[t].face].reflectance);
+    }
+    for (size_t t = 0; t < count && !failed; t++) {
+        first[t] = first_bounce(reflected, senders, brightest, t);
+        greatest = fmax(greatest, first[t]);
+    }
+    const double further = reflected->bounces == 1 ? 0 : reflectance / (1 - reflectance) * greatest;
+    for (size_t t = 0; t < count && !failed; t++) {
+        struct lx_tile *tile = &reflected->tiles[t];
+        if (!tile->is_blind || tile->has_past)
+            continue;
+        tile->past_error = (first[t] + further) / 2;
+        for (int q = 0; q < LX_RULE_NODES; q++)
+            tile->past[q] = tile->past_error;
+    }
+    free(senders);
+    free(first);
+    return failed;
+}

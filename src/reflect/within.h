@@ -1,0 +1,36 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * Work within what effort is left, and what is told of tiles for which there is none: direct light on them is half of
+ * what would arrive if nothing hid the sources, and what they receive from others is half of a ceiling, the most that
+ * it can be; either with as much error.
+ */
+#ifndef LX_REFLECT_WITHIN_H
+#define LX_REFLECT_WITHIN_H
+
+#include "solution.h"
+
+/*
+ * Pieces of work first to last - 1, as in lx_rows_work; the effort of piece i is counted in, and bounded by,
+ * reflected->efforts[i].  A piece with no effort left is to end at once.
+ */
+struct lx_within {
+    size_t count;
+    double share; /* of the effort that is left, which all pieces together may take */
+    lx_rows_work *work;
+    void *data;
+};
+
+/* Does the pieces in blocks, after each of which it is counted what they took, so that which ones have effort does not
+ * depend on threads.  LUXEL_OK, LUXEL_ERROR_MEMORY or LUXEL_CANCELLED. */
+luxel_status lx_within_run(struct lx_radiosity *reflected, const struct lx_within *within);
+
+/* Sets the order in which tiles are worked on: the largest ones first.  0, or -1 when memory ran out. */
+int lx_within_order(struct lx_radiosity *reflected);
+
+/* Direct light of a tile by what would arrive if nothing hid it; 0, or -1. */
+int lx_within_guess(const struct lx_radiosity *reflected, const struct lx_asking *asking, struct lx_tile *tile);
+
+/* Sets what is known of the tiles that are blind, where nothing is yet.  0, or -1 when memory ran out. */
+int lx_within_ceilings(struct lx_radiosity *reflected);
+
+#endif
