@@ -216,10 +216,19 @@ static bool find_bracket(const struct lx_iso_way *way, double level, double from
     return false;
 }
 
+/* Whether values jump over the level, as at shadows' edges: within what no screen shows they differ by much of what the
+ * whole bracket does. */
+static bool is_jump(const struct lx_iso_way *way, const struct lx_iso_sample *a, const struct lx_iso_sample *b,
+                    double change)
+{
+    return fabs(a->at - b->at) <= way->search->pull_mm && fabs(a->value - b->value) > 0.1 * change;
+}
+
 /* Chandrupatla's method: inverse quadratic interpolation where it may be trusted, else halving. */
 static bool cross_safely(struct lx_iso_way *way, double level, const struct lx_iso_sample bracket[2], double *at)
 {
     const double goal = way->search->goal * fabs(level), accept = way->search->accept * fabs(level);
+    const double change = fabs(bracket[1].value - bracket[0].value);
     struct lx_iso_sample a = bracket[1], b = bracket[0], c = a;
     double t = 0.5;
     for (int i = 0; i < 200; i++) {
@@ -240,6 +249,8 @@ static bool cross_safely(struct lx_iso_way *way, double level, const struct lx_i
         a = (struct lx_iso_sample){place, off};
         if (fabs(off) <= goal)
             break;
+        if (is_jump(way, &a, &b, change))
+            return false;
         double xi = (a.at - b.at) / (c.at - b.at), phi = (a.value - b.value) / (c.value - b.value);
         bool trust = phi * phi < xi && (1 - phi) * (1 - phi) < 1 - xi;
         t = !trust ? 0.5
