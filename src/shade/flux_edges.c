@@ -150,18 +150,24 @@ static bool may_fall_on(const struct lx_cells *plane, const struct lx_shape *sha
     return lx_may_block(&ball, &from, &towards, endless);
 }
 
+struct lx_origin lx_edges_light(const struct lx_edges *edges)
+{
+    const struct lx_emitter *emitter = edges->emitter;
+    struct lx_origin light = {.endless = emitter->type == LX_DIRECTION};
+    copy(emitter->position_mm, light.at);
+    if (light.endless)
+        value_of(emitter->towards, light.at);
+    return light;
+}
+
 /* A surface without edges on the plane hides all of it or nothing. */
 static bool add_caster(struct lx_edges *edges, const struct lx_prepared_surface *surface)
 {
     const struct lx_shape *shape = &surface->shape;
-    const struct lx_emitter *emitter = edges->emitter;
-    struct shadow shadow = {.shape = shape, .light.endless = emitter->type == LX_DIRECTION};
+    struct shadow shadow = {.shape = shape, .light = lx_edges_light(edges)};
     struct lx_caster caster = {.surface = surface, .first = edges->count};
     if (lx_reserve(&edges->casters, &edges->caster_capacity, edges->caster_count + 1, sizeof *edges->casters))
         return false;
-    copy(emitter->position_mm, shadow.light.at);
-    if (shadow.light.endless)
-        value_of(emitter->towards, shadow.light.at);
     for (; shadow.edge < shape->kind->shadow_edges; shadow.edge++)
         if (!add_conic(edges, edges->caster_count, shadow_at, &shadow))
             return false;
@@ -283,6 +289,18 @@ static int by_begin(const void *left, const void *right)
     return by_size(a->from, b->from);
 }
 
+/* Where a + b x + c x^2 is 0, and where it all but touches 0: its two roots may be lost to rounding, and a place more
+ * does no harm. */
+static int crossings(double a, double b, double c, double roots[2])
+{
+    const double size = fabs(a) + fabs(b) + fabs(c);
+    const int count = lx_edge_roots(a, b, c, roots);
+    if (count > 0 || c == 0 || !(b * b - 4 * a * c >= -1e-14 * size * size))
+        return count;
+    roots[0] = -b / (2 * c);
+    return 1;
+}
+
 /* Where some edges, one after the other, cross a line, in order, between its ends; how many. */
 static size_t cut_line(const struct lx_edges *edges, size_t first, size_t count, const struct lx_plane_line *line)
 {
@@ -292,9 +310,9 @@ static size_t cut_line(const struct lx_edges *edges, size_t first, size_t count,
     for (size_t i = first; i < first + count; i++) {
         const double *c = edges->items[i].c;
         double roots[2];
-        const int n = lx_edge_roots(lx_conic_at(&edges->items[i], u, v),
-                                    du * (c[1] + 2 * c[3] * u + c[4] * v) + dv * (c[2] + 2 * c[5] * v + c[4] * u),
-                                    du * (c[3] * du + c[4] * dv) + c[5] * dv * dv, roots);
+        const int n = crossings(lx_conic_at(&edges->items[i], u, v),
+                                du * (c[1] + 2 * c[3] * u + c[4] * v) + dv * (c[2] + 2 * c[5] * v + c[4] * u),
+                                du * (c[3] * du + c[4] * dv) + c[5] * dv * dv, roots);
         for (int k = 0; k < n; k++)
             if (fabs(roots[k]) < 0.5)
                 edges->places[found++] = (struct lx_crossing){roots[k], i};

@@ -70,6 +70,9 @@ int lx_edges_make(const struct lx_prepared *prepared, const struct lx_cells *pla
                   const bool *aside, bool casts, struct lx_edges *edges);
 void lx_edges_clear(struct lx_edges *edges);
 
+/* The emitter, if it has no size, as where ways to it begin. */
+struct lx_origin lx_edges_light(const struct lx_edges *edges);
+
 /* The place (u, v) of the plane. */
 lx_bounded3 lx_edges_place(const struct lx_edges *edges, double u, double v);
 

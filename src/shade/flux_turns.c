@@ -7,6 +7,7 @@
 #include <math.h>
 
 #include "../base/memory.h"
+#include "../base/vector.h"
 #include "flux_edges.h"
 
 /* How far from a candidate the places around it are. */
@@ -255,6 +256,44 @@ static void note_pair(struct turns *turns, const struct lx_conic *a, const struc
     }
 }
 
+/* ---- of one surface ---- */
+
+/* Where the way from the light past a place meets the plane; false: not on what is measured of it. */
+static bool shadow_of(const struct lx_edges *edges, const struct lx_origin *light, const double place_mm[3],
+                      struct lx_plane_place *at)
+{
+    const double *center = edges->plane->center_mm;
+    const lx_bounded3 *normal = &edges->plane->normal, *across = &edges->across, *upward = &edges->upward;
+    const double n[3] = {normal->x.value, normal->y.value, normal->z.value},
+                 u[3] = {across->x.value, across->y.value, across->z.value},
+                 v[3] = {upward->x.value, upward->y.value, upward->z.value};
+    double from[3], way[3];
+    for (int k = 0; k < 3; k++) {
+        from[k] = place_mm[k] - center[k];
+        way[k] = light->endless ? -light->at[k] : place_mm[k] - light->at[k];
+    }
+    const double fall = -lx_dot(n, way), height = lx_dot(n, from);
+    if (!(fall > 0 && height >= 0))
+        return false;
+    for (int k = 0; k < 3; k++)
+        from[k] += height / fall * way[k];
+    *at = (struct lx_plane_place){lx_dot(u, from) / lx_dot(u, u), lx_dot(v, from) / lx_dot(v, v)};
+    return is_on_plane(*at);
+}
+
+static void note_corners(struct turns *turns, const struct lx_caster *caster)
+{
+    const struct lx_shape *shape = &caster->surface->shape;
+    const struct lx_origin light = lx_edges_light(turns->edges);
+    double place_mm[3];
+    struct lx_plane_place at;
+    for (unsigned i = 0; shape->kind->shadow_corner && shape->kind->shadow_corner(shape, &light, i, place_mm); i++)
+        if (caster->count > 0 && shadow_of(turns->edges, &light, place_mm, &at)) {
+            const struct lx_conic *edge = &turns->edges->items[caster->first];
+            note(turns, edge, edge, at);
+        }
+}
+
 int lx_edges_turns(const struct lx_edges *edges, struct lx_plane_places *list)
 {
     struct turns turns = {.edges = edges, .list = list};
@@ -263,5 +302,7 @@ int lx_edges_turns(const struct lx_edges *edges, struct lx_plane_places *list)
         for (size_t k = 0; k < i; k++)
             note_pair(&turns, &edges->items[k], &edges->items[i]);
     }
+    for (size_t i = 0; i < edges->caster_count; i++)
+        note_corners(&turns, &edges->casters[i]);
     return turns.is_short ? -1 : 0;
 }

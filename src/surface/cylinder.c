@@ -439,6 +439,27 @@ static double cylinder_shadow_edge(const struct lx_shape *cylinder, const struct
     return outside > 0 ? outside * lx_dot(v, v) - touch * touch : (double)NAN;
 }
 
+/* Where the two planes of the ways that touch it meet its ends; from within them none touches. */
+static bool cylinder_shadow_corner(const struct lx_shape *cylinder, const struct lx_origin *light, unsigned i,
+                                   double place_mm[3])
+{
+    const double radius = lx_cylinder_radius(cylinder);
+    double way[3], towards[3], aside[3], along, reach = 0;
+    for (int k = 0; k < 3; k++)
+        way[k] = light->at[k] - (light->endless ? 0 : cylinder->anchor_mm[k]);
+    lx_cylinder_split(cylinder, way, towards, &along);
+    const double away = lx_normalize(towards);
+    if (!light->endless)
+        reach = radius / away;
+    if (i > 3 || !(away > 0 && reach < 1))
+        return false;
+    lx_cross(cylinder->axis, towards, aside);
+    for (int k = 0; k < 3; k++)
+        place_mm[k] = cylinder->anchor_mm[k] + (i & 1 ? 1 : -1) * lx_cylinder_half(cylinder) * cylinder->axis[k] +
+                      radius * (reach * towards[k] + (i & 2 ? 1 : -1) * sqrt(1 - reach * reach) * aside[k]);
+    return true;
+}
+
 static double cylinder_support(const struct lx_shape *cylinder, const double direction[3], double place[3])
 {
     double aside[3], along;
@@ -488,6 +509,7 @@ const struct lx_surface_kind lx_cylinder_kind = {
     .beside = cylinder_beside,
     .shadow_edges = 4,
     .shadow_edge = cylinder_shadow_edge,
+    .shadow_corner = cylinder_shadow_corner,
     .outline = lx_cylinder_outline,
     .chart = &lx_cylinder_chart,
     .bounds = &cylinder_bounds,

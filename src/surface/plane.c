@@ -317,6 +317,9 @@ double lx_plane_curvature(const struct lx_shape *plane)
     return 0;
 }
 
+/* Light this near to the plane of a circle, as an angle, counts as in it. */
+static const double IN_PLANE = 1e-9;
+
 double lx_circle_edge(const double center_mm[3], const double axis[3], double radius_mm, const struct lx_origin *light,
                       const double place_mm[3])
 {
@@ -332,6 +335,8 @@ double lx_circle_edge(const double center_mm[3], const double axis[3], double ra
         }
     }
     const double height = lx_dot(axis, from), change = lx_dot(axis, way);
+    if (light->endless ? fabs(change) <= IN_PLANE : fabs(height) <= IN_PLANE * sqrt(lx_dot(from, from)))
+        return light->endless ? height : change; /* the cone is flat: its square would have no crossings */
     for (int i = 0; i < 3; i++)
         offset[i] = from[i] * change - way[i] * height;
     return lx_dot(offset, offset) - radius_mm * radius_mm * change * change;

@@ -59,7 +59,8 @@ int lx_plane_guess(const struct lx_shape *plane, const struct lx_origin *light, 
 double lx_plane_least_cosine(const struct lx_shape *plane, const double towards[3], double away);
 double lx_plane_curvature(const struct lx_shape *plane);
 
-/* 0 on the cone of the ways from a light past a circle, a quadratic function of the place. */
+/* 0 on the cone of the ways from a light past a circle, a quadratic function of the place; on the circle's plane, a
+ * linear one, where the light lies in it. */
 double lx_circle_edge(const double center_mm[3], const double axis[3], double radius_mm, const struct lx_origin *light,
                       const double place_mm[3]);
 

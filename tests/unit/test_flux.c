@@ -285,6 +285,22 @@ static void sampling(void **state)
     luxel_scene_free(scene);
 }
 
+/* Tubes across parallel light, whose ends are then seen edge-on, or nearly so: their shadows are rectangles. */
+static void tubes_across(void **state)
+{
+    (void)state;
+    const char *plane = "{center: [0, 0, 0], size: [1000, 800], n: [4, 3]}";
+    const char *suns[] = {"[0, 0, -1]", "[1e-8, 0, -1]", "[1e-7, 0, -1]", "[1e-6, 0, -1]"};
+    char light[80];
+    for (size_t i = 0; i < sizeof suns / sizeof *suns; i++) {
+        snprintf(light, sizeof light, "{type: distant, direction: %s, irradiance: 1}", suns[i]);
+        expect_flux("{type: cylinder, center: [0, 240, 0], axis: [1, 0, 0], radius: 2, height: 600}", light, plane,
+                    0.8 - 0.0024, 1e-7);
+        expect_flux("{type: cylinder, center: [500, 239.68, 1], axis: [1, 0, 0], radius: 2, height: 1000}", light,
+                    plane, 0.8 - 0.002, 1e-7);
+    }
+}
+
 /* A luminaire near the plane, whose light reaches it at few azimuths about an axis that lies along it: the average of
  * many cells is the mean. */
 static void along_the_plane(void **state)
@@ -311,7 +327,7 @@ int main(void)
         cmocka_unit_test(values_alone),         cmocka_unit_test(sampling),
         cmocka_unit_test(plates_aside),         cmocka_unit_test(plates_over),
         cmocka_unit_test(crowds_under_the_sun), cmocka_unit_test(bounds_of_penumbrae),
-        cmocka_unit_test(along_the_plane),
+        cmocka_unit_test(along_the_plane),      cmocka_unit_test(tubes_across),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
