@@ -8,6 +8,7 @@
 
 #include "../base/memory.h"
 #include "../base/vector.h"
+#include "../light/distribution.h"
 #include "../light/extended.h"
 
 /* Beams are no wider than this: from a source that is close, even light of all directions falls narrowly. */
@@ -22,7 +23,13 @@ static const double SEEN = 0.5;
 /* A cone that falls off over a greater share of its angle has no edge. */
 static const double SOFT = 0.3;
 
-enum { AROUND = 8 };
+/* Peaks of a table that are wider than this show in the first samples. */
+static const double PEAK = 0.25;
+/* What a peak gives does not count below this share of what all parts may that are missed. */
+static const double FAINT = 1e-2;
+
+/* Directions around an axis that are looked at; peaks of one luminaire that are followed one by one. */
+enum { AROUND = 8, MOST_PEAKS = 256 };
 
 /* The greatest value of a profile at an angle from its axis. */
 static double greatest_at(const struct lx_profile *profile, const double axis[3], double angle_rad)
@@ -78,16 +85,119 @@ static double radius_at_edge(double share)
     return fmin(0.5, 16 * height / M_SQRT2);
 }
 
+/* ---- peaks of a luminaire ---- */
+
+/* The unit direction at two angles of the table, in radians. */
+static void direction_at(const struct lx_pointed *pointed, double azimuth, double polar, double direction[3])
+{
+    for (int k = 0; k < 3; k++)
+        direction[k] =
+            sin(polar) * (cos(azimuth) * pointed->frame_double[0][k] + sin(azimuth) * pointed->frame_double[1][k]) +
+            cos(polar) * pointed->frame_double[2][k];
+}
+
+static double value_at(const struct lx_pointed *pointed, double azimuth, double polar)
+{
+    double direction[3];
+    direction_at(pointed, azimuth, polar, direction);
+    const double towards[3] = {-direction[0], -direction[1], -direction[2]};
+    return lx_pointed_plain(pointed, towards);
+}
+
+/* Within how far on both sides of a node the table falls to a share, along the polar angle or across it; PEAK: it is
+ * not narrow. */
+static double half_width(const struct lx_pointed *pointed, const double node[2], double value, bool is_polar)
+{
+    const double across = fmax(sin(node[1]), 1e-3);
+    for (double half_rad = NARROWEST; half_rad < PEAK; half_rad *= 2) {
+        const double azimuth = is_polar ? 0 : half_rad / across, polar = is_polar ? half_rad : 0;
+        if (fmax(value_at(pointed, node[0] + azimuth, node[1] + polar),
+                 value_at(pointed, node[0] - azimuth, node[1] - polar)) < SHARE * value)
+            return half_rad;
+    }
+    return PEAK;
+}
+
+/* The narrow peak at a node of the table, or the ridge on which the node lies; false: there is none. */
+static bool find_peak(const struct lx_pointed *pointed, size_t i, size_t j, struct lx_beam *beam)
+{
+    const struct lx_distribution *table = pointed->distribution;
+    const size_t azimuths = table->azimuth_count, polars = table->polar_count;
+    const double *value = table->values + i * polars + j, *polar = table->polars + j;
+    const double node[2] = {table->azimuths[i] * M_PI / 180, *polar * M_PI / 180};
+    const bool is_crest = !(j > 0 && value[-1] > *value) && !(j + 1 < polars && value[1] > *value);
+    const bool is_spoke = !(i > 0 && *(value - polars) > *value) && !(i + 1 < azimuths && *(value + polars) > *value);
+    if (!(*value > 0))
+        return false;
+    const double along = is_crest ? half_width(pointed, node, *value, true) : PEAK;
+    const double across = is_spoke ? half_width(pointed, node, *value, false) : PEAK;
+    direction_at(pointed, node[0], node[1], beam->axis);
+    beam->half_rad = fmin(along, across);
+    if (across < PEAK) { /* along a meridian as far as to the next lines */
+        const double steps = fmax(j > 0 ? polar[0] - polar[-1] : 0, j + 1 < polars ? polar[1] - polar[0] : 0);
+        beam->around_rad = along < PEAK ? fmax(along, across) : steps * M_PI / 180;
+    } else if (along < PEAK) {
+        memcpy(beam->axis, pointed->frame_double[2], sizeof beam->axis);
+        beam->ring_rad = node[1];
+    }
+    return beam->half_rad < PEAK;
+}
+
+/* Whether one of the beams from `first` on has all of another one. */
+static bool is_followed(const struct lx_beams *beams, size_t first, const struct lx_beam *other)
+{
+    for (size_t i = first; i < beams->count; i++) {
+        const struct lx_beam *beam = &beams->items[i];
+        if (beam->half_rad <= 2 * other->half_rad && beam->around_rad >= other->around_rad &&
+            (beam->ring_rad > 0) == (other->ring_rad > 0) && fabs(beam->ring_rad - other->ring_rad) <= beam->half_rad &&
+            lx_dot(beam->axis, other->axis) >= cos(beam->half_rad))
+            return true;
+    }
+    return false;
+}
+
+/* Adds beams at narrow peaks of a table; where these are too many, one that may be anywhere.  0, or -1. */
+static int add_peaks(const struct lx_emitter *emitter, double share, struct lx_beams *beams)
+{
+    const struct lx_pointed *pointed = emitter->profile.luminaire;
+    const struct lx_distribution *table = pointed->distribution;
+    const double least = FAINT * share * table->solid_angle;
+    const size_t first = beams->count;
+    struct lx_beam whole = beams->items[first - 1];
+    whole.half_rad = PEAK;
+    for (size_t node = 0; node < table->azimuth_count * table->polar_count; node++) {
+        struct lx_beam beam = beams->items[first - 1];
+        if (!find_peak(pointed, node / table->polar_count, node % table->polar_count, &beam) ||
+            !(table->values[node] * beam.half_rad * beam.half_rad > least))
+            continue;
+        whole.half_rad = fmin(whole.half_rad, beam.half_rad);
+        if (beams->count - first >= MOST_PEAKS || is_followed(beams, first, &beam))
+            continue;
+        if (lx_reserve(&beams->items, &beams->capacity, beams->count + 1, sizeof *beams->items))
+            return -1;
+        beams->items[beams->count++] = beam;
+    }
+    if (beams->count - first < MOST_PEAKS)
+        return 0;
+    whole.around_rad = M_PI;
+    beams->items[first] = whole;
+    beams->count = first + 1;
+    return 0;
+}
+
 int lx_beams_make(const struct lx_emitters *emitters, double share, struct lx_beams *beams)
 {
     const size_t count = lx_item_count(emitters);
-    *beams = (struct lx_beams){.items = lx_new_array(count, sizeof *beams->items), .at_edge = radius_at_edge(share)};
-    if (!beams->items)
-        return count > 0 ? -1 : 0;
+    *beams = (struct lx_beams){.at_edge = radius_at_edge(share)};
     for (size_t i = 0; i < count; i++) {
         const struct lx_emitter *emitter = &emitters->items[i];
-        if (emitter->type != LX_UNIFORM && emitter->type != LX_DIRECTION)
-            make_beam(emitter, &beams->items[beams->count++]);
+        if (emitter->type == LX_UNIFORM || emitter->type == LX_DIRECTION)
+            continue;
+        if (lx_reserve(&beams->items, &beams->capacity, beams->count + 1, sizeof *beams->items))
+            return -1;
+        make_beam(emitter, &beams->items[beams->count++]);
+        if (emitter->profile.luminaire && add_peaks(emitter, share, beams))
+            return -1;
     }
     return 0;
 }
@@ -113,7 +223,8 @@ static bool is_narrow(const struct lx_beam *beam, double at_edge, const struct l
     if (!is_wide && !has_edge)
         return false;
     const double off = acos(fmax(-1, fmin(1, lx_dot(to, beam->axis)))), width = asin(across / away);
-    return (is_wide && off <= 2 * beam->half_rad + width) || (has_edge && fabs(off - beam->edge_rad) <= width);
+    return (is_wide && fabs(off - beam->ring_rad) <= beam->around_rad + 2 * beam->half_rad + width) ||
+           (has_edge && fabs(off - beam->edge_rad) <= width);
 }
 
 bool lx_beams_narrow(const struct lx_beams *beams, const struct lx_tile_cell *cell)

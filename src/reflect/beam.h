@@ -11,16 +11,18 @@
 #include "../light/emitter.h"
 #include "tile.h"
 
-/* One for each emitter that has a place, but the points of clouds. */
+/* One for each emitter that has a place, but the points of clouds, and one for each narrow peak of a luminaire. */
 struct lx_beam {
     double place_mm[3], radius_mm; /* of a ball around the source; of a point 0 */
     double axis[3], half_rad;      /* within which most of its light is, at most HALF of beam.c */
+    double around_rad;             /* how far from there light as narrow may be, too: of a peak that is long */
+    double ring_rad;               /* of a ring, how far from the axis it is, all around; of all else 0 */
     double edge_rad;               /* where a cone ends at once, or nearly; 0: nowhere */
 };
 
 struct lx_beams {
     struct lx_beam *items;
-    size_t count;
+    size_t count, capacity;
     double at_edge; /* radii of cells that an edge crosses, as a share of the cone's */
 };
 

@@ -72,14 +72,20 @@ struct plates {
     struct rectangle *items;
     bool *are_plates;
     size_t count;
-    double touch_mm;
+    double size_mm; /* of the scene */
 };
 
+/* What is below rounding of something of a size: places in the scene are no more exact than the second. */
+static double touch_of(const struct plates *plates, double size_mm)
+{
+    return fmax(1e-9 * size_mm, 1e-14 * plates->size_mm);
+}
+
 /* The box that has one plate as a side and goes as far behind or before it as another one does. */
-static bool reach(const struct rectangle *plate, const struct rectangle *other, double touch_mm,
+static bool reach(const struct plates *plates, const struct rectangle *plate, const struct rectangle *other,
                   struct lx_closed_box *box)
 {
-    double from[3];
+    double from[3], touch_mm = touch_of(plates, hypot(plate->half_mm[0], plate->half_mm[1]));
     for (int i = 0; i < 3; i++)
         from[i] = other->center_mm[i] - plate->center_mm[i];
     const double depth = lx_dot(from, plate->axis);
@@ -91,6 +97,8 @@ static bool reach(const struct rectangle *plate, const struct rectangle *other, 
     box->half_mm[0] = plate->half_mm[0];
     box->half_mm[1] = plate->half_mm[1];
     box->half_mm[2] = fabs(depth);
+    touch_mm = touch_of(plates, sqrt(lx_dot(box->half_mm, box->half_mm)));
+    box->touch_mm = touch_mm;
     for (int i = 0; i < 3; i++)
         box->center_mm[i] = plate->center_mm[i] + depth * plate->axis[i];
     for (int side = 0; side < 4; side++) {
@@ -109,10 +117,10 @@ static bool close_sides(const struct plates *plates, struct lx_closed_box *box)
         bool is_closed = false;
         box->plates[side] = SIZE_MAX;
         for (size_t s = 0; s < plates->count && box->plates[side] == SIZE_MAX; s++) {
-            if (!plates->are_plates[s] || !covers(&plates->items[s], &made, plates->touch_mm))
+            if (!plates->are_plates[s] || !covers(&plates->items[s], &made, box->touch_mm))
                 continue;
             is_closed = true;
-            if (covers(&made, &plates->items[s], plates->touch_mm))
+            if (covers(&made, &plates->items[s], box->touch_mm))
                 box->plates[side] = s;
         }
         if (!is_closed)
@@ -139,7 +147,7 @@ static int find_boxes(const struct plates *plates, struct lx_closed_boxes *boxes
             struct lx_closed_box box;
             if (!plates->are_plates[s] || !plates->are_plates[other] || boxes->sides[s].box > 0)
                 continue;
-            if (reach(&plates->items[s], &plates->items[other], plates->touch_mm, &box) && close_sides(plates, &box) &&
+            if (reach(plates, &plates->items[s], &plates->items[other], &box) && close_sides(plates, &box) &&
                 add_box(boxes, &box))
                 return -1;
         }
@@ -153,9 +161,8 @@ int lx_closed_boxes_find(struct lx_radiosity *reflected)
     struct plates plates = {.items = lx_new_array(count, sizeof *plates.items),
                             .are_plates = lx_new_array(count, sizeof *plates.are_plates),
                             .count = count,
-                            .touch_mm = 1e-9 * reflected->size_mm};
+                            .size_mm = reflected->size_mm};
     boxes->sides = lx_new_array(count, sizeof *boxes->sides);
-    boxes->touch_mm = plates.touch_mm;
     int failed = plates.items && plates.are_plates && boxes->sides ? 0 : -1;
     for (size_t s = 0; s < count && !failed; s++)
         plates.are_plates[s] = find_plate(&reflected->prepared->surfaces[s], &plates.items[s]);
@@ -195,15 +202,14 @@ bool lx_closed_boxes_turn_away(const struct lx_closed_boxes *boxes, size_t surfa
     const struct lx_closed_box *box = &boxes->items[side->box - 1];
     locate(box, place_mm, at);
     for (int way = 0; way < 3; way++)
-        is_outside = is_outside || fabs(at[way]) > box->half_mm[way] + boxes->touch_mm;
+        is_outside = is_outside || fabs(at[way]) > box->half_mm[way] + box->touch_mm;
     const int way = (int)side->side / 2;
-    return is_outside && (side->side & 1 ? at[way] : -at[way]) < box->half_mm[way] - boxes->touch_mm;
+    return is_outside && (side->side & 1 ? at[way] : -at[way]) < box->half_mm[way] - box->touch_mm;
 }
 
 /* Whether all of a face is beyond a plate that is a side of a box, and some of it not in its plane, where it may
  * lie on it: nothing says then which of them is seen (overlap.h). */
-static bool is_beyond(const struct lx_closed_boxes *boxes, const struct lx_closed_box *box,
-                      const struct lx_matte_face *face)
+static bool is_beyond(const struct lx_closed_box *box, const struct lx_matte_face *face)
 {
     for (int side = 0; side < 6; side++)
         if (box->plates[side] == face->surface)
@@ -213,8 +219,8 @@ static bool is_beyond(const struct lx_closed_boxes *boxes, const struct lx_close
         const double turn = side & 1 ? -1 : 1;
         const double inwards[3] = {turn * made.axis[0], turn * made.axis[1], turn * made.axis[2]};
         const double outwards[3] = {-inwards[0], -inwards[1], -inwards[2]};
-        if (box->plates[side] != SIZE_MAX && lx_face_reach(face, inwards, made.center_mm) <= boxes->touch_mm &&
-            lx_face_reach(face, outwards, made.center_mm) > boxes->touch_mm)
+        if (box->plates[side] != SIZE_MAX && lx_face_reach(face, inwards, made.center_mm) <= box->touch_mm &&
+            lx_face_reach(face, outwards, made.center_mm) > box->touch_mm)
             return true;
     }
     return false;
@@ -229,8 +235,8 @@ bool lx_closed_boxes_part(const struct lx_closed_boxes *boxes, const double plac
         double at[3];
         locate(box, place_mm, at);
         for (int way = 0; way < 3; way++)
-            is_inside = is_inside && fabs(at[way]) < box->half_mm[way] - boxes->touch_mm;
-        if (is_inside && is_beyond(boxes, box, face))
+            is_inside = is_inside && fabs(at[way]) < box->half_mm[way] - box->touch_mm;
+        if (is_inside && is_beyond(box, face))
             return true;
     }
     return false;
@@ -258,7 +264,7 @@ static bool is_outer(const struct lx_closed_box *box, const struct lx_matte_face
 
 /* Whether an emitter may give light in a box: no sample of what it falls on tells, which a narrow beam may miss. */
 static bool reaches_into(const struct lx_emitter *emitter, const struct lx_prepared *prepared,
-                         const struct lx_closed_box *box, double touch_mm)
+                         const struct lx_closed_box *box)
 {
     const bool is_extended = lx_is_extended(emitter);
     double at[3];
@@ -268,7 +274,7 @@ static bool reaches_into(const struct lx_emitter *emitter, const struct lx_prepa
         return false;
     locate(box, lx_emitter_center(emitter), at);
     for (int way = 0; way < 3; way++)
-        if (fabs(at[way]) > box->half_mm[way] + lx_emitter_radius(emitter) + touch_mm)
+        if (fabs(at[way]) > box->half_mm[way] + lx_emitter_radius(emitter) + box->touch_mm)
             return false;
     return true;
 }
@@ -279,7 +285,7 @@ static bool is_lit_inside(const struct lx_radiosity *reflected, const struct lx_
     const struct lx_emitters *emitters = &reflected->prepared->emitters;
     for (size_t i = 0; i < emitters->count; i++) {
         struct lx_emitter room;
-        if (reaches_into(lx_emitter_at(emitters, i, &room), reflected->prepared, box, reflected->boxes.touch_mm))
+        if (reaches_into(lx_emitter_at(emitters, i, &room), reflected->prepared, box))
             return true;
     }
     for (size_t t = 0; t < reflected->tile_count; t++) {
@@ -289,7 +295,7 @@ static bool is_lit_inside(const struct lx_radiosity *reflected, const struct lx_
             bool is_within = tile->direct.nodes[q] > 0;
             locate(box, tile->cell.place_mm[q], at);
             for (int way = 0; way < 3; way++)
-                is_within = is_within && fabs(at[way]) <= box->half_mm[way] + reflected->boxes.touch_mm;
+                is_within = is_within && fabs(at[way]) <= box->half_mm[way] + box->touch_mm;
             if (is_within && !is_outer(box, &reflected->faces[tile->face]))
                 return true;
         }
@@ -298,21 +304,20 @@ static bool is_lit_inside(const struct lx_radiosity *reflected, const struct lx_
 }
 
 /* Whether a face with straight edges is within a box. */
-static bool is_within(const struct lx_closed_boxes *boxes, const struct lx_closed_box *box,
-                      const struct lx_matte_face *face)
+static bool is_within(const struct lx_closed_box *box, const struct lx_matte_face *face)
 {
     double corners[4][3], at[3];
     if (!lx_is_polygon(face->sheet.type))
         return false;
     locate(box, face->cell.center_mm, at); /* not on a side */
     for (int way = 0; way < 3; way++)
-        if (fabs(at[way]) >= box->half_mm[way] - boxes->touch_mm)
+        if (fabs(at[way]) >= box->half_mm[way] - box->touch_mm)
             return false;
     const int count = lx_face_corners(face, corners);
     for (int c = 0; c < count; c++) {
         locate(box, corners[c], at);
         for (int way = 0; way < 3; way++)
-            if (fabs(at[way]) > box->half_mm[way] + boxes->touch_mm)
+            if (fabs(at[way]) > box->half_mm[way] + box->touch_mm)
                 return false;
     }
     return true;
@@ -325,7 +330,6 @@ void lx_closed_boxes_darken(const struct lx_radiosity *reflected, bool *stays)
         if (is_lit_inside(reflected, box))
             continue;
         for (size_t f = 0; f < reflected->face_count; f++)
-            stays[f] = stays[f] && !is_inner(box, &reflected->faces[f]) &&
-                       !is_within(&reflected->boxes, box, &reflected->faces[f]);
+            stays[f] = stays[f] && !is_inner(box, &reflected->faces[f]) && !is_within(box, &reflected->faces[f]);
     }
 }

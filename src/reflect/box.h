@@ -16,6 +16,7 @@ struct lx_matte_face;
 
 struct lx_closed_box {
     double center_mm[3], axes[3][3], half_mm[3];
+    double touch_mm;  /* what is below rounding, by its size */
     size_t plates[6]; /* the prepared surfaces that are its sides, two for each axis; SIZE_MAX: one that is covered */
 };
 
@@ -29,7 +30,6 @@ struct lx_closed_boxes {
     struct lx_closed_box *items;
     size_t count, capacity;
     struct lx_box_side *sides; /* of each prepared surface */
-    double touch_mm;           /* what is below rounding */
 };
 
 /* Finds the boxes of the prepared scene; 0, or -1: memory ran out. */

@@ -367,5 +367,55 @@ def built_in_files(tap, tool):
     tap.ok(result.code == 4 and "no built-in file of that name" in result.err, "another name", result.code, result.err)
 
 
+def wall_met(half, place, way):
+    """Where a way from a place in a room around the origin meets a wall, and which of the axes crosses that."""
+    steps = [((half[k] if way[k] > 0 else -half[k]) - place[k]) / way[k] if way[k] else math.inf for k in range(3)]
+    axis = steps.index(min(steps))
+    return [p + steps[axis] * w for p, w in zip(place, way)], axis
+
+
+def one_bounce(half, lamp, light, reflectance, place, normal):
+    """The irradiance of a place by light that the walls reflect once; of the light directions and fluxes."""
+    total = 0
+    for way, flux in light:
+        met, axis = wall_met(half, lamp, way)
+        to = [m - p for m, p in zip(met, place)]
+        square = dot(to, to)
+        total += (flux * reflectance / math.pi * max(dot(to, normal), 0) * abs(to[axis]) / square ** 2) * 1e6
+    return total
+
+
+def hat(peak, half_width, count):
+    """The places and weights of a triangle of height 1, by midpoints."""
+    step = 2 * half_width / count
+    at = [peak - half_width + (i + 0.5) * step for i in range(count)]
+    return [(a, math.radians(step) * (1 - abs(a - peak) / half_width)) for a in at]
+
+
+def narrow_peaks(tap, tool):
+    """Reflected light of peaks aside of the axis, and of a ring, that are narrower than walls are sampled at first."""
+    half = [2500, 2000, 1500]
+    room = {"type": "room", "center": [0, 0, 0], "size": [2 * h for h in half],
+            "material": {"model": "lambert", "diffuse": 0.5, "over_pi": True}}
+    elements = [([0, 0, 1400], [0.2, 0.1, -1]), ([2400, 300, 1000], [-1, 0.2, -0.3])]
+    for c, g, w, lamp in ((162.8, 55.6, 1, [700, -900, 700]), (31, 20, 0.3, [-500, 400, 900]),
+                          (300, 75, 0.6, [0, 800, 300]), (None, 50, 0.4, [200, 100, 1000])):
+        planes = [0] if c is None else [0, c - w, c, c + w, 360]
+        tool.write("peak.ies", lamp_text([0, g - w, g, g + w, 180], planes,
+                                         lambda plane, angle, c=c, g=g: 1e5 * (angle == g and c in (plane, None))))
+        turns = [((i + 0.5), math.radians(1)) for i in range(360)] if c is None else hat(c, w, 40)
+        light = [([sin(b) * cos(a), sin(b) * sin(a), -cos(b)], 1e5 * u * v * sin(b))
+                 for a, u in turns for b, v in hat(g, w, 40)]
+        name = scene(tool, "peak.yaml", {"file": "peak.ies", "position": lamp}, surfaces=[room], reflections=1,
+                     shadows="all", observer={"z": 1000})
+        points = tool.run("probe", name, "--json", "--quantity", "irradiance", "--reflected-error", "1e-2",
+                          *(text for place, normal in elements
+                            for text in ("--at", ",".join(map(str, place + normal))))).json()["points"]
+        for (place, normal), point in zip(elements, points):
+            truth, told = one_bounce(half, lamp, light, 0.5, place, unit(normal)), point["reflected"]
+            tap.ok(abs(told["irradiance"] - truth) <= told["error"] + 1e-5 * truth and told["error"] < 1e-2 * truth,
+                   "a peak of %g degrees at C %s, gamma %g" % (w, c, g), told, truth)
+
+
 run_tests(Tap(), against_the_model, lambert_lamps, three_types, turned_twins, pictures, extrema_and_grids,
-          through_planes, wrong_files, folders, maintained, built_in_files)
+          through_planes, wrong_files, folders, maintained, built_in_files, narrow_peaks)

@@ -251,6 +251,27 @@ static void test_closed_box(void **state)
     }
 }
 
+/* Through a gap that is a ten thousandth of a small box light comes into it, however far away other things are. */
+#define SMALL(bottom)                                                                                                  \
+    "{type: rectangle, center: [0, 0, -1000], size: [2000000, 2000000], " MATERIAL("0.5") "}" SIDE(                    \
+        "[10, 10]", "[-5, 0, 5]", "[1, 0, 0]", "[0, 1, 0]") SIDE("[10, 10]", "[5, 0, 5]", "[-1, 0, 0]", "[0, 1, 0]")   \
+        SIDE("[10, 10]", "[0, -5, 5]", "[0, 1, 0]", "[0, 0, 1]")                                                       \
+            SIDE("[10, 10]", "[0, 5, 5]", "[0, -1, 0]", "[0, 0, 1]")                                                   \
+                SIDE("[10, 10]", "[0, 0, 10]", "[0, 0, 1]", "[0, 1, 0]")                                               \
+                    SIDE("[10, 10]", bottom, "[0, 0, 1]", "[0, 1, 0]")
+
+static void test_small_gap(void **state)
+{
+    static const struct element inside[] = {{{0, 0, 1}, {1, 0, -0.2}}};
+    static const char lamp[] = "{type: point, position: [0, 0, -500], intensity: 1000}";
+    double values[PLACES], errors[PLACES];
+    (void)state;
+    ask(scene_of("1", SMALL("[0, 0, 0]"), lamp), inside, 1, 0.5, values, errors);
+    assert_true(values[0] == 0 && errors[0] <= DBL_MIN);
+    ask(scene_of("1", SMALL("[0, 0, -0.001]"), lamp), inside, 1, 0.5, values, errors);
+    assert_true(values[0] > errors[0] && errors[0] > 0);
+}
+
 /* Where another plate lies on a side of a box nothing says which is seen from inside: bounds hold for either. */
 static void test_side_twice(void **state)
 {
@@ -423,7 +444,7 @@ static void test_advice(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        CASE(room),    CASE(plate),   CASE(box),      CASE(closed_box),        CASE(side_twice),
+        CASE(room),    CASE(plate),   CASE(box),      CASE(closed_box),        CASE(small_gap), CASE(side_twice),
         CASE(furnace), CASE(overlap), CASE(too_many), CASE(tends_to_the_ball), CASE(advice)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
