@@ -62,8 +62,8 @@ static bool has_between(const struct outline *a, const struct outline *b, const 
 }
 
 /* Whether face b lies on a window of face a. */
-static bool lies_on(const struct lx_radiosity *reflected, const struct lx_matte_face *a,
-                    const struct lx_window *window, const struct lx_matte_face *b)
+static bool lies_on(const struct lx_radiosity *reflected, const struct lx_matte_face *a, const struct lx_window *window,
+                    const struct lx_matte_face *b)
 {
     const struct lx_window whole = {{0, 0}, {1, 1}};
     const double least_mm = 1e-9 * reflected->size_mm, depth_mm = 1e-6 * fmin(a->radius_mm, b->radius_mm);
