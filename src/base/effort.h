@@ -15,10 +15,10 @@ struct lx_effort {
 
 static inline bool lx_effort_is_left(const struct lx_effort *effort)
 {
-    return !effort || effort->done <= effort->most;
+    return !effort || effort->done < effort->most;
 }
 
-/* Adds units; false: there are more than may be.  NULL: nothing is counted. */
+/* Adds units; false: none is left.  NULL: nothing is counted. */
 static inline bool lx_effort_take(struct lx_effort *effort, size_t units)
 {
     if (effort)

@@ -25,7 +25,7 @@ static const double SOFT = 0.3;
 
 /* Peaks of a table that are wider than this show in the first samples. */
 static const double PEAK = 0.25;
-/* What a peak gives does not count below this share of what all parts may that are missed. */
+/* Peaks do not count that give less than this share of what may be missed in all. */
 static const double FAINT = 1e-2;
 
 /* Directions around an axis that are looked at; peaks of one luminaire that are followed one by one. */

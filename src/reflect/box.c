@@ -75,7 +75,7 @@ struct plates {
     double size_mm; /* of the scene */
 };
 
-/* What is below rounding of something of a size: places in the scene are no more exact than the second. */
+/* Distances in something of a size that are below rounding; places in the scene are no more exact than the second. */
 static double touch_of(const struct plates *plates, double size_mm)
 {
     return fmax(1e-9 * size_mm, 1e-14 * plates->size_mm);

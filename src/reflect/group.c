@@ -52,7 +52,7 @@ uint32_t lx_group_after(const struct lx_radiosity *reflected, uint32_t group)
 
 /* ---- tiles ---- */
 
-/* What is known of a tile holds on its parts. */
+/* Parts of a tile have what is known of it. */
 static void inherit(const struct lx_tile *whole, const struct lx_group *group, struct lx_tile *tile)
 {
     tile->has_past = true;

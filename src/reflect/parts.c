@@ -107,11 +107,7 @@ static void fill(const struct showing *showing, struct lx_effort *effort, struct
     double arrives = 0, received = 0, between[LX_BETWEEN];
     struct lx_tile_cell cell;
     lx_cell_make(&reflected->faces[face], &part->window, &cell);
-    veils->effort = effort;
-    if (effort->most > 0 && lx_rows_find(reflected, face, &part->window, &cell, veils, &part->rows))
-        veils->failed = true;
-    veils->effort = NULL;
-    if (veils->failed || effort->most == 0 || !lx_effort_is_left(effort))
+    if (!lx_within_rows(reflected, effort, face, &part->window, &cell, veils, &part->rows))
         return; /* what is known of it already stands */
     for (int q = 0; q < lx_rows_nodes(part->rows); q++) {
         const struct lx_arrival arrival = lx_links_sum(reflected, &part->rows->of[q], &light);
@@ -184,7 +180,7 @@ luxel_status lx_parts_make(struct lx_radiosity *reflected)
 
 /* ---- cutting ---- */
 
-/* What a part shows holds on those that it is cut into. */
+/* A part shows on those that it is cut into what it showed there. */
 static void inherit(const struct lx_shown_part *whole, struct lx_shown_part *part)
 {
     part->own_error = whole->own_error;

@@ -97,9 +97,10 @@ static int sample_tile(const struct lx_radiosity *reflected, const struct lx_ask
 {
     const struct lx_effort *effort = asking->effort;
     tile->is_guessed = false;
-    if (effort->most > 0 && !lx_direct_sample(&reflected->sampling, &reflected->faces[tile->face], asking, tile))
+    if (lx_effort_is_left(effort) &&
+        !lx_direct_sample(&reflected->sampling, &reflected->faces[tile->face], asking, tile))
         return 0;
-    return effort->most > 0 && lx_effort_is_left(effort) ? -1 : lx_within_guess(reflected, asking, tile);
+    return lx_effort_is_left(effort) ? -1 : lx_within_guess(reflected, asking, tile);
 }
 
 static void sample_tiles(void *data, unsigned worker, bool is_caller, unsigned first, unsigned last)

@@ -38,17 +38,13 @@ struct solving {
 static bool find_rows(const struct lx_radiosity *reflected, struct lx_effort *effort, struct lx_veils *veils,
                       struct lx_tile *tile)
 {
-    veils->effort = effort;
-    if (!tile->is_blind && effort->most > 0 &&
-        lx_rows_find(reflected, tile->face, &tile->window, &tile->cell, veils, &tile->rows))
-        veils->failed = true;
-    veils->effort = NULL;
-    tile->is_blind = tile->is_blind || effort->most == 0 || !lx_effort_is_left(effort);
-    if (tile->is_blind) {
-        lx_rows_free(tile->rows);
-        tile->rows = NULL;
-    }
-    return !tile->is_blind && !veils->failed;
+    if (!tile->is_blind &&
+        lx_within_rows(reflected, effort, tile->face, &tile->window, &tile->cell, veils, &tile->rows))
+        return true;
+    tile->is_blind = true;
+    lx_rows_free(tile->rows);
+    tile->rows = NULL;
+    return false;
 }
 
 /* Rows of the matrix and for the residual, tile by tile, and the first bounce. */
@@ -108,7 +104,7 @@ static void judge_tile(const struct solving *solving, size_t t)
     tile->seen_error = LX_BETWEEN_FACTOR * lx_between_mean(solving->sights + t * LX_BETWEEN) + rule;
 }
 
-/* What was known before stands for what a blind tile receives. */
+/* A blind tile receives what was known of it before. */
 static void keep_past(const struct solving *solving, size_t t)
 {
     struct lx_tile *tile = &solving->reflected->tiles[t];
@@ -274,7 +270,7 @@ static bool make_right(struct solving *solving)
     return true;
 }
 
-/* What stands where there is no effort for the next solution; that of some bounces is another one for each. */
+/* The solution stands where there is no effort for the next one; that of some bounces is another one for each. */
 static void remember(struct lx_radiosity *reflected)
 {
     for (size_t t = 0; t < reflected->tile_count && reflected->bounces == 0; t++) {

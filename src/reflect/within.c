@@ -65,6 +65,17 @@ int lx_within_order(struct lx_radiosity *reflected)
     return failed;
 }
 
+bool lx_within_rows(const struct lx_radiosity *reflected, struct lx_effort *effort, uint32_t face,
+                    const struct lx_window *window, const struct lx_tile_cell *cell, struct lx_veils *veils,
+                    struct lx_rows **rows)
+{
+    veils->effort = effort;
+    if (lx_effort_is_left(effort) && lx_rows_find(reflected, face, window, cell, veils, rows))
+        veils->failed = true;
+    veils->effort = NULL;
+    return lx_effort_is_left(effort) && !veils->failed;
+}
+
 /* ---- direct light ---- */
 
 static void halve(struct lx_direct *direct)
@@ -97,7 +108,7 @@ int lx_within_guess(const struct lx_radiosity *reflected, const struct lx_asking
 
 /* ---- ceilings ---- */
 
-/* What of a tile tells how much it can send: reflectance times its greatest irradiance, and that times its area. */
+/* A tile as it tells how much it can send: reflectance times its greatest irradiance, and times its flux. */
 struct sender {
     double brightest, flux, area;
 };

@@ -27,6 +27,11 @@ luxel_status lx_within_run(struct lx_radiosity *reflected, const struct lx_withi
 /* Sets the order in which tiles are worked on: the largest ones first.  0, or -1 when memory ran out. */
 int lx_within_order(struct lx_radiosity *reflected);
 
+/* Rows of a cell of a face; false: there was no effort left for them, or memory ran out, which the veils then tell. */
+bool lx_within_rows(const struct lx_radiosity *reflected, struct lx_effort *effort, uint32_t face,
+                    const struct lx_window *window, const struct lx_tile_cell *cell, struct lx_veils *veils,
+                    struct lx_rows **rows);
+
 /* Direct light of a tile by what would arrive if nothing hid it; 0, or -1. */
 int lx_within_guess(const struct lx_radiosity *reflected, const struct lx_asking *asking, struct lx_tile *tile);
 

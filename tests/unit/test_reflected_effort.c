@@ -40,7 +40,7 @@ struct truths {
     double at_mm[MOST_PLACES][2], reflected[MOST_PLACES];
 };
 
-/* What is found at the places, as an integral and as a picture shows it. */
+/* Reflected light found at the places, as an integral and as a picture shows it. */
 struct found {
     lx_bounded at[MOST_PLACES], on[MOST_PLACES];
 };
