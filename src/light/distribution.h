@@ -122,9 +122,15 @@ struct lx_pointed_arc {
     double from, width; /* of tau */
 };
 
-/* The tau at which the lines of the table cross an arc, in no order, at most so many of them; how many. */
+/* Where a line of the table crosses an arc. */
+struct lx_pointed_crossing {
+    double tau;
+    uint32_t line; /* which one it is; one that an arc crosses twice has two numbers */
+};
+
+/* The crossings of the lines of the table and an arc, line by line, at most so many of them; how many. */
 size_t lx_pointed_crossings(const struct lx_pointed *pointed, const struct lx_pointed_arc *arc, size_t most,
-                            double *places);
+                            struct lx_pointed_crossing *crossings);
 
 /* C and gamma, or the horizontal and the vertical angle, of that direction in degrees. */
 void lx_pointed_angles(const struct lx_pointed *pointed, const double towards[3], double *plane_deg, double *angle_deg);

@@ -141,27 +141,37 @@ double lx_pointed_slope(const struct lx_pointed *pointed)
     return isfinite(pointed->distribution->slope) ? pointed->distribution->slope : STEEP;
 }
 
-/* Appends a place that lies on the arc. */
-static size_t put(const struct lx_pointed_arc *arc, double at, size_t count, size_t most, double *places)
+/* Crossings that are found, and how many there may be. */
+struct crossings {
+    struct lx_pointed_crossing *items;
+    size_t count, most;
+};
+
+/* The place of an angle on the arc, or HUGE_VAL where it is not on it. */
+static double on_arc(const struct lx_pointed_arc *arc, double at)
 {
     const double turned = at - 2 * M_PI * floor((at - arc->from) / (2 * M_PI));
-    if (count == most || !(turned > arc->from && turned < arc->from + arc->width))
-        return count;
-    places[count] = turned;
-    return count + 1;
+    return turned > arc->from && turned < arc->from + arc->width ? turned : HUGE_VAL;
+}
+
+/* Appends a place that lies on the arc. */
+static void put(const struct lx_pointed_arc *arc, double at, size_t line, struct crossings *crossings)
+{
+    const double tau = on_arc(arc, at);
+    if (crossings->count < crossings->most && tau < HUGE_VAL)
+        crossings->items[crossings->count++] = (struct lx_pointed_crossing){tau, (uint32_t)line};
 }
 
 /* Where the polar lines cross the arc, on which the cosine of the polar angle is amplitude cos(tau - peak). */
-static size_t cross_polars(const struct lx_distribution *distribution, const struct lx_pointed_arc *arc, double a,
-                           double b, size_t most, double *places)
+static void cross_polars(const struct lx_distribution *distribution, const struct lx_pointed_arc *arc, double a,
+                         double b, struct crossings *crossings)
 {
     const double amplitude = hypot(a, b), peak = atan2(b, a), to = arc->from + arc->width;
     const double first = amplitude * cos(arc->from - peak), last = amplitude * cos(to - peak);
-    double least = fmin(first, last), greatest = fmax(first, last), unused[1];
-    size_t count = 0;
-    if (put(arc, peak, 0, 1, unused))
+    double least = fmin(first, last), greatest = fmax(first, last);
+    if (on_arc(arc, peak) < HUGE_VAL)
         greatest = amplitude;
-    if (put(arc, peak + M_PI, 0, 1, unused))
+    if (on_arc(arc, peak + M_PI) < HUGE_VAL)
         least = -amplitude;
     const double nearest = acos(fmin(greatest, 1)), farthest = acos(fmax(least, -1));
     for (size_t j = 0; j < distribution->polar_count; j++) {
@@ -169,15 +179,14 @@ static size_t cross_polars(const struct lx_distribution *distribution, const str
         if (!(angle > nearest && angle < farthest))
             continue;
         const double half = acos(fmax(-1, fmin(cos(angle) / amplitude, 1)));
-        count = put(arc, peak - half, count, most, places);
-        count = put(arc, peak + half, count, most, places);
+        put(arc, peak - half, 2 * j, crossings);
+        put(arc, peak + half, 2 * j + 1, crossings);
     }
-    return count;
 }
 
 /* Where the azimuth lines do.  Along an arc the azimuth goes one way, by less than half a turn. */
-static size_t cross_azimuths(const struct lx_distribution *distribution, const struct lx_pointed_arc *arc,
-                             const double e[3], const double d[3], size_t count, size_t most, double *places)
+static void cross_azimuths(const struct lx_distribution *distribution, const struct lx_pointed_arc *arc,
+                           const double e[3], const double d[3], struct crossings *crossings)
 {
     const double to = arc->from + arc->width;
     const double first =
@@ -194,21 +203,24 @@ static size_t cross_azimuths(const struct lx_distribution *distribution, const s
             continue;
         const double sine = sin(angle), cosine = cos(angle);
         const double at = atan2(-(e[0] * sine - e[1] * cosine), d[0] * sine - d[1] * cosine);
-        count = put(arc, at, count, most, places);
-        count = put(arc, at + M_PI, count, most, places);
+        const size_t line = 2 * (distribution->polar_count + i);
+        put(arc, at, line, crossings);
+        put(arc, at + M_PI, line + 1, crossings);
     }
-    return count;
 }
 
 size_t lx_pointed_crossings(const struct lx_pointed *pointed, const struct lx_pointed_arc *arc, size_t most,
-                            double *places)
+                            struct lx_pointed_crossing *crossings)
 {
     const struct lx_distribution *distribution = pointed->distribution;
+    struct crossings found = {crossings, 0, most};
     double e[3], d[3];
     for (int i = 0; i < 3; i++) {
         e[i] = -lx_dot(pointed->frame_double[i], arc->direction);
         d[i] = -lx_dot(pointed->frame_double[i], arc->pole);
     }
-    const size_t count = cross_polars(distribution, arc, e[2], d[2], most, places);
-    return distribution->table_double.is_axial ? count : cross_azimuths(distribution, arc, e, d, count, most, places);
+    cross_polars(distribution, arc, e[2], d[2], &found);
+    if (!distribution->table_double.is_axial)
+        cross_azimuths(distribution, arc, e, d, &found);
+    return found.count;
 }

@@ -23,6 +23,12 @@ struct lx_point_value {
     uint64_t form;       /* which piece of the function it is on; 0 where there is but one */
 };
 
+/* A form that is told by numbers, one after the other. */
+static inline uint64_t lx_mixed_form(uint64_t form, uint64_t number)
+{
+    return (form ^ number) * UINT64_C(0x100000001b3) + UINT64_C(0x9e3779b97f4a7c15);
+}
+
 struct lx_panel {
     size_t interval; /* which function of the list it belongs to */
     double from, to;

@@ -201,12 +201,6 @@ static double doubt_of(struct lx_problem *problem, const struct lx_hidden *hidde
     return value_at(problem, hidden->ends[end]).value * fmin(hidden->slack[end], problem->arc.width);
 }
 
-/* Numbers in their order as one. */
-static uint64_t mix(uint64_t form, uint64_t number)
-{
-    return (form ^ number) * 0x100000001b3u + 0x9e3779b97f4a7c15u;
-}
-
 /*
  * Takes the hidden parts of the arc out of its intervals; returns how many are left.  Whose the ends of what is left
  * are is the form of the arc; what is in doubt of them is looked up where `doubts` says so.
@@ -231,7 +225,7 @@ static size_t take_hidden(struct lx_problem *problem, size_t count, bool doubts)
             rest.to = hidden[k].ends[0];
             if (rest.to > rest.from) {
                 problem->room[left++] = rest;
-                problem->form = mix(mix(problem->form, began_by), hidden[k].bounds[0]);
+                problem->form = lx_mixed_form(lx_mixed_form(problem->form, began_by), hidden[k].bounds[0]);
                 problem->doubt += doubts ? doubt_of(problem, &hidden[k], 0) : 0;
             }
             rest.from = hidden[k].ends[1];
@@ -242,7 +236,7 @@ static size_t take_hidden(struct lx_problem *problem, size_t count, bool doubts)
         rest.to = end;
         if (rest.from < end) {
             problem->room[left++] = rest;
-            problem->form = mix(mix(problem->form, began_by), 0);
+            problem->form = lx_mixed_form(lx_mixed_form(problem->form, began_by), 0);
         }
     }
     problem->intervals = problem->room;
@@ -362,26 +356,13 @@ static int by_value(const void *a, const void *b)
     return (x > y) - (x < y);
 }
 
-/* Where lines of a luminaire's table cross the arc. */
-static size_t find_lines(const struct lx_problem *problem, double *places)
-{
-    struct lx_pointed_arc arc = {.from = problem->arc.from, .width = problem->arc.width};
-    if (!lx_is_opening(problem->emitter))
-        return 0;
-    for (int i = 0; i < 3; i++) {
-        arc.direction[i] = problem->arc.direction[i];
-        arc.pole[i] = problem->sweep->frame.z[i];
-    }
-    return lx_pointed_crossings(problem->emitter->profile.luminaire, &arc, MOST_LINES, places);
-}
-
 /* The panels of each interval; true: between their ends the integrand is analytic and has no peaks. */
 static bool start_panels(const struct lx_problem *problem, size_t count, struct lx_panels *panels)
 {
     double places[MOST_PLACES + MOST_LINES], cuts[MOST_PLACES + MOST_LINES + 1];
     size_t place_count = find_places(problem, &problem->arc, places);
-    const size_t line_count = find_lines(problem, places + place_count);
-    place_count += line_count;
+    for (size_t i = 0; i < problem->line_count; i++)
+        places[place_count++] = problem->lines[i].tau;
     for (size_t i = 0; i < count; i++) {
         const struct lx_stretch *interval = &problem->intervals[i];
         size_t cut_count = 0;
@@ -399,7 +380,23 @@ static bool start_panels(const struct lx_problem *problem, size_t count, struct 
             from = cuts[k];
         }
     }
-    return lx_is_opening(problem->emitter) && !problem->lobe && line_count < MOST_LINES && !problem->arc.round;
+    return lx_is_opening(problem->emitter) && !problem->lobe && problem->line_count < MOST_LINES && !problem->arc.round;
+}
+
+/* Where lines of a luminaire's table cross the arc; which ones do belongs to its form. */
+static void find_lines(struct lx_problem *problem)
+{
+    struct lx_pointed_arc arc = {.from = problem->arc.from, .width = problem->arc.width};
+    problem->line_count = 0;
+    if (!lx_is_opening(problem->emitter))
+        return;
+    for (int i = 0; i < 3; i++) {
+        arc.direction[i] = problem->arc.direction[i];
+        arc.pole[i] = problem->sweep->frame.z[i];
+    }
+    problem->line_count = lx_pointed_crossings(problem->emitter->profile.luminaire, &arc, MOST_LINES, problem->lines);
+    for (size_t i = 0; i < problem->line_count; i++)
+        problem->form = lx_mixed_form(problem->form, problem->lines[i].line);
 }
 
 /* Goes to the arc at t of a piece, and returns how many of its parts are seen; *slope: of the whole measure by t. */
@@ -411,7 +408,11 @@ static size_t go_to_arc(struct lx_problem *problem, size_t index, double t, bool
     problem->sweep = &problem->sweeps->items[piece->sweep];
     problem->arc = lx_sweep_arc(problem->sweep, x);
     *slope = problem->arc.measure * length * (piece->range.eased ? ease_slope(t) : 1);
-    return take_hidden(problem, find_intervals(problem, problem->sweep, &problem->arc, problem->whole), doubts);
+    const size_t count =
+        take_hidden(problem, find_intervals(problem, problem->sweep, &problem->arc, problem->whole), doubts);
+    if (count > 0)
+        find_lines(problem);
+    return count;
 }
 
 /* The integral of cos(tau) N.L over an interval, N.L = a cos(tau) + b sin(tau). */

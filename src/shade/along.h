@@ -75,7 +75,9 @@ struct lx_problem {
     struct lx_kept_cell kept;     /* of the luminaire's table, where the last direction lay */
     double wanted;                /* for it, absolutely */
     double doubt;                 /* for what obstacles may be off */
-    uint64_t form;                /* which of them bound what is seen */
+    uint64_t form;                /* which of them bound what is seen, and which lines of the table cross it */
+    struct lx_pointed_crossing lines[MOST_LINES];
+    size_t line_count; /* of these */
 };
 
 static inline double lx_dot_plain(const double a[3], const double b[3])
@@ -102,7 +104,7 @@ void lx_look_at(struct lx_problem *problem, const struct lx_sweep *sweep, double
 /* The integral along the arc at t of a piece, as an integrand for lx_integrate_panels(); data is the problem. */
 struct lx_point_value lx_integrate_arc(void *data, size_t piece, double t);
 
-/* Its form: which obstacles bound the parts of the arc that are seen. */
+/* Its form: which obstacles bound the parts of the arc that are seen, and which lines of a table cross it. */
 uint64_t lx_form_of_arc(void *data, size_t piece, double t);
 
 #endif

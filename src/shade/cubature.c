@@ -333,10 +333,11 @@ static lx_bounded integrate(struct lx_problem *problem, const double place_mm[3]
     const double *across_which =
         problem->lobe && problem->lobe->model == LX_PHONG ? problem->mirrored : problem->normal;
     const bool is_occluded = lx_is_occluded(problem->occlusion);
+    const bool has_forms = is_occluded || lx_is_opening(problem->emitter);
     struct lx_integrand integrand = {.at = lx_integrate_arc,
                                      .target = outer_target,
                                      .data = problem,
-                                     .form = is_occluded ? lx_form_of_arc : NULL,
+                                     .form = has_forms ? lx_form_of_arc : NULL,
                                      .is_coarse = problem->is_coarse};
     problem->sweeps = &sweeps;
     problem->top = problem->lobe ? -HUGE_VAL : 0;

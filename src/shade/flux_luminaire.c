@@ -189,11 +189,6 @@ static struct lx_plane_line on_plane(const struct fan *fan, const struct line *l
     return found;
 }
 
-static uint64_t mixed(uint64_t form, uint64_t with)
-{
-    return (form ^ with) * UINT64_C(1099511628211);
-}
-
 /* A side of the plane, or an edge. */
 static uint64_t bound_of(const struct line *line, const struct lx_line_part *part, int end)
 {
@@ -217,7 +212,7 @@ static struct lx_point_value at_azimuth(void *data, size_t i, double azimuth)
         const double a = polar_at(fan, &line, middle + length * part->from);
         const double b = polar_at(fan, &line, middle + length * part->to);
         point.value += along(fan, i, azimuth, fmin(a, b), fmax(a, b));
-        point.form = mixed(mixed(point.form, bound_of(&line, part, 0)), bound_of(&line, part, 1));
+        point.form = lx_mixed_form(lx_mixed_form(point.form, bound_of(&line, part, 0)), bound_of(&line, part, 1));
     }
     return point;
 }

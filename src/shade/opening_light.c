@@ -61,14 +61,25 @@ static size_t put(double v, size_t count, double *cuts)
     return count + 1;
 }
 
-/* Where the way has a polar angle: (d2 + v e2)^2 = cos^2 |d + v e|^2, on the side that its cosine says. */
+/*
+ * Where the way has a polar angle: (d2 + v e2)^2 = cos^2 |d + v e|^2, on the side that its cosine says.  Near a right
+ * angle the two roots are almost one, so that their distance is not a difference of great numbers here, and at it
+ * they are one.
+ */
 static size_t cross_polar(const struct line *line, double angle, size_t count, double *cuts)
 {
+    static const double RIGHT = 1e-14;
     const double cosine = cos(angle), share = cosine * cosine;
+    if (fabs(cosine) < RIGHT)
+        return put(-line->d[2] / line->e[2], count, cuts);
+    double turned[3], cross[3];
+    for (int k = 0; k < 3; k++)
+        turned[k] = line->e[2] * line->d[k] - line->d[2] * line->e[k];
+    lx_cross(line->d, line->e, cross);
     const double a = line->e[2] * line->e[2] - share * lx_dot(line->e, line->e);
     const double b = line->d[2] * line->e[2] - share * lx_dot(line->d, line->e);
     const double c = line->d[2] * line->d[2] - share * lx_dot(line->d, line->d);
-    const double under = b * b - a * c;
+    const double under = share * (lx_dot(turned, turned) - share * lx_dot(cross, cross));
     if (!(under >= 0))
         return count;
     const double q = -(b + copysign(sqrt(under), b)), roots[2] = {q / a, c / q};

@@ -296,6 +296,47 @@ def pictures_not_round(tap, tool):
         tap.ok(worst < 2e-6 and picture.min() >= 0, "a picture under the opening %s" % opening, worst)
 
 
+RINGS = [62.0, 48.0, 17.0, 35.0, 29.0, 48.0, 33.0, 17.0, 11.0, 0.0]  # every 10 degrees from the axis
+RINGED = lamp_text([10.0 * i for i in range(10)], [0.0], lambda plane, angle: RINGS[round(angle / 10)])
+
+
+def lines_of_tables(tap, tool):
+    """A table's lines make kinks across the arcs of a body, which its bounds know of."""
+    tool.write("rings.ies", RINGED)
+    for opening, tolerance, element in (
+            ({"box": {"size": [260, 240, 280]}}, "1e-4", [-241, -271, 1473, 0.05, 0.08, 1.93]),
+            ({"sphere": {"radius": 150}}, "1e-6", [-690, 666, 1563, 0.08, -1.87, 0.65]),
+            ({"cylinder": {"radius": 120, "height": 300}}, "1e-6", [-335, 1113, 436, 0.56, -1.51, 0.21])):
+        place, normal, center = np.array(element[:3]), unit(element[3:]), np.array([0, 0, 1500])
+        name = scene(tool, "k.yaml", {"type": "luminaire", "file": "rings.ies", "position": [0, 0, 1500],
+                                      "opening": opening})
+        told = probe(tool, name, [(place, normal)], "--quantity", "irradiance", "--tolerance", tolerance)[0]
+        places, weights = points_of(opening, np.array([[1, 0, 0], [0, 1, 0], [0, 0, -1]]), center, 400)
+        way = places - place
+        r = np.linalg.norm(way, axis=1)
+        angles = np.degrees(np.arccos(way[:, 2] / r))  # from the axis, which goes down
+        truth = (weights / (r / 1000) ** 2 * np.interp(angles, range(0, 100, 10), RINGS, right=0)) @ np.maximum(
+            way @ normal / r, 0)
+        tap.ok(abs(told["value"] - truth) <= told["error"] + 1e-7 * truth, "lines of a table: %s" % opening,
+               told["value"], told["error"], truth)
+
+
+def pictures_across(tap, tool):
+    """Pictures in float32 beside a box whose light ends at a right angle to its axis, which its sides cross."""
+    tool.write("rings.ies", RINGED)
+    screen = {**SCENE["screen"], "resolution": [20, 20]}
+    name = scene(tool, "a.yaml", {"type": "luminaire", "file": "rings.ies", "position": [100, 50, 433.3],
+                                  "axis": [0.3, -1, 0], "opening": {"box": {"size": [260, 240, 280]}}}, screen=screen)
+    pictures = []
+    for precision in "single", "double":
+        tool.run("render", name, "-q", "--precision", precision, "-o", "a.npy")
+        pictures.append(np.load(tool.file("a.npy")).astype(float))
+    worst = abs(pictures[0] - pictures[1]).max() / pictures[1].max()
+    tap.ok(worst < 2e-6, "a picture across a box's sides", worst)
+    told = value_at(tool, name, "100,100", "--tolerance", "1e-9")
+    tap.near(pictures[0][9, 10], told, 0, "a pixel there is what a probe tells", 2e-6 * pictures[1].max())
+
+
 def hidden_bodies(tap, tool):
     """What plates hide of bodies, they hide as meshes as well."""
     tool.write("plate.off", "OFF\n8 12 0\n%s\n3 0 2 1\n3 0 3 2\n3 4 5 6\n3 4 6 7\n%s" % (
@@ -445,6 +486,6 @@ def meshes_as_plates(tap, tool):
 
 
 # with sanitizers pictures take minutes, and memory is as well tried by those of as_planar()
-run_tests(Tap(), panel_below, as_planar, random_elements, openings_of_files, openings_not_round, hidden_bodies,
-          meshes_as_plates, within_a_sphere, wrong_openings,
-          *([] if os.environ.get("LUXEL_SANITIZED") else [pictures_and_grids, pictures_not_round]))
+run_tests(Tap(), panel_below, as_planar, random_elements, openings_of_files, openings_not_round, lines_of_tables,
+          hidden_bodies, meshes_as_plates, within_a_sphere, wrong_openings,
+          *([] if os.environ.get("LUXEL_SANITIZED") else [pictures_and_grids, pictures_not_round, pictures_across]))
