@@ -1,8 +1,9 @@
 /* SPDX-License-Identifier: MIT */
 /*
  * The true extrema on a measuring plane, between the points of its grid: looked for on a lattice that holds the
- * centres, the sides and the corners of all cells, and refined from its best places by steps of ever half the length to
- * the best of eight neighbours, which jumps and kinks do not mislead.
+ * centres, the sides and the corners of all cells, and at the ends of leads, where they may be narrower than that; and
+ * refined from the best places by steps of ever half the length to the best of eight around, which jumps and kinks do
+ * not mislead.
  */
 #include <float.h>
 #include <math.h>
@@ -12,17 +13,28 @@
 #include "../base/diagnostics.h"
 #include "../base/memory.h"
 #include "../base/rows.h"
+#include "../base/vector.h"
 #include "../scene/scene.h"
 #include "../shade/evaluate.h"
+#include "../shade/leads.h"
 #include "../shade/world.h"
 #include "grid.h"
 #include "reflecting.h"
 #include "refuse.h"
 #include "session.h"
 
-/* Nodes of the lattice that are wanted where light is quickly told; from how many of them the search goes on; and how
- * often its steps are halved: a level peak is then known to the square of the last step. */
-enum { WANTED_NODES = 6000, STARTS = 6, HALVINGS = 26, STARTS_COSTLY = 2, HALVINGS_COSTLY = 10 };
+/* Nodes of the lattice that are wanted where light is quickly told, and leads that are followed; from how many of
+ * either the search goes on; and how often its steps are halved. */
+enum { WANTED_NODES = 6000, MOST_LEADS = 1000, STARTS = 6, HALVINGS = 26 };
+enum { MOST_LEADS_COSTLY = 64, STARTS_COSTLY = 2, HALVINGS_COSTLY = 16 };
+/* Looks around of one climb, at most, and how often a ridge's way is looked for more closely at one place. */
+enum { MOST_LOOKS = 600, CLOSER = 3 };
+/* The share of the fall at twice the step that is more than that of a level peak, a quarter. */
+static const double STEEP = 0.35;
+/* Below this step, of the lattice's, the fall around tells how far a climb may lead. */
+static const double SURE = 0.1;
+/* Where all around falls off by a smaller share together, a climb is at its end. */
+static const double LEVEL = 1e-14, LEVEL_COSTLY = 1e-7;
 
 /* The tolerance of integrals while places are compared; what is as far as that tells is asked again. */
 static const double WHILE_SEARCHING = 1e-6;
@@ -42,8 +54,9 @@ struct search {
     struct lx_cells cells;
     bool is_costly;
     unsigned threads;
-    unsigned n[2]; /* of the lattice */
-    struct node *nodes;
+    unsigned n[2];      /* of the lattice */
+    struct node *nodes; /* of the lattice, then where leads end */
+    size_t count;
 };
 
 static void place_of(const struct search *search, const double at[2], double place_mm[3])
@@ -105,26 +118,69 @@ static bool look_at_all(struct search *search, size_t count, bool is_lattice)
     return lx_rows_run_part(search->control, lx_thread_count(search->threads, (unsigned)(count / 4 + 1)), &part);
 }
 
-/* Two nodes a cell each way, so that centres and sides are among them, or an even multiple. */
+/* Two nodes a cell each way, so that centres and sides are among them, or an even multiple.  0, or -1. */
 static int make_lattice(struct search *search)
 {
     const unsigned *n = search->cells.n;
     const double wanted = search->is_costly ? 0 : WANTED_NODES;
     const double more = fmax(floor(sqrt(wanted / (4.0 * n[0] * n[1]))), 1);
-    size_t count = 1;
+    search->count = 1;
     for (int i = 0; i < 2; i++) {
         search->n[i] = 2 * (unsigned)more * n[i] + 1;
-        count *= search->n[i];
+        search->count *= search->n[i];
     }
-    if (count > UINT32_MAX)
+    if (search->count > UINT32_MAX - 2 * MOST_LEADS)
         return -1;
-    search->nodes = lx_new_array(count, sizeof *search->nodes);
-    for (size_t i = 0; search->nodes && i < count; i++) {
+    search->nodes = lx_new_array(search->count, sizeof *search->nodes);
+    for (size_t i = 0; search->nodes && i < search->count; i++) {
         const double column = (double)(i % search->n[0]), row = (double)(i / search->n[0]);
         search->nodes[i].at[0] = search->cells.size_mm[0] * (column / (search->n[0] - 1) - 0.5);
         search->nodes[i].at[1] = search->cells.size_mm[1] * (0.5 - row / (search->n[1] - 1));
     }
     return search->nodes ? 0 : -1;
+}
+
+/* Where a lead meets the plane, or, a little off what is measured of it, the next place there; false: neither. */
+static bool end_of(const struct search *search, const struct lx_lead *lead, double at[2])
+{
+    const struct lx_pose *pose = &search->cells.pose;
+    const lx_bounded3 sides[3] = {lx_wide3_direction(pose->across), lx_wide3_direction(pose->upward),
+                                  search->cells.normal};
+    double from[3], way[3];
+    for (int i = 0; i < 3; i++) {
+        const double side[3] = {sides[i].x.value, sides[i].y.value, sides[i].z.value};
+        const double offset[3] = {lead->from_mm[0] - search->cells.center_mm[0],
+                                  lead->from_mm[1] - search->cells.center_mm[1],
+                                  lead->from_mm[2] - search->cells.center_mm[2]};
+        from[i] = lx_dot(side, offset);
+        way[i] = lx_dot(side, lead->way);
+    }
+    if (!(from[2] >= 0 && way[2] < 0))
+        return false;
+    for (int i = 0; i < 2; i++) {
+        const double half = search->cells.size_mm[i] / 2, place = from[i] - way[i] * (from[2] / way[2]);
+        if (!(fabs(place) <= 2 * half))
+            return false;
+        at[i] = fmax(-half, fmin(place, half));
+    }
+    return true;
+}
+
+/* Adds the places where leads end.  0, or -1: memory ran out. */
+static int add_leads(struct search *search)
+{
+    const lx_bounded3 *normal = &search->cells.normal;
+    const double downward[3] = {-normal->x.value, -normal->y.value, -normal->z.value};
+    struct lx_leads leads = {.count = 0};
+    size_t capacity = search->count;
+    int result =
+        lx_leads_make(search->world.prepared, downward, search->is_costly ? MOST_LEADS_COSTLY : MOST_LEADS, &leads);
+    if (result == 0)
+        result = lx_reserve(&search->nodes, &capacity, search->count + leads.count, sizeof *search->nodes);
+    for (size_t i = 0; result == 0 && i < leads.count; i++)
+        search->count += end_of(search, &leads.items[i], search->nodes[search->count].at);
+    lx_leads_clear(&leads);
+    return result;
 }
 
 /* ---- the climb ---- */
@@ -148,47 +204,115 @@ static bool is_peak(const struct search *search, size_t i, double sign)
     return search->nodes[i].has_value;
 }
 
-/* The best peaks of the lattice, the first in row order of equal ones; returns how many. */
-static unsigned find_starts(const struct search *search, double sign, struct node starts[STARTS])
+/* Whether the end of a lead is further that way than the nodes around it, which else lead on as well. */
+static bool is_beyond_nodes(const struct search *search, const struct node *end, double sign)
+{
+    const double column = (0.5 + end->at[0] / search->cells.size_mm[0]) * (search->n[0] - 1);
+    const double row = (0.5 - end->at[1] / search->cells.size_mm[1]) * (search->n[1] - 1);
+    for (unsigned v = (unsigned)floor(row); v <= ceil(row); v++)
+        for (unsigned u = (unsigned)floor(column); u <= ceil(column); u++)
+            if (!is_beyond(end, &search->nodes[(size_t)v * search->n[0] + u], sign))
+                return false;
+    return true;
+}
+
+/* The best peaks of the lattice, or the best of the leads' ends, the first of equal ones; returns how many. */
+static unsigned find_starts(const struct search *search, bool of_leads, double sign, struct node starts[STARTS])
 {
     const unsigned most = search->is_costly ? STARTS_COSTLY : STARTS;
+    const size_t lattice = (size_t)search->n[0] * search->n[1];
     unsigned count = 0;
-    for (size_t i = 0; i < (size_t)search->n[0] * search->n[1]; i++) {
-        if (!is_peak(search, i, sign) || (count == most && !is_beyond(&search->nodes[i], &starts[most - 1], sign)))
+    for (size_t i = of_leads ? lattice : 0; i < (of_leads ? search->count : lattice); i++) {
+        const struct node *node = &search->nodes[i];
+        if ((count == most && !is_beyond(node, &starts[most - 1], sign)) ||
+            !(of_leads ? is_beyond_nodes(search, node, sign) : is_peak(search, i, sign)))
             continue;
         unsigned at = count < most ? count++ : most - 1;
-        for (; at > 0 && is_beyond(&search->nodes[i], &starts[at - 1], sign); at--)
+        for (; at > 0 && is_beyond(node, &starts[at - 1], sign); at--)
             starts[at] = starts[at - 1];
-        starts[at] = search->nodes[i];
+        starts[at] = *node;
     }
     return count;
 }
 
-/* Goes from a node to the best of eight around it, with steps that are halved where none is better. */
-static void climb(const struct search *search, double sign, struct node *best)
+/* Looks at eight places around a node, on a circle by the nodes of the lattice, from an angle on; the furthest. */
+static int look_around(const struct search *search, double sign, const struct node *middle, double step, double angle,
+                       double apart, struct node around[8])
+{
+    int furthest = 0;
+    for (int k = 0; k < 8; k++) {
+        const double to[2] = {cos(angle + k * apart), sin(angle + k * apart)};
+        for (int i = 0; i < 2; i++) {
+            const double half = search->cells.size_mm[i] / 2, node_mm = 2 * half / (search->n[i] - 1);
+            around[k].at[i] = fmax(-half, fmin(middle->at[i] + step * to[i] * node_mm, half));
+        }
+    }
+    look(search, around, 8, true);
+    for (int k = 1; k < 8; k++)
+        if (is_beyond(&around[k], &around[furthest], sign))
+            furthest = k;
+    return furthest;
+}
+
+/* How much less far all around is together. */
+static double fall_of(const struct node *middle, const struct node around[8], double sign)
+{
+    double fall = 0;
+    for (int k = 0; k < 8; k++)
+        fall += around[k].has_value ? sign * (middle->value.value - around[k].value.value) : 0;
+    return fall;
+}
+
+/* Whether a climb may come beyond what was found before, which it does not where that lies within its step, or where
+ * it is farther from it than all around falls off. */
+static bool may_go_beyond(const struct search *search, const struct node *here, const struct node *found, double sign,
+                          double step, double fall)
+{
+    bool is_near = true;
+    for (int i = 0; i < 2; i++)
+        is_near = is_near && fabs(here->at[i] - found->at[i]) <= step * search->cells.size_mm[i] / (search->n[i] - 1);
+    return is_beyond(here, found, sign) || (!is_near && sign * (found->value.value - here->value.value) < fall);
+}
+
+/*
+ * Goes from a node to the best of eight around it.  Steps along one way grow; where none leads on, they are halved.
+ * What falls off by more than a quarter of what it did at twice the step is no level peak but may be a ridge, whose way
+ * is looked for more closely.  It is given up where it does not come beyond what was `found` before.
+ */
+static void climb(const struct search *search, double sign, const struct node *found, struct node *best)
 {
     const struct lx_asking asking = {.control = search->control, .is_caller = true};
-    const double *size = search->cells.size_mm;
-    double step[2] = {size[0] / (search->n[0] - 1), size[1] / (search->n[1] - 1)};
-    for (int left = search->is_costly ? HALVINGS_COSTLY : HALVINGS; left > 0 && lx_asking_goes_on(&asking);) {
+    const double level = search->is_costly ? LEVEL_COSTLY : LEVEL;
+    int left = search->is_costly ? HALVINGS_COSTLY : HALVINGS;
+    double step = 1, angle = 0, last_fall = 0;
+    for (int looks = 0; left > 0 && looks < MOST_LOOKS && lx_asking_goes_on(&asking); looks++) {
         struct node around[8];
-        const struct node *next = best;
-        for (int k = 0; k < 8; k++) {
-            const int place = k < 4 ? k : k + 1; /* without the middle one */
-            const double way[2] = {place % 3 - 1, place / 3 - 1};
-            for (int i = 0; i < 2; i++)
-                around[k].at[i] = fmin(fmax(best->at[i] + way[i] * step[i], -size[i] / 2), size[i] / 2);
-        }
-        look(search, around, 8, true);
-        for (int k = 0; k < 8; k++)
-            if (is_beyond(&around[k], next, sign))
-                next = &around[k];
-        if (next != best) {
-            *best = *next;
+        double apart = M_PI / 4;
+        int k = look_around(search, sign, best, step, angle, apart, around);
+        const double fall = fall_of(best, around, sign);
+        const bool is_ahead = k == 0;
+        angle += k * apart;
+        if (fall > STEEP * last_fall && is_beyond(best, &around[k], sign))
+            for (int i = 0; i < CLOSER && !is_beyond(&around[k], best, sign); i++, looks++) {
+                const double closer = 2 * apart / 9;
+                k = look_around(search, sign, best, step, angle - apart + closer, closer, around);
+                angle += (k + 1) * closer - apart;
+                apart = closer;
+            }
+        last_fall = fall;
+        if (!is_beyond(&around[k], best, sign)) {
+            left--;
+            step /= 2;
+            if (step < SURE &&
+                (fall <= level * fabs(best->value.value) || !may_go_beyond(search, best, found, sign, step, fall)))
+                return;
             continue;
         }
-        left--;
-        step[0] /= 2, step[1] /= 2;
+        *best = around[k];
+        if (is_ahead && looks > 0 && step < 1) {
+            left++;
+            step *= 2;
+        }
     }
 }
 
@@ -202,7 +326,7 @@ static bool may_be_beyond(const struct node *a, const struct node *b, double sig
  * out, or nobody waits any more. */
 static bool settle(const struct search *search, const struct lx_prepared *prepared, double sign, struct node *best)
 {
-    const size_t all = (size_t)search->n[0] * search->n[1];
+    const size_t all = search->count;
     struct search exact = *search;
     size_t count = 1;
     for (size_t i = 0; i < all; i++)
@@ -240,12 +364,15 @@ static luxel_grid_peak peak_of(const struct search *search, const struct node *n
 static bool find_peak(const struct search *search, const struct lx_prepared *prepared, double sign,
                       luxel_grid_peak *peak)
 {
-    struct node starts[STARTS], best = {.has_value = false};
-    const unsigned count = find_starts(search, sign, starts);
-    for (unsigned i = 0; i < count; i++) {
-        climb(search, sign, &starts[i]);
-        if (is_beyond(&starts[i], &best, sign))
-            best = starts[i];
+    struct node lattice[STARTS], ends[STARTS], best = {.has_value = false};
+    const unsigned of_lattice = find_starts(search, false, sign, lattice);
+    const unsigned of_leads = find_starts(search, true, sign, ends);
+    for (unsigned i = 0, k = 0; i + k < of_lattice + of_leads;) { /* the best first */
+        const bool is_lead = i == of_lattice || (k < of_leads && is_beyond(&ends[k], &lattice[i], sign));
+        struct node *start = is_lead ? &ends[k++] : &lattice[i++];
+        climb(search, sign, &best, start);
+        if (is_beyond(start, &best, sign))
+            best = *start;
     }
     if (best.has_value && search->hasty.tolerance > prepared->tolerance && !settle(search, prepared, sign, &best))
         return false;
@@ -259,7 +386,7 @@ static bool find_peak(const struct search *search, const struct lx_prepared *pre
 static luxel_status add_reflected(const luxel_scene *scene, const struct lx_session *session, size_t grid,
                                   struct search *search, luxel_diagnostics *diagnostics)
 {
-    const size_t count = (size_t)search->n[0] * search->n[1];
+    const size_t count = search->count;
     const struct lx_reflected_key key = lx_reflected_key_of_plane(session, grid);
     struct lx_radiosity *kept = lx_reflected_of_plane(scene, session, grid);
     struct lx_reflected_place *places = lx_new_array(count, sizeof *places);
@@ -299,7 +426,7 @@ static luxel_status add_reflected(const luxel_scene *scene, const struct lx_sess
 static luxel_grid_peak furthest_node(const struct search *search, double sign)
 {
     const struct node *best = search->nodes;
-    for (size_t i = 1; i < (size_t)search->n[0] * search->n[1]; i++)
+    for (size_t i = 1; i < search->count; i++)
         if (is_beyond(&search->nodes[i], best, sign))
             best = &search->nodes[i];
     return peak_of(search, best);
@@ -314,9 +441,9 @@ static luxel_status run(const luxel_scene *scene, const struct lx_session *sessi
     const bool reflects = lx_wants_reflections(session->prepared.scene);
     search->cells = lx_cells_of(grid);
     search->is_costly = reflects || lx_world_batch(&search->world) < LX_BATCH;
-    if (make_lattice(search) < 0)
+    if (make_lattice(search) || (!reflects && add_leads(search)))
         return lx_out_of_memory(diagnostics);
-    struct lx_control control = {.rows = search->n[0] * search->n[1],
+    struct lx_control control = {.rows = (unsigned)search->count,
                                  .progress = session->settings.progress,
                                  .data = session->settings.progress_data};
     search->control = &control;

@@ -21,11 +21,24 @@
 
 #define SURFACE "{type: sphere, center: [0, 0, 9000], radius: 10}"
 
-/* A scene with these lights and grids; the sphere is far above and small, so that it shades nothing. */
-static luxel_scene *scene_with(const char *units, const char *lights, const char *grids)
+static luxel_scene *scene_of(const char *text, int length)
 {
     luxel_diagnostics *diagnostics = luxel_diagnostics_new();
     luxel_scene *scene = NULL;
+    luxel_status status = luxel_scene_read_text(text, (size_t)length, "test.yaml", diagnostics, &scene);
+    if (status == LUXEL_OK)
+        status = luxel_scene_commit(scene, diagnostics);
+    if (status != LUXEL_OK) {
+        char *message = luxel_diagnostics_message(diagnostics, 0, NULL, NULL);
+        fail_msg("%s: %s", text, message ? message : "?");
+    }
+    luxel_diagnostics_free(diagnostics);
+    return scene;
+}
+
+/* A scene with these lights and grids; the sphere is far above and small, so that it shades nothing. */
+static luxel_scene *scene_with(const char *units, const char *lights, const char *grids)
+{
     char text[4096];
     int length = snprintf(text, sizeof text,
                           "luxel: 1\nunits: %s\nshadows: none\n"
@@ -33,15 +46,7 @@ static luxel_scene *scene_with(const char *units, const char *lights, const char
                           "surfaces: [" SURFACE "]\nlights: [%s]\ngrids: [%s]\n",
                           units, lights, grids);
     assert_true(length > 0 && (size_t)length < sizeof text);
-    luxel_status status = luxel_scene_read_text(text, (size_t)length, "test.yaml", diagnostics, &scene);
-    if (status == LUXEL_OK)
-        status = luxel_scene_commit(scene, diagnostics);
-    if (status != LUXEL_OK) {
-        char *message = luxel_diagnostics_message(diagnostics, 0, NULL, NULL);
-        fail_msg("%s: %s", grids, message ? message : "?");
-    }
-    luxel_diagnostics_free(diagnostics);
-    return scene;
+    return scene_of(text, length);
 }
 
 static luxel_grid *measure(const luxel_scene *scene, size_t i)
@@ -437,13 +442,96 @@ static void test_places_of_cells(void **state)
     assert_true(most > 0x1p-60);
 }
 
+#define PLANE "{center: [0, 0, 0], size: [4000, 3000], n: [4, 3]}"
+#define BROAD "{type: point, position: [0, 0, 1000], intensity: 1000}"
+
+/* A scene with a plane that one surface takes light from. */
+static luxel_scene *scene_below(const char *surface, const char *lights)
+{
+    char text[2048];
+    int length = snprintf(text, sizeof text,
+                          "luxel: 1\nunits: photometric\nshadows: all\n"
+                          "screen: {width: 100, height: 100, resolution: [8, 8]}\nobserver: {z: 20000}\n"
+                          "surfaces: [%s]\nlights: [%s]\ngrids: [" PLANE "]\n",
+                          surface, lights);
+    assert_true(length > 0 && (size_t)length < sizeof text);
+    return scene_of(text, length);
+}
+
+static luxel_grid_extrema extrema_of(luxel_scene *scene)
+{
+    luxel_grid_extrema extrema;
+    assert_int_equal(luxel_find_grid_extrema(scene, NULL, 0, NULL, &extrema), LUXEL_OK);
+    luxel_scene_free(scene);
+    return extrema;
+}
+
+static void assert_on_plane(const luxel_grid_peak *peak, double x, double y, double near_mm)
+{
+    if (!(hypot(peak->on_plane_mm[0] - x, peak->on_plane_mm[1] - y) <= near_mm))
+        fail_msg("%.9g, %.9g is not %g, %g", peak->on_plane_mm[0], peak->on_plane_mm[1], x, y);
+}
+
+/* Extrema far narrower than the lattice of samples, of closed values: below a source and where beams fall. */
+static void test_narrow_peaks(void **state)
+{
+    (void)state;
+    /* half a millimetre above the plane, on the slope of another one's hill: I/h^2 and what that gives there */
+    luxel_grid_extrema found = extrema_of(
+        scene_with("photometric", BROAD ", {type: point, position: [711, 307, 0.5], intensity: 0.00125}", PLANE));
+    assert_near(found.maximum.value, 5000 + 1000 / pow(1 + 0.711 * 0.711 + 0.307 * 0.307, 1.5), 1e-8);
+    assert_on_plane(&found.maximum, 711, 307, 1e-3);
+    /* a spot ten millimetres wide */
+    found = extrema_of(scene_with("photometric",
+                                  "{type: ambient, irradiance: 100}, {type: spot, position: [711, 307, 2000], "
+                                  "intensity: 20000, inner: 0.1, outer: 0.3}",
+                                  PLANE));
+    assert_near(found.maximum.value, 5100, 1e-12);
+    assert_on_plane(&found.maximum, 711, 307, 0.1);
+}
+
+/* A ridge that is no straight line: the edge of a cone, of which the place is greatest that is nearest to a lamp. */
+static void test_ridge(void **state)
+{
+    (void)state;
+    const double turn = 37 * M_PI / 180, edge = 10 * M_PI / 180, out = 2 * tan(edge);
+    char lights[400];
+    snprintf(lights, sizeof lights,
+             "{type: spot, position: [-311, 107, 2000], intensity: 20000, inner: 10, outer: 30, falloff: linear}, "
+             "{type: point, position: [%.17g, %.17g, 1500], intensity: 7000}",
+             -311 + 1500 * cos(turn), 107 + 1500 * sin(turn));
+    const luxel_grid_extrema found = extrema_of(scene_with("photometric", lights, PLANE));
+    const double lamp = 7000 * 1.5 / pow((1.5 - out) * (1.5 - out) + 1.5 * 1.5, 1.5);
+    assert_near(found.maximum.value, 20000 * pow(cos(edge), 3) / 4 + lamp, 1e-9);
+    assert_on_plane(&found.maximum, -311 + 1000 * out * cos(turn), 107 + 1000 * out * sin(turn), 0.01);
+}
+
+/* The least value in small shadows: of a ball 6 mm wide, and of a disk that hides the middle of a round source. */
+static void test_small_shadows(void **state)
+{
+    (void)state;
+    const luxel_grid_extrema hard =
+        extrema_of(scene_below("{type: sphere, center: [711, 307, 30], radius: 3}",
+                               "{type: ambient, irradiance: 7}, {type: point, position: [100, 200, 2000], intensity: "
+                               "1000}"));
+    assert_near(hard.minimum.value, 7, 1e-12);
+    assert_on_plane(&hard.minimum, 720.3, 308.6, 4);
+    const luxel_grid_extrema soft = extrema_of(
+        scene_below("{type: disk, center: [711, 307, 20], radius: 4.9, axis: [0, 0, 1]}",
+                    "{type: planar, radiance: 1000, disk: {center: [711, 307, 2000], radius: 500, axis: [0, 0, -1]}}"));
+    const double source = 1 / (1 + 2000.0 * 2000 / (500.0 * 500)), hidden = 1 / (1 + 20 * 20 / (4.9 * 4.9));
+    assert_near(soft.minimum.value, 1000 * M_PI * (source - hidden), 1e-8);
+    assert_on_plane(&soft.minimum, 711, 307, 0.1);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_orientation),     cmocka_unit_test(test_point_law),    cmocka_unit_test(test_closed_room),
         cmocka_unit_test(test_uniform),         cmocka_unit_test(test_on_source),    cmocka_unit_test(test_tolerance),
         cmocka_unit_test(test_threads),         cmocka_unit_test(test_probes_agree), cmocka_unit_test(test_refusals),
-        cmocka_unit_test(test_places_of_cells),
+        cmocka_unit_test(test_places_of_cells), cmocka_unit_test(test_narrow_peaks), cmocka_unit_test(test_ridge),
+        cmocka_unit_test(test_small_shadows),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
