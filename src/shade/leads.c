@@ -132,8 +132,6 @@ static void append_own(struct gathering *gathering, const struct lx_emitter *emi
         append_peaks(gathering, profile->luminaire, center);
     else if (!lx_is_extended(emitter) && !lx_profile_is_isotropic(profile))
         append(gathering, center, axis);
-    if (!downward)
-        return;
     append(gathering, center, downward);
     if (!lx_is_extended(emitter) || emitter->type == LX_BALL)
         return;
@@ -184,7 +182,7 @@ int lx_leads_make(const struct lx_prepared *prepared, const double downward[3], 
         for (size_t s = 0; s < surfaces; s += surface_stride)
             append_shadow(&gathering, emitter, &prepared->surfaces[s]);
     }
-    for (size_t s = 0; downward && s < surfaces; s += surface_stride) {
+    for (size_t s = 0; s < surfaces; s += surface_stride) {
         double middle[3];
         middle_of(&prepared->surfaces[s], middle);
         append(&gathering, middle, downward);

@@ -21,7 +21,7 @@ struct lx_leads {
 /*
  * Appends the leads of all emitters; where they, their peaks or the surfaces are many, the leads of every so many of
  * them, about `most` of each kind.  `downward`, a unit vector to a plane, adds those down to it, from the middle and
- * the nearest place of each emitter and from the middle of each surface; NULL: none.  0, or -1 when memory ran out;
+ * the nearest place of each emitter and from the middle of each surface.  0, or -1 when memory ran out;
  * clear them anyway.
  */
 int lx_leads_make(const struct lx_prepared *prepared, const double downward[3], size_t most, struct lx_leads *leads);
