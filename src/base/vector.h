@@ -4,6 +4,7 @@
 #define LX_BASE_VECTOR_H
 
 #include <math.h>
+#include <stdbool.h>
 
 static inline double lx_dot(const double a[3], const double b[3])
 {
@@ -26,6 +27,16 @@ static inline double lx_normalize(double a[3])
     for (int i = 0; i < 3 && length > 0; i++)
         a[i] /= length;
     return length;
+}
+
+/* Two unit vectors at right angles to a unit vector and to each other. */
+static inline void lx_around_axis(const double axis[3], double across[3], double upward[3])
+{
+    const bool is_along_x = fabs(axis[0]) > 0.7;
+    const double unit[3] = {is_along_x ? 0.0 : 1.0, is_along_x ? 1.0 : 0.0, 0};
+    lx_cross(axis, unit, across);
+    lx_normalize(across);
+    lx_cross(axis, across, upward);
 }
 
 /* Place i of `count` around the square from (-1, -1) to (1, 1), counter-clockwise from its lower left corner; the

@@ -34,12 +34,8 @@ enum { AROUND = 8, MOST_PEAKS = 256 };
 /* The greatest value of a profile at an angle from its axis. */
 static double greatest_at(const struct lx_profile *profile, const double axis[3], double angle_rad)
 {
-    const bool is_along_x = fabs(axis[0]) > 0.7;
-    const double unit[3] = {is_along_x ? 0.0 : 1.0, is_along_x ? 1.0 : 0.0, 0};
     double across[3], upward[3], greatest = 0;
-    lx_cross(axis, unit, across);
-    lx_normalize(across);
-    lx_cross(axis, across, upward);
+    lx_around_axis(axis, across, upward);
     for (int i = 0; i < AROUND; i++) {
         const double turn = 2 * M_PI * i / AROUND;
         double towards[3];

@@ -15,6 +15,34 @@ enum { PART_EFFORT = 10, EMITTER_EFFORT = 4 };
 /* Below a beam, which may end at an edge, what the last samples differ by tells about how far off they are, and no
  * more: so many times as much counts. */
 static const double SAFETY = 2;
+/* Quarters that stay are this much nearer to the light than the polynomials that they are beside. */
+static const double KEPT = 1.0 / 16;
+
+/* The effort of this many outlines that are looked at. */
+enum { OUTLINES_EACH = 4 };
+
+static double area_of(const struct lx_tile_cell *cell)
+{
+    double area = 0;
+    for (int q = 0; q < LX_RULE_NODES; q++)
+        area += cell->area[q];
+    return area;
+}
+
+double lx_direct_open_flux(const struct lx_sampling_direct *sampling, const struct lx_asking *asking,
+                           const struct lx_tile_cell *cell)
+{
+    const struct lx_world open = {sampling->open, sampling->world.kernels};
+    struct lx_elements elements;
+    struct lx_received received;
+    lx_elements_begin(&elements, &sampling->lobe, true);
+    lx_elements_append_place(&elements, lx_exact3(cell->center_mm), lx_exact3(cell->normal[0]), NULL);
+    lx_elements_end(&elements);
+    lx_world_settle(&open, &(struct lx_settling){.has_normals = false}, &elements);
+    lx_world_all_light(&open, &elements, LX_WANT_IRRADIANCE, asking, &received);
+    lx_effort_take(asking->effort, EMITTER_EFFORT * open.prepared->emitters.count);
+    return received.on_element[0] ? 0 : area_of(cell) * received.irradiance.value[0];
+}
 
 /* Direct irradiance at the nodes of a cell; *error is that of its integral.  0, or -1 where the work is to stop. */
 static int sample_cell(const struct lx_sampling_direct *sampling, const struct lx_tile_cell *cell,
@@ -68,7 +96,33 @@ struct descent {
     const struct lx_asking *asking;
     double squares; /* of the errors of leaves' fluxes */
     double errors;  /* of the samples, in the same */
+    struct lx_tile *tile;
 };
+
+/* The node of a tile that stands for where a window is. */
+static int node_around(const struct lx_window *tile, const struct lx_window *window)
+{
+    int at[2];
+    for (int k = 0; k < 2; k++) {
+        const double x = (window->middle[k] - tile->middle[k]) / tile->half[k];
+        at[k] = (x > -LX_RULE_INNER_WEIGHT) + (x > 0) + (x > LX_RULE_INNER_WEIGHT);
+    }
+    return LX_ORDER * at[0] + at[1];
+}
+
+/* What is left at outlines. */
+static void leave(const struct descent *descent, const struct lx_window *window, double flux)
+{
+    descent->tile->local_error[node_around(&descent->tile->window, window)] += flux;
+}
+
+/* By how much the last samples are beside the polynomial of a window, without signs. */
+static void bend(const struct descent *descent, const struct lx_window *window, double flux, double radius_mm)
+{
+    const int q = node_around(&descent->tile->window, window);
+    descent->tile->bent_error[q] += flux;
+    descent->tile->bent_reach[q] += flux * radius_mm;
+}
 
 /* Samples of a quarter beside the polynomial of the window. */
 struct change {
@@ -102,49 +156,74 @@ static void end_at(struct descent *descent, const struct change *change, double 
     descent->errors += change->error;
 }
 
+/* Finds the outlines on a cell, of those on a larger one, and puts what its samples are off by there right as far as
+ * that is known; returns the flux that is left. */
+static double find_crossings(const struct descent *descent, const struct lx_tile_cell *cell,
+                             const struct lx_crossings *larger, struct lx_crossings *found, double nodes[LX_RULE_NODES])
+{
+    const struct lx_sampling_direct *sampling = descent->sampling;
+    lx_crossings_find(&sampling->outlines, descent->face, cell, larger, found);
+    lx_effort_take(descent->asking->effort, (larger ? larger->count : sampling->outlines.count) / OUTLINES_EACH);
+    for (int q = 0; q < LX_RULE_NODES; q++)
+        nodes[q] += found->correction[q];
+    const double open = found->share > 0 ? found->share * lx_direct_open_flux(sampling, descent->asking, cell) : 0;
+    return found->irradiance * area_of(cell) + open;
+}
+
 /*
  * Goes on from a window whose light at the nodes is known, to its quarters; they stay where they tell something.  What
  * they tell is followed down to level `most`, and so many levels further below a beam.
  */
 static int look_closer(struct descent *descent, const struct lx_window *window, const struct lx_tile_cell *cell,
-                       int level, int most, struct lx_direct *direct)
+                       const struct lx_crossings *crossings, int level, int most, struct lx_direct *direct)
 {
     const struct lx_sampling_direct *sampling = descent->sampling;
     struct lx_direct *quarters = lx_new_array(4, sizeof *quarters);
     struct lx_tile_cell *cells = lx_new_array(4, sizeof *cells);
+    uint32_t *room = lx_new_array(4 * crossings->count, sizeof *room);
     const double times = most > sampling->most_levels ? SAFETY : 1;
+    struct lx_crossings on[4];
     struct change changes[4] = {{0}}, all = {0};
-    double moments[LX_RULE_NODES] = {0};
+    double moments[LX_RULE_NODES] = {0}, missed[4] = {0};
     bool is_narrow[4] = {false};
-    int failed = quarters && cells ? 0 : -1, narrow = 0;
+    int failed = quarters && cells && room ? 0 : -1, narrow = 0;
     for (int i = 0; i < 4 && !failed; i++) {
         const struct lx_window quarter = lx_window_quarter(window, i);
         double foreseen[LX_RULE_NODES], error;
         lx_cell_make(descent->face, &quarter, &cells[i]);
         failed = sample_cell(sampling, &cells[i], descent->asking, quarters[i].nodes, &error);
+        on[i].items = room + (size_t)i * crossings->count;
+        missed[i] = find_crossings(descent, &cells[i], crossings, &on[i], quarters[i].nodes);
         foresee(direct->nodes, i, foreseen);
         changes[i] = quarter_change(foreseen, quarters[i].nodes, &cells[i], error);
         add_change(&all, &changes[i]);
-        is_narrow[i] = level < DEEPEST && lx_beams_narrow(&sampling->beams, &cells[i]);
+        is_narrow[i] =
+            level < DEEPEST && (lx_beams_narrow(&sampling->beams, &cells[i]) || missed[i] > sampling->narrow_flux);
         narrow += is_narrow[i];
     }
     direct->quarters = quarters;
     const bool tells = all.off > sampling->least_flux && level < most;
     if (!tells && narrow == 0)
         end_at(descent, &all, times);
-    for (int i = 0; i < 4 && !failed && (tells || narrow > 0); i++) {
+    for (int i = 0; i < 4 && !failed; i++) {
         const struct lx_window quarter = lx_window_quarter(window, i);
         const int further = is_narrow[i] ? level + 1 + sampling->most_levels : most;
         if (tells || is_narrow[i])
-            failed =
-                look_closer(descent, &quarter, &cells[i], level + 1, further > most ? further : most, &quarters[i]);
-        else
+            failed = look_closer(descent, &quarter, &cells[i], &on[i], level + 1, further > most ? further : most,
+                                 &quarters[i]);
+        else if (narrow > 0)
             end_at(descent, &changes[i], times);
+        if (tells || is_narrow[i])
+            continue;
+        leave(descent, &quarter, missed[i]);
+        if (on[i].count == 0)
+            bend(descent, &quarter, (narrow > 0 ? KEPT : 1) * changes[i].off, cells[i].radius_mm);
     }
     for (int i = 0; i < 4 && !failed; i++)
         lift(quarters[i].nodes, cells[i].area, i, moments);
     for (int q = 0; q < LX_RULE_NODES && !failed; q++)
         direct->nodes[q] = moments[q] / cell->area[q];
+    free(room);
     free(cells);
     if ((!tells && narrow == 0) || failed)
         lx_direct_clear(direct);
@@ -154,19 +233,28 @@ static int look_closer(struct descent *descent, const struct lx_window *window, 
 int lx_direct_sample(const struct lx_sampling_direct *sampling, const struct lx_matte_face *face,
                      const struct lx_asking *asking, struct lx_tile *tile)
 {
-    struct descent descent = {.sampling = sampling, .face = face, .asking = asking};
-    const bool is_narrow = lx_beams_narrow(&sampling->beams, &tile->cell);
-    double area = 0, error;
+    struct descent descent = {.sampling = sampling, .face = face, .asking = asking, .tile = tile};
+    struct lx_crossings crossings = {.items = lx_new_array(sampling->outlines.count, sizeof *crossings.items)};
+    double error;
     lx_direct_clear(&tile->direct);
-    if (sample_cell(sampling, &tile->cell, asking, tile->direct.nodes, &error))
-        return -1;
-    if ((is_narrow || isfinite(sampling->least_flux)) &&
-        look_closer(&descent, &tile->window, &tile->cell, 0, sampling->most_levels, &tile->direct))
-        return -1;
+    memset(tile->local_error, 0, sizeof tile->local_error);
+    memset(tile->bent_error, 0, sizeof tile->bent_error);
+    memset(tile->bent_reach, 0, sizeof tile->bent_reach);
+    int failed = !crossings.items || sample_cell(sampling, &tile->cell, asking, tile->direct.nodes, &error) ? -1 : 0;
+    if (!failed) {
+        const double missed = find_crossings(&descent, &tile->cell, NULL, &crossings, tile->direct.nodes);
+        if (isfinite(sampling->least_flux) || lx_beams_narrow(&sampling->beams, &tile->cell) ||
+            missed > sampling->narrow_flux)
+            failed =
+                look_closer(&descent, &tile->window, &tile->cell, &crossings, 0, sampling->most_levels, &tile->direct);
+        else
+            leave(&descent, &tile->window, missed);
+    }
     for (int q = 0; q < LX_RULE_NODES; q++)
-        area += tile->cell.area[q];
-    tile->direct_error = (sqrt(descent.squares) + descent.errors) / area;
-    return 0;
+        descent.errors += tile->local_error[q];
+    tile->direct_error = (sqrt(descent.squares) + descent.errors) / area_of(&tile->cell);
+    free(crossings.items);
+    return failed;
 }
 
 void lx_direct_clear(struct lx_direct *direct)

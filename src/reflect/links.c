@@ -194,6 +194,18 @@ static double product(const float weights[LX_RULE_NODES], const double values[LX
     return (sums[0] + sums[1]) + (sums[2] + sums[3]);
 }
 
+/* What arrives of a near tile's errors of direct light, those around its nodes from there. */
+static double unsure_near(const struct lx_tile *tile, const float weights[LX_RULE_NODES], double kernel)
+{
+    double spread = lx_tile_unsure(tile) * lx_tile_area(tile), local = 0;
+    for (int q = 0; q < LX_RULE_NODES; q++) {
+        spread -= tile->local_error[q];
+        local += tile->local_error[q] * fmax((double)weights[q], 0) / tile->cell.area[q] +
+                 lx_tile_bent(tile, q, (double)weights[q]);
+    }
+    return local + fmax(spread, 0) * kernel;
+}
+
 struct lx_arrival lx_links_sum(const struct lx_radiosity *reflected, const struct lx_links *links,
                                const struct lx_light *light)
 {
@@ -222,7 +234,11 @@ struct lx_arrival lx_links_sum(const struct lx_radiosity *reflected, const struc
             value += product(weights->of, light->indirect + nodes);
         sum.value += reflectance * value;
         if (light->slack)
-            sum.slack += reflectance * (slack + group->unsure * (is_far ? most : total / area));
+            sum.slack += reflectance *
+                         (slack + (is_far ? group->unsure * most
+                                   : group->tile_count == 1
+                                       ? unsure_near(&reflected->tiles[group->first_tile], weights->of, total / area)
+                                       : group->unsure * total / area));
         sum.seen += total;
     }
     return sum;

@@ -8,21 +8,34 @@
 #include "between.h"
 #include "refine.h"
 
-/* What the tiles add to the error of a place: residuals and weights. */
-static int weigh_place(const struct lx_radiosity *reflected, const struct lx_receiver *receiver, double *weights)
+/* What a place has from a tile. */
+struct share {
+    double seen; /* of all its ways */
+    double bent; /* irradiance of the errors that cancel from afar, where it is near */
+};
+
+/* Adds what a place has from all tiles. */
+static int weigh_place(const struct lx_radiosity *reflected, const struct lx_receiver *receiver, struct share *shares)
 {
     struct lx_veils veils = {0};
     struct lx_links links = {0};
+    size_t w = 0;
     lx_links_find(reflected, reflected->prepared, &reflected->coarse, receiver, &veils, &links);
-    for (size_t i = 0; i < links.weight_count && !links.failed; i++) {
-        const struct lx_group *group = &reflected->groups[links.weights[i].group];
+    for (size_t i = 0; i < links.count && !links.failed; i++) {
+        if (links.items[i].kind == LX_LINK_NONE)
+            continue;
+        const struct lx_weights *weights = &links.weights[w++];
+        const struct lx_group *group = &reflected->groups[weights->group];
+        const struct lx_tile *first = &reflected->tiles[group->first_tile];
         double sum = 0, area = 0;
         for (int q = 0; q < LX_RULE_NODES; q++) {
-            sum += fabs((double)links.weights[i].of[q]);
+            sum += fabs((double)weights->of[q]);
             area += group->cell.area[q];
         }
         for (size_t t = group->first_tile; t < group->first_tile + group->tile_count; t++)
-            weights[t] += sum * lx_tile_area(&reflected->tiles[t]) / area;
+            shares[t].seen += sum * lx_tile_area(&reflected->tiles[t]) / area;
+        for (int q = 0; q < LX_RULE_NODES && links.items[i].kind != LX_LINK_FAR && group->tile_count == 1; q++)
+            shares[group->first_tile].bent += lx_tile_bent(first, q, (double)weights->of[q]);
     }
     const bool failed = links.failed || veils.failed;
     lx_links_clear(&links);
@@ -48,7 +61,8 @@ int lx_weigh(const struct lx_radiosity *reflected, const struct lx_reflected_pla
 {
     enum { MOST_WEIGHED = 16 };
     const size_t tiles = reflected->tile_count;
-    double *weights = lx_new_array(tiles, sizeof *weights), all = 0, reflecting = 0;
+    struct share *shares = lx_new_array(tiles, sizeof *shares);
+    double all = 0, reflecting = 0;
     const size_t step = count / MOST_WEIGHED + 1;
     for (size_t t = 0; t < tiles; t++) {
         const double area = lx_tile_area(&reflected->tiles[t]);
@@ -56,16 +70,17 @@ int lx_weigh(const struct lx_radiosity *reflected, const struct lx_reflected_pla
         reflecting += reflected->faces[reflected->tiles[t].face].reflectance * area;
     }
     const double bounces = fmax(reflecting / (all - reflecting), 1); /* after the last one that the places see */
-    int failed = weights ? 0 : -1;
+    int failed = shares ? 0 : -1;
     for (size_t p = 0; !failed && p < count; p += step)
-        failed = weigh_place(reflected, &places[p].receiver, weights);
+        failed = weigh_place(reflected, &places[p].receiver, shares);
     for (size_t t = 0; !failed && t < tiles; t++) {
         const struct lx_tile *tile = &reflected->tiles[t];
-        const double seen = weights[t] / (double)(count / step + 1), share = bounces * lx_tile_area(tile) / all;
-        scores[t] = reflected->faces[tile->face].reflectance * (seen + share) *
-                    (lx_between_change(tile->residual) + tile->direct_error);
+        const double mean = 1 / (double)(count / step + 1), share = bounces * lx_tile_area(tile) / all;
+        scores[t] = reflected->faces[tile->face].reflectance *
+                    ((mean * shares[t].seen + share) * (lx_between_change(tile->residual) + tile->direct_error) +
+                     mean * shares[t].bent);
     }
-    free(weights);
+    free(shares);
     return failed;
 }
 

@@ -26,6 +26,9 @@ static const size_t MOST_EFFORT = 1000000000;
 static const double SAMPLES_SHARE = 0.6, WORTH_AS_MUCH = 0.5;
 /* Differences of direct light that do not count, as a share of all of it and of the bound that is wanted. */
 static const double LITTLE = 5e-2;
+/* What may be missed on one window between outlines, as a share of that; or, as long as nobody knows how much light
+ * there is, of all that would fall without shadows. */
+static const double NARROW = 1.0 / 64, NARROW_AT_FIRST = 1e-3;
 /* How exact integrals over sources are made that samples of direct light take, as a share of the bound that is wanted:
  * errors of samples count as errors of the direct light. */
 static const double SAMPLED = 1e-3;
@@ -49,6 +52,7 @@ static void free_solution(struct lx_kept *kept)
     free(reflected->faces);
     lx_closed_boxes_clear(&reflected->boxes);
     lx_beams_clear(&reflected->sampling.beams);
+    lx_outlines_clear(&reflected->sampling.outlines);
     free(reflected->tiles);
     free(reflected->groups);
     free(reflected->first_tile);
@@ -129,20 +133,49 @@ static luxel_status sample(struct lx_radiosity *reflected)
     return status == LUXEL_OK && atomic_load(&sampling.failed) ? LUXEL_ERROR_MEMORY : status;
 }
 
-/* First the nodes and beams, which tell how much light there is, then all that counts. */
+/* All light that would fall without shadows, about. */
+static double open_flux(const struct lx_radiosity *reflected)
+{
+    const struct lx_asking asking = {.control = reflected->control, .is_caller = true};
+    double flux = 0;
+    for (size_t t = 0; t < reflected->tile_count; t++)
+        flux += lx_direct_open_flux(&reflected->sampling, &asking, &reflected->tiles[t].cell);
+    return flux;
+}
+
+/* Which faces have light, or may have, and how much all of them have: that on the brightest material counts whole, all
+ * else by what is reflected of it beside that. */
+static double lit_flux(const struct lx_radiosity *reflected, bool *is_lit)
+{
+    double flux = 0, sent = 0, most = 0;
+    for (size_t t = 0; t < reflected->tile_count; t++) {
+        const struct lx_tile *tile = &reflected->tiles[t];
+        const double reflectance = reflected->faces[tile->face].reflectance;
+        double light = tile->direct_error * lx_tile_area(tile);
+        for (int q = 0; q < LX_RULE_NODES; q++)
+            light += tile->direct.nodes[q] * tile->cell.area[q];
+        is_lit[tile->face] = is_lit[tile->face] || light > 0;
+        most = fmax(most, reflectance);
+        sent += reflectance * light;
+        flux += light;
+    }
+    return sent > 0 ? sent / most : flux;
+}
+
+/* First the nodes, beams and outlines, which tell how much light there is, then all that counts. */
 static luxel_status light_up(struct lx_radiosity *reflected, double error)
 {
+    struct lx_sampling_direct *sampling = &reflected->sampling;
     bool *is_lit = lx_new_array(reflected->face_count, sizeof *is_lit);
     double flux = 0;
     const double share = LITTLE * fmax(error, LEAST_ERROR);
-    const bool has_room = is_lit && !lx_beams_make(&reflected->prepared->emitters, share, &reflected->sampling.beams);
+    const bool has_room = is_lit && !lx_beams_make(&reflected->prepared->emitters, share, &sampling->beams) &&
+                          !lx_outlines_make(&reflected->sampled, &sampling->outlines);
+    if (has_room && sampling->outlines.count > 0)
+        sampling->narrow_flux = NARROW_AT_FIRST * open_flux(reflected);
     luxel_status status = has_room ? sample(reflected) : LUXEL_ERROR_MEMORY;
-    for (size_t t = 0; t < reflected->tile_count && status == LUXEL_OK; t++)
-        for (int q = 0; q < LX_RULE_NODES; q++) {
-            const struct lx_tile *tile = &reflected->tiles[t];
-            flux += tile->direct.nodes[q] * tile->cell.area[q];
-            is_lit[tile->face] = is_lit[tile->face] || tile->direct.nodes[q] > 0;
-        }
+    if (status == LUXEL_OK)
+        flux = lit_flux(reflected, is_lit);
     if (status == LUXEL_OK && lx_tiling_drop(reflected, is_lit))
         status = LUXEL_ERROR_MEMORY;
     free(is_lit);
@@ -151,7 +184,8 @@ static luxel_status light_up(struct lx_radiosity *reflected, double error)
         reflected->most_tiles += reflected->faces[f].is_small;
     if (status != LUXEL_OK || !(flux > 0))
         return status;
-    reflected->sampling.least_flux = share * flux;
+    sampling->least_flux = share * flux;
+    sampling->narrow_flux = NARROW * sampling->least_flux;
     return sample(reflected);
 }
 
@@ -305,6 +339,9 @@ luxel_status lx_reflected_make(const struct lx_reflected_wish *wish, struct lx_r
     };
     reflected->sampled.tolerance = fmax(reflected->sampled.tolerance, SAMPLED * wish->error);
     reflected->sampling.world.prepared = &reflected->sampled;
+    reflected->open = reflected->sampled;
+    reflected->open.shadows = reflected->open.shadows_extended = reflected->open.shadows_on_free = false;
+    reflected->sampling.open = &reflected->open;
     lx_kept_init(&reflected->kept, free_solution);
     reflected->key.on = reflected->on;
     if (reflected->on)

@@ -30,7 +30,8 @@ struct lx_radiosity {
     bool *on; /* the key's */
     size_t light_count;
     const struct lx_prepared *prepared; /* while it is made; */
-    struct lx_prepared sampled;         /* likewise, with the tolerance that samples of direct light are good for */
+    struct lx_prepared sampled;         /* likewise, with the tolerance that samples of direct light are good for, */
+    struct lx_prepared open;            /* and without shadows */
     struct lx_sampling_direct sampling;
     double error;     /* the bound that is wanted */
     unsigned bounces; /* 0: all */

@@ -209,7 +209,8 @@ static bool find_slack(struct solving *solving)
                                      .control = reflected->control,
                                      .threads = reflected->threads};
     for (size_t i = 0; unsure && i < count; i++)
-        unsure[i] = lx_tile_unsure(&reflected->tiles[i / LX_RULE_NODES]) + doubt(reflected, i);
+        unsure[i] =
+            lx_tile_unsure_at(&reflected->tiles[i / LX_RULE_NODES], (int)(i % LX_RULE_NODES)) + doubt(reflected, i);
     const bool whole = unsure && right && lx_linear_bounce(&linear, solving->residual, unsure, right) &&
                        solve(solving, right, SLACK_REST, reflected->slack_before, reflected->slack);
     if (whole && reflected->bounces == 0)

@@ -55,7 +55,10 @@ struct lx_tile {
     bool is_blind;                          /* or for what it receives (within.h), of which stays what is known: */
     bool has_past;                          /* solutions before told it */
     double past[LX_RULE_NODES], past_error; /* reflected irradiance, and a bound on all of it */
-    double direct_error;                    /* of the mean of the direct light that was sampled */
+    double direct_error;                    /* of the mean of the direct light that was sampled, */
+    double local_error[LX_RULE_NODES];      /* and the part of it that is around each node, as a flux; */
+    double bent_error[LX_RULE_NODES];       /* a flux that is beside its polynomials there, which cancels from afar, */
+    double bent_reach[LX_RULE_NODES];       /* times the radii of the windows that it is in, in mm */
     double seen_error; /* of the share of all ways from the tile that end on faces (lx_radiosity.seen), in the mean */
     double residual[2][2]; /* changes of the solution's: along s and t, towards the low and the high edge */
     double own_error;      /* what the polynomial of the solution may be off by itself, anywhere on the tile, */
@@ -68,8 +71,11 @@ void lx_tile_clear(struct lx_tile *tile);
 
 double lx_tile_area(const struct lx_tile *tile);
 
-/* The error of the direct light that a tile sends on, in the mean. */
+/* The error of the direct light that a tile sends on, in the mean, and around a node. */
 double lx_tile_unsure(const struct lx_tile *tile);
+double lx_tile_unsure_at(const struct lx_tile *tile, int q);
+/* The irradiance that what is beside its polynomials around a node may add where that weighs so much. */
+double lx_tile_bent(const struct lx_tile *tile, int q, double weight);
 
 /* The bounds and nodes of a window. */
 void lx_cell_make(const struct lx_matte_face *face, const struct lx_window *window, struct lx_tile_cell *cell);

@@ -192,11 +192,23 @@ static bool is_narrow(const struct lx_direct *direct)
     return greatest * LX_RULE_NODES > beyond * fabs(sum);
 }
 
+/* Whether the light of a window is known in more detail than by its polynomial. */
+static bool has_detail(const struct light_at *light)
+{
+    return light->is_own && light->direct->quarters;
+}
+
 static double seen_share(const struct lx_fineness *fineness, const struct light_at *light)
 {
-    if (!light->is_own || !light->direct->quarters)
+    if (!has_detail(light))
         return fineness->seen;
     return is_narrow(light->direct) ? fineness->narrow : fineness->rough;
+}
+
+/* Shadows that begin in a cell and what hides a part of it are often one thing's, and errors of neither cancel. */
+static double flat_share(const struct lx_fineness *fineness, const struct light_at *light)
+{
+    return has_detail(light) ? fineness->narrow : fineness->flat_part;
 }
 
 static void send_cell(const struct sending *sending, const struct lx_window *window, struct lx_tile_cell *cell,
@@ -207,7 +219,7 @@ static void send_cell(const struct sending *sending, const struct lx_window *win
                                                     lx_veils_have_shapes(sending->of->veils, cell));
     const double share = sight == LX_ALL_SEEN ? seen_share(fineness, light)
                          : by_nodes           ? part_share(sending, cell)
-                                              : fineness->flat_part;
+                                              : flat_share(fineness, light);
     const bool has_levels = level < MOST_LEVELS;
     double values[LX_RULE_NODES];
     if (sight == LX_NONE_SEEN || !lx_effort_take(sending->of->veils->effort, CELL_EFFORT))

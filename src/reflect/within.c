@@ -90,11 +90,10 @@ int lx_within_guess(const struct lx_radiosity *reflected, const struct lx_asking
 {
     enum { FEW_LEVELS = 2 };
     const struct lx_asking unbounded = {.control = asking->control, .is_caller = asking->is_caller};
-    struct lx_prepared open = reflected->sampled;
     struct lx_sampling_direct sampling = reflected->sampling;
     double light = 0;
-    open.shadows = open.shadows_extended = open.shadows_on_free = false;
-    sampling.world.prepared = &open;
+    sampling.world.prepared = sampling.open;
+    sampling.outlines.count = 0; /* there are no shadows */
     sampling.most_levels = FEW_LEVELS;
     if (lx_direct_sample(&sampling, &reflected->faces[tile->face], &unbounded, tile))
         return -1;

@@ -27,6 +27,8 @@ static inline double lx_mesh_size_of(const struct lx_shape *shape)
 /* A place, an offset from the anchor, and a direction in the frame of the tree; a direction back. */
 void lx_mesh_enter(const struct lx_shape *shape, const double offset_mm[3], double place[3]);
 void lx_mesh_leave(const struct lx_shape *shape, const double direction[3], double turned[3]);
+/* A place of the tree in space. */
+void lx_mesh_leave_place(const struct lx_shape *shape, const double place[3], double place_mm[3]);
 
 /* The unit normal of the face at a place, as its corners run; false: there is none. */
 bool lx_mesh_face_normal(const struct lx_shape *shape, const double place_mm[3], double normal[3]);

@@ -8,6 +8,7 @@
 
 #include "../base/memory.h"
 #include "../base/vector.h"
+#include "mesh_edges.h"
 #include "mesh_tree.h"
 
 static const struct lx_mesh_tree *tree_of(const struct lx_shape *shape)
@@ -23,11 +24,8 @@ size_t lx_mesh_count(const struct lx_shape *shape)
 void lx_mesh_corners(const struct lx_shape *shape, size_t i, double corners_mm[3][3])
 {
     const struct lx_tree_triangle *triangle = &tree_of(shape)->triangles[i];
-    for (int c = 0; c < 3; c++) {
-        lx_mesh_leave(shape, triangle->corners[c], corners_mm[c]);
-        for (int k = 0; k < 3; k++)
-            corners_mm[c][k] = corners_mm[c][k] * lx_mesh_size_of(shape) + shape->anchor_mm[k];
-    }
+    for (int c = 0; c < 3; c++)
+        lx_mesh_leave_place(shape, triangle->corners[c], corners_mm[c]);
 }
 
 bool lx_mesh_sheet(const struct lx_shape *shape, size_t i, struct lx_smooth_sheet *sheet)
@@ -87,6 +85,51 @@ size_t lx_mesh_triangle_at(const struct lx_shape *shape, const double place_mm[3
         offset[k] = place_mm[k] - shape->anchor_mm[k];
     lx_mesh_enter(shape, offset, place);
     return (size_t)(lx_tree_nearest(tree, place, HUGE_VAL, &distance) - tree->triangles);
+}
+
+/* ---- outlines ---- */
+
+struct outlining {
+    const struct lx_shape *shape;
+    bool (*take)(void *data, const double from_mm[3], const double to_mm[3], int change);
+    void *data;
+};
+
+static bool is_any(const void *data, const double low[3], const double high[3])
+{
+    (void)data, (void)low, (void)high;
+    return true;
+}
+
+static bool is_none(const void *data, const double low[3], const double high[3])
+{
+    (void)data, (void)low, (void)high;
+    return false;
+}
+
+static bool take_edge(void *data, const double from[3], const double to[3], int change)
+{
+    const struct outlining *outlining = data;
+    double from_mm[3], to_mm[3];
+    lx_mesh_leave_place(outlining->shape, from, from_mm);
+    lx_mesh_leave_place(outlining->shape, to, to_mm);
+    return outlining->take(outlining->data, from_mm, to_mm, change);
+}
+
+void lx_mesh_outline(const struct lx_shape *shape, const double place_mm[3],
+                     bool (*take)(void *data, const double from_mm[3], const double to_mm[3], int change), void *data)
+{
+    struct outlining outlining = {shape, take, data};
+    struct lx_tree_outline outline = {.touch = shape->touch_mm / lx_mesh_size_of(shape),
+                                      .meets = is_any,
+                                      .reaches_beyond = is_none,
+                                      .take_edge = take_edge,
+                                      .data = &outlining};
+    double offset[3];
+    for (int k = 0; k < 3; k++)
+        offset[k] = place_mm[k] - shape->anchor_mm[k];
+    lx_mesh_enter(shape, offset, outline.place);
+    lx_tree_outline(tree_of(shape), &outline);
 }
 
 /* ---- parts of space ---- */

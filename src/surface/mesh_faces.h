@@ -27,6 +27,13 @@ void lx_mesh_corners(const struct lx_shape *shape, size_t i, double corners_mm[3
  * when memory ran out. */
 bool *lx_mesh_repeated(const struct lx_shape *shape);
 
+/*
+ * Calls `take` for each edge, from one end to the other, along which faces do not go on behind it as a place sees it,
+ * with the number of faces that there are more on the left of that way than on its right; until it returns false.
+ */
+void lx_mesh_outline(const struct lx_shape *shape, const double place_mm[3],
+                     bool (*take)(void *data, const double from_mm[3], const double to_mm[3], int change), void *data);
+
 /* The triangle that a place lies on, or the nearest one. */
 size_t lx_mesh_triangle_at(const struct lx_shape *shape, const double place_mm[3]);
 

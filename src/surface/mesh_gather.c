@@ -96,13 +96,6 @@ static bool reaches_beyond(const void *data, const double low[3], const double h
     return least < 0;
 }
 
-static void leave_place(const struct lx_shape *shape, const double place[3], double place_mm[3])
-{
-    lx_mesh_leave(shape, place, place_mm);
-    for (int k = 0; k < 3; k++)
-        place_mm[k] = place_mm[k] * lx_mesh_size_of(shape) + shape->anchor_mm[k];
-}
-
 static bool take_edge(void *data, const double from[3], const double to[3], int change)
 {
     struct gathering *gathering = data;
@@ -110,8 +103,8 @@ static bool take_edge(void *data, const double from[3], const double to[3], int 
     struct lx_outline_edge edge = {.change = change};
     if (!edge_meets_shaft(&gathering->shaft, ends))
         return true;
-    leave_place(gathering->shape, from, edge.from_mm);
-    leave_place(gathering->shape, to, edge.to_mm);
+    lx_mesh_leave_place(gathering->shape, from, edge.from_mm);
+    lx_mesh_leave_place(gathering->shape, to, edge.to_mm);
     gathering->failed = lx_obstacles_append_edge(gathering->obstacles, &edge) < 0;
     return !gathering->failed;
 }
@@ -124,7 +117,7 @@ static bool take_triangle(void *data, const struct lx_tree_triangle *triangle)
         return true;
     for (int c = 0; c < 3; c++) {
         sheet.names[c] = triangle->names[c];
-        leave_place(gathering->shape, triangle->corners[c], sheet.corners_mm[c]);
+        lx_mesh_leave_place(gathering->shape, triangle->corners[c], sheet.corners_mm[c]);
     }
     gathering->failed = lx_obstacles_append_sheet(gathering->obstacles, &sheet) < 0;
     return !gathering->failed;

@@ -29,6 +29,13 @@ void lx_mesh_leave(const struct lx_shape *shape, const double direction[3], doub
         turned[k] = direction[0] * shape->across[k] + direction[1] * shape->upward[k] + direction[2] * shape->axis[k];
 }
 
+void lx_mesh_leave_place(const struct lx_shape *shape, const double place[3], double place_mm[3])
+{
+    lx_mesh_leave(shape, place, place_mm);
+    for (int k = 0; k < 3; k++)
+        place_mm[k] = place_mm[k] * lx_mesh_size_of(shape) + shape->anchor_mm[k];
+}
+
 static void cross(const double a[3], const double b[3], double product[3])
 {
     for (int k = 0; k < 3; k++) {

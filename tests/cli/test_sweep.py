@@ -408,7 +408,7 @@ def words(tap, tool):
     tap.ok(not validator.is_valid(yaml.safe_load(STUDY.replace("seed", "sed"))), "and refuses a wrong key")
 
 
-# A lamp that nearly touches a plate: light changes within hundredths of a millimetre, too fast for a thousandth.
+# A lamp that nearly touches a plate: light changes within ten thousandths of a millimetre, too fast for a thousandth.
 CROSSING = """luxel: 1
 reflections: 1
 screen: {width: 3000, height: 3000, resolution: [4, 4]}
@@ -417,7 +417,7 @@ surfaces:
   - {type: rectangle, center: [0, 0, 0], size: [3000, 3000], material: {model: lambert, diffuse: 0.8, over_pi: true}}
   - {type: rectangle, center: [0, 0, 100], size: [1000, 100], axis: [0.9, 0, 0.5],
      material: {model: lambert, diffuse: 0.8, over_pi: true}}
-lights: [{type: point, position: [0, 0, 0.01], intensity: 1, attenuation: inverse-square}]
+lights: [{type: point, position: [0, 0, 0.0001], intensity: 1, attenuation: inverse-square}]
 """
 CROSSINGS = """study: 1
 scene: crossing.yaml
