@@ -344,38 +344,12 @@ static double share_between(const struct square *square, const struct beginning 
     return share;
 }
 
-/* ---- what is dark ---- */
-
-/* Whether a light is hidden from a place that belongs to a cell. */
-static bool is_hidden(const struct lx_outlines *outlines, const struct lx_outline_light *light,
-                      const double place_mm[3], const double normal[3])
-{
-    const struct lx_element element = {.place_mm = lx_exact3(place_mm), .normal = lx_exact3(normal), .is_free = true};
-    return lx_openness_of(outlines->prepared, &element, light->emitter).value < 0.5;
-}
-
-/* Whether some surface whose outline does not cross the cell takes a light from its middle, and so from all of it. */
-static bool is_dark(const struct lx_outlines *outlines, const struct lx_tile_cell *cell,
-                    const struct lx_outline_light *light, const struct lx_crossings *found, size_t first)
-{
-    const struct lx_prepared *prepared = outlines->prepared;
-    const struct lx_element element = {
-        .place_mm = lx_exact3(cell->center_mm), .normal = lx_exact3(cell->normal[0]), .is_free = true};
-    if (light->reach_count > 0)
-        return false;
-    for (size_t s = 0; s < prepared->surface_count; s++) {
-        bool is_crossed = prepared->surfaces[s].kind->holds(&prepared->surfaces[s].shape, cell->center_mm);
-        for (size_t i = first; i < found->count && !is_crossed; i++)
-            is_crossed = outlines->items[found->items[i]].surface == s;
-        if (!is_crossed && lx_hidden_by(&prepared->surfaces[s], &element, light->emitter).value > 0.5)
-            return true;
-    }
-    return false;
-}
-
 /* ---- shadows of one light ---- */
 
 struct group {
+    const struct lx_outlines *outlines;
+    const struct lx_prepared_surface *own; /* that the cell is of */
+    const struct lx_tile_cell *cell;
     const struct lx_outline_light *light;
     struct square square;
     bool is_before; /* the light is before the cell */
@@ -385,14 +359,13 @@ struct group {
     bool is_crowded; /* there are more */
 };
 
-static void begin_group(const struct lx_outline_light *light, const struct lx_matte_face *face,
-                        const struct lx_tile_cell *cell, size_t first, struct group *group)
+static void begin_group(const struct lx_outline_light *light, bool is_flat, size_t first, struct group *group)
 {
     group->light = light;
     group->first = first;
     group->count = 0;
     group->is_crowded = false;
-    group->is_before = make_square(cell, face->is_flat, light, &group->square);
+    group->is_before = make_square(group->cell, is_flat, light, &group->square);
 }
 
 /* Whether surfaces lie on both sides of one line, so that no light comes through there. */
@@ -442,6 +415,39 @@ static struct shares shares_of(const struct group *group)
     return shares;
 }
 
+/* ---- what is dark ---- */
+
+static struct lx_element element_at(const struct group *group, const double place_mm[3], const double normal[3])
+{
+    return (struct lx_element){
+        .place_mm = lx_exact3(place_mm), .normal = lx_exact3(normal), .own = group->own, .is_free = true};
+}
+
+/* Whether the light is hidden from a place of the cell. */
+static bool is_hidden(const struct group *group, const double place_mm[3], const double normal[3])
+{
+    const struct lx_element element = element_at(group, place_mm, normal);
+    return lx_openness_of(group->outlines->prepared, &element, group->light->emitter).value < 0.5;
+}
+
+/* Whether some surface whose outline does not cross the cell takes the light from its middle, and so from all of it. */
+static bool is_dark(const struct group *group, const struct lx_crossings *found)
+{
+    const struct lx_prepared *prepared = group->outlines->prepared;
+    const struct lx_element element = element_at(group, group->cell->center_mm, group->cell->normal[0]);
+    if (group->light->reach_count > 0)
+        return false;
+    for (size_t s = 0; s < prepared->surface_count; s++) {
+        const struct lx_prepared_surface *surface = &prepared->surfaces[s];
+        bool is_aside = surface == group->own; /* its outlines may be on the cell's border */
+        for (size_t i = group->first; i < found->count && !is_aside; i++)
+            is_aside = group->outlines->items[found->items[i]].surface == s;
+        if (!is_aside && lx_hidden_by(surface, &element, group->light->emitter).value > 0.5)
+            return true;
+    }
+    return false;
+}
+
 /* Whether the light falls on a cell as its outlines say. */
 enum answer { AS_FORETOLD, OTHERWISE, ALL_DARK };
 
@@ -449,15 +455,15 @@ enum answer { AS_FORETOLD, OTHERWISE, ALL_DARK };
  * Asks at the nodes, and where there are none in a part of the cell, in its middle.  Of a strip it is not known whether
  * it is lit, between two surfaces, or the shadow of one thing, but where its two shadows do not meet.
  */
-static enum answer ask_cell(const struct lx_outlines *outlines, const struct lx_tile_cell *cell,
-                            const struct group *group)
+static enum answer ask_cell(const struct group *group)
 {
+    const struct lx_tile_cell *cell = group->cell;
     const struct beginning *a = &group->beginnings[0], *b = &group->beginnings[group->count - 1];
     const bool is_lit_strip = a != b && a->offset + b->offset > 0;
     const unsigned all = (1U << LX_RULE_NODES) - 1, foretold = is_lit_strip ? a->dark | b->dark : a->dark & b->dark;
     unsigned found = 0;
     for (unsigned q = 0; q < LX_RULE_NODES; q++)
-        found |= (unsigned)is_hidden(outlines, group->light, cell->place_mm[q], cell->normal[q]) << q;
+        found |= (unsigned)is_hidden(group, cell->place_mm[q], cell->normal[q]) << q;
     bool is_as_foretold = found == foretold, is_all_dark = found == all;
     for (int is_dark = 0; is_dark < 2; is_dark++) {
         struct part part = group->square.whole;
@@ -473,7 +479,7 @@ static enum answer ask_cell(const struct lx_outlines *outlines, const struct lx_
         for (int k = 0; k < 3; k++)
             place[k] = cell->center_mm[k] + middle[0] * group->square.sides_mm[0][k] +
                        middle[1] * group->square.sides_mm[1][k];
-        const bool is_hidden_there = is_hidden(outlines, group->light, place, cell->normal[0]);
+        const bool is_hidden_there = is_hidden(group, place, cell->normal[0]);
         is_as_foretold = is_as_foretold && is_hidden_there == is_dark;
         is_all_dark = is_all_dark && is_hidden_there;
     }
@@ -507,10 +513,9 @@ static double open_irradiance(const struct lx_outline_light *light, const struct
                              : fmax(sample.e_perp.value * lx_dot3(sample.towards, lx_exact3(cell->normal[0])).value, 0);
 }
 
-static void end_group(const struct lx_outlines *outlines, const struct lx_tile_cell *cell, const struct group *group,
-                      struct lx_crossings *found)
+static void end_group(const struct group *group, struct lx_crossings *found)
 {
-    if (group->count == 0 || is_dark(outlines, cell, group->light, found, group->first))
+    if (group->count == 0 || is_dark(group, found))
         return;
     const struct shares shares = shares_of(group);
     if (shares.off + shares.missed < NOTHING)
@@ -519,8 +524,8 @@ static void end_group(const struct lx_outlines *outlines, const struct lx_tile_c
         found->share += shares.off + shares.missed;
         return;
     }
-    const enum answer answer = shares.adds_up ? ask_cell(outlines, cell, group) : OTHERWISE;
-    const double irradiance = open_irradiance(group->light, cell);
+    const enum answer answer = shares.adds_up ? ask_cell(group) : OTHERWISE;
+    const double irradiance = open_irradiance(group->light, group->cell);
     if (answer == OTHERWISE)
         found->irradiance += irradiance * fmin(shares.off + shares.missed, 1);
     if (answer != AS_FORETOLD)
@@ -533,8 +538,7 @@ void lx_crossings_find(const struct lx_outlines *outlines, const struct lx_matte
                        const struct lx_tile_cell *cell, const struct lx_crossings *larger, struct lx_crossings *found)
 {
     const size_t count = larger ? larger->count : outlines->count;
-    const bool hides_itself = outlines->prepared->surfaces[face->surface].kind->hides_itself;
-    struct group group = {.light = NULL};
+    struct group group = {.outlines = outlines, .own = &outlines->prepared->surfaces[face->surface], .cell = cell};
     *found = (struct lx_crossings){.items = found->items};
     for (size_t i = 0; i < count; i++) {
         const uint32_t number = larger ? larger->items[i] : (uint32_t)i;
@@ -542,16 +546,16 @@ void lx_crossings_find(const struct lx_outlines *outlines, const struct lx_matte
         const struct lx_outline_light *light = &outlines->lights[outline->light];
         struct beginning beginning;
         if (light != group.light) {
-            end_group(outlines, cell, &group, found);
-            begin_group(light, face, cell, found->count, &group);
+            end_group(&group, found);
+            begin_group(light, face->is_flat, found->count, &group);
         }
-        if (!group.is_before || (!hides_itself && outline->surface == face->surface) ||
+        if (!group.is_before || (outline->surface == face->surface && !group.own->kind->hides_itself) ||
             !crosses(&group.square, light, outline, &beginning))
             continue;
         find_nodes(cell, outline, &beginning);
         found->items[found->count++] = number;
         add_to_group(&group, &beginning);
     }
-    end_group(outlines, cell, &group, found);
+    end_group(&group, found);
     found->share = fmin(found->share, 1);
 }
