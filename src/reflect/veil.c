@@ -11,7 +11,7 @@
 #include "region.h"
 
 /* Corners of what stands for a circle. */
-enum { ROUND = 16 };
+enum { MOST_ROUND = 40 };
 /* The effort of a question to a mesh, of a surface that may be in the way, and of asking it for a single way. */
 enum { MESH_EFFORT = 30, SURFACE_EFFORT = 3, WAY_EFFORT = 1 };
 /* Ends of ways that are left out, as a share of them. */
@@ -87,14 +87,19 @@ static double height_over(const struct lx_veils *veils, const double axis[3], co
     return lx_dot(axis, from);
 }
 
-/* A circle as a polygon of as much area. */
-static void circle(const double center_mm[3], const double first[3], const double second[3], double radius_mm,
-                   double corners[ROUND][3])
+/* How many corners stand for a circle that is seen under a half angle of this sine. */
+static int round_corners(double sine)
 {
-    const double step = 2 * M_PI / ROUND, larger = radius_mm * sqrt(step / sin(step));
-    for (int k = 0; k < ROUND; k++)
+    return sine < 0.5 ? 16 : sine < 0.8 ? 24 : MOST_ROUND;
+}
+
+static void corners_around(const double center_mm[3], const double first[3], const double second[3], double radius_mm,
+                           int count, double corners[MOST_ROUND][3])
+{
+    const double step = 2 * M_PI / count;
+    for (int k = 0; k < count; k++)
         for (int i = 0; i < 3; i++)
-            corners[k][i] = center_mm[i] + larger * (cos(k * step) * first[i] + sin(k * step) * second[i]);
+            corners[k][i] = center_mm[i] + radius_mm * (cos(k * step) * first[i] + sin(k * step) * second[i]);
 }
 
 static void add_plate(struct lx_veils *veils, const struct lx_smooth_sheet *plate)
@@ -112,14 +117,18 @@ static void add_plate(struct lx_veils *veils, const struct lx_smooth_sheet *plat
     add_polygon(veils, (const double(*)[3])corners, 4, plate->axis, plate->center_mm, height);
 }
 
+/* A circle as a polygon of as much area. */
 static void add_disk(struct lx_veils *veils, const struct lx_smooth_sheet *disk)
 {
-    const double height = height_over(veils, disk->axis, disk->center_mm);
-    double corners[ROUND][3];
+    const double height = height_over(veils, disk->axis, disk->center_mm), radius = disk->half_mm[0];
+    double from[3], corners[MOST_ROUND][3];
     if (fabs(height) <= veils->touch_mm)
         return;
-    circle(disk->center_mm, disk->across, disk->upward, disk->half_mm[0], corners);
-    add_polygon(veils, (const double(*)[3])corners, ROUND, disk->axis, disk->center_mm, height);
+    sub(veils->place_mm, disk->center_mm, from);
+    const int count = round_corners(radius / hypot(radius, sqrt(lx_dot(from, from))));
+    const double step = 2 * M_PI / count;
+    corners_around(disk->center_mm, disk->across, disk->upward, radius * sqrt(step / sin(step)), count, corners);
+    add_polygon(veils, (const double(*)[3])corners, count, disk->axis, disk->center_mm, height);
 }
 
 /* Two directions at right angles to one of unit length. */
@@ -131,11 +140,23 @@ static void beside(const double axis[3], double first[3], double second[3])
     lx_cross(axis, first, second);
 }
 
+/*
+ * The tangent of the half angle at which the corners of a pyramid are that takes as much of the view as a cone of
+ * cosine c.  Each of its spherical triangles has two such sides b, and tan(area/2) = t sin(step) / (1 + t cos(step)) with
+ * t = tan^2(b/2).
+ */
+static double tangent_of_corners(double c, int count)
+{
+    const double step = 2 * M_PI / count, half = tan(M_PI * (1 - c) / count);
+    const double t = fmin(half / (sin(step) - half * cos(step)), 0.999); /* a cone may be almost half of the view */
+    return 2 * sqrt(t) / (1 - t);
+}
+
 /* A ball hides what the circle does in which the tangents touch it.  False: the place is inside. */
 static bool add_ball(struct lx_veils *veils, const struct lx_smooth_sheet *ball)
 {
     const double radius = ball->half_mm[0];
-    double way[3], first[3], second[3], middle[3], corners[ROUND][3];
+    double way[3], first[3], second[3], middle[3], corners[MOST_ROUND][3];
     sub(ball->center_mm, veils->place_mm, way);
     const double away = lx_normalize(way), share = radius / away, below = 1 - share * share;
     if (!(below > 1e-12))
@@ -143,8 +164,9 @@ static bool add_ball(struct lx_veils *veils, const struct lx_smooth_sheet *ball)
     for (int i = 0; i < 3; i++)
         middle[i] = veils->place_mm[i] + away * below * way[i];
     beside(way, first, second);
-    circle(middle, first, second, radius * sqrt(below), corners);
-    add_polygon(veils, (const double(*)[3])corners, ROUND, way, middle, -1);
+    const int count = round_corners(share);
+    corners_around(middle, first, second, away * below * tangent_of_corners(sqrt(below), count), count, corners);
+    add_polygon(veils, (const double(*)[3])corners, count, way, middle, -1);
     return true;
 }
 

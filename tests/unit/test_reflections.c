@@ -216,6 +216,24 @@ static void one_ball(void **state)
         }
 }
 
+/* A black ball hides much of a floor that is lit all over from an element close to the ball, aslant by 0.2: of all its
+ * ways cos(0.2) sin^2 of the half angle under which the ball is seen. */
+static void near_a_ball(void **state)
+{
+    const double tilt = 0.2, heights[] = {205, 210, 240};
+    (void)state;
+    for (size_t i = 0; i < sizeof heights / sizeof heights[0]; i++) {
+        const double sine = 200 / heights[i];
+        const struct truth at[] = {
+            {{0, 0, heights[i]}, {sin(tilt), 0, -cos(tilt)}, 0.5 * ((1 + cos(tilt)) / 2 - cos(tilt) * sine * sine)}};
+        expect(scene_of("1\nshadows: none",
+                        "{type: rectangle, center: [0, 0, -1000], size: [2e9, 2e9], " MATERIAL(
+                            "0.5") "}, {type: sphere, center: [0, 0, 0], radius: 200, " MATERIAL("0") "}",
+                        "{type: distant, direction: [0, 0, -1], irradiance: 1}"),
+               at, 1, 1e-4);
+    }
+}
+
 /* All that is wrong is told at once. */
 static void refusals(void **state)
 {
@@ -293,6 +311,7 @@ int main(void)
         cmocka_unit_test(one_bounce),
         cmocka_unit_test(narrow_beams),
         cmocka_unit_test(one_ball),
+        cmocka_unit_test(near_a_ball),
         cmocka_unit_test(refusals),
         cmocka_unit_test(explanations),
         cmocka_unit_test(threads),
