@@ -142,7 +142,7 @@ static void beside(const double axis[3], double first[3], double second[3])
 
 /*
  * The tangent of the half angle at which the corners of a pyramid are that takes as much of the view as a cone of
- * cosine c.  Each of its spherical triangles has two such sides b, and tan(area/2) = t sin(step) / (1 + t cos(step)) with
+ * cosine c.  Each of its spherical triangles has two such sides b; tan(area/2) = t sin(step) / (1 + t cos(step)) with
  * t = tan^2(b/2).
  */
 static double tangent_of_corners(double c, int count)
