@@ -12,8 +12,7 @@
 enum { DEEPEST = 14 };
 /* The effort of each point or arc of a source that is looked at, and of each source anyway. */
 enum { PART_EFFORT = 10, EMITTER_EFFORT = 4 };
-/* Below a beam, which may end at an edge, what the last samples differ by tells about how far off they are, and no
- * more: so many times as much counts. */
+/* What the last samples differ by tells about how far off they are, and no more: so many times as much counts. */
 static const double SAFETY = 2;
 /* Quarters that stay are this much nearer to the light than the polynomials that they are beside. */
 static const double KEPT = 1.0 / 16;
@@ -150,9 +149,9 @@ static void add_change(struct change *sum, const struct change *change)
 }
 
 /* Where it ends, what the last samples tell is the error. */
-static void end_at(struct descent *descent, const struct change *change, double times)
+static void end_at(struct descent *descent, const struct change *change)
 {
-    descent->squares += times * times * (change->difference * change->difference + 1e-4 * change->off * change->off);
+    descent->squares += SAFETY * SAFETY * (change->difference * change->difference + 1e-4 * change->off * change->off);
     descent->errors += change->error;
 }
 
@@ -181,7 +180,6 @@ static int look_closer(struct descent *descent, const struct lx_window *window, 
     struct lx_direct *quarters = lx_new_array(4, sizeof *quarters);
     struct lx_tile_cell *cells = lx_new_array(4, sizeof *cells);
     uint32_t *room = lx_new_array(4 * crossings->count, sizeof *room);
-    const double times = most > sampling->most_levels ? SAFETY : 1;
     struct lx_crossings on[4];
     struct change changes[4] = {{0}}, all = {0};
     double moments[LX_RULE_NODES] = {0}, missed[4] = {0};
@@ -204,7 +202,7 @@ static int look_closer(struct descent *descent, const struct lx_window *window, 
     direct->quarters = quarters;
     const bool tells = all.off > sampling->least_flux && level < most;
     if (!tells && narrow == 0)
-        end_at(descent, &all, times);
+        end_at(descent, &all);
     for (int i = 0; i < 4 && !failed; i++) {
         const struct lx_window quarter = lx_window_quarter(window, i);
         const int further = is_narrow[i] ? level + 1 + sampling->most_levels : most;
@@ -212,7 +210,7 @@ static int look_closer(struct descent *descent, const struct lx_window *window, 
             failed = look_closer(descent, &quarter, &cells[i], &on[i], level + 1, further > most ? further : most,
                                  &quarters[i]);
         else if (narrow > 0)
-            end_at(descent, &changes[i], times);
+            end_at(descent, &changes[i]);
         if (tells || is_narrow[i])
             continue;
         leave(descent, &quarter, missed[i]);

@@ -206,7 +206,7 @@ double lx_tile_unsure_at(const struct lx_tile *tile, int q)
 /* Windows have their light, and its moments, so that only those count that take a good part of the view. */
 double lx_tile_bent(const struct lx_tile *tile, int q, double weight)
 {
-    const double between = 2; /* the samples light may be farther off */
+    const double between = 4; /* the samples light may be farther off */
     if (!(weight > 0 && tile->bent_error[q] > 0))
         return 0;
     const double kernel = weight / tile->cell.area[q], reach = 2 * tile->bent_reach[q] / tile->bent_error[q];

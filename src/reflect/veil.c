@@ -131,15 +131,6 @@ static void add_disk(struct lx_veils *veils, const struct lx_smooth_sheet *disk)
     add_polygon(veils, (const double(*)[3])corners, count, disk->axis, disk->center_mm, height);
 }
 
-/* Two directions at right angles to one of unit length. */
-static void beside(const double axis[3], double first[3], double second[3])
-{
-    const double other[3] = {fabs(axis[0]) < 0.6, fabs(axis[0]) >= 0.6, 0};
-    lx_cross(axis, other, first);
-    lx_normalize(first);
-    lx_cross(axis, first, second);
-}
-
 /*
  * The tangent of the half angle at which the corners of a pyramid are that takes as much of the view as a cone of
  * cosine c.  Each of its spherical triangles has two such sides b; tan(area/2) = t sin(step) / (1 + t cos(step)) with
@@ -163,7 +154,7 @@ static bool add_ball(struct lx_veils *veils, const struct lx_smooth_sheet *ball)
         return false;
     for (int i = 0; i < 3; i++)
         middle[i] = veils->place_mm[i] + away * below * way[i];
-    beside(way, first, second);
+    lx_around_axis(way, first, second);
     const int count = round_corners(share);
     corners_around(middle, first, second, away * below * tangent_of_corners(sqrt(below), count), count, corners);
     add_polygon(veils, (const double(*)[3])corners, count, way, middle, -1);
