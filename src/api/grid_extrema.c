@@ -276,8 +276,8 @@ static bool may_go_beyond(const struct search *search, const struct node *here, 
 
 /*
  * Goes from a node to the best of eight around it.  Steps along one way grow; where none leads on, they are halved.
- * What falls off by more than a quarter of what it did at twice the step is no level peak but may be a ridge, whose way
- * is looked for more closely.  It is given up where it does not come beyond what was `found` before.
+ * A place that falls off by more than a quarter of its fall at twice the step is no level peak but may be a ridge,
+ * whose way is looked for more closely.  A climb is given up where it does not come beyond what was `found` before.
  */
 static void climb(const struct search *search, double sign, const struct node *found, struct node *best)
 {

@@ -13,7 +13,7 @@
 static const double BORDER = 1e-6, SOFT = 0.5;
 /* Two shadows that begin towards directions with no more than this cosine are on both sides of a strip. */
 static const double OPPOSITE = -0.5;
-/* What may still be wrong, as a share, of what was put right. */
+/* The share of what was put right that may still be wrong. */
 static const double LEFT = 0.1;
 /* How near to a light, as a share of its height over a cell, outlines count. */
 static const double BELOW = 0.999;
@@ -276,7 +276,7 @@ static void cut_side(struct part *part, const struct beginning *beginning, bool 
     cut(part, is_dark ? beginning->side : other, is_dark ? beginning->offset : -beginning->offset);
 }
 
-/* What is beside a beginning from end to end, towards it and away from it. */
+/* The part that is beside a beginning, from one of its ends to the other. */
 static void cut_ends(struct part *part, const struct beginning *beginning)
 {
     const double along[2] = {-beginning->side[1], beginning->side[0]}, back[2] = {-along[0], -along[1]};

@@ -12,21 +12,13 @@
 enum { DEEPEST = 14 };
 /* The effort of each point or arc of a source that is looked at, and of each source anyway. */
 enum { PART_EFFORT = 10, EMITTER_EFFORT = 4 };
-/* What the last samples differ by tells about how far off they are, and no more: so many times as much counts. */
+/* Differences of the last samples tell about how far off they are, and no more: so many times as much counts. */
 static const double SAFETY = 2;
 /* Quarters that stay are this much nearer to the light than the polynomials that they are beside. */
 static const double KEPT = 1.0 / 16;
 
 /* The effort of this many outlines that are looked at. */
 enum { OUTLINES_EACH = 4 };
-
-static double area_of(const struct lx_tile_cell *cell)
-{
-    double area = 0;
-    for (int q = 0; q < LX_RULE_NODES; q++)
-        area += cell->area[q];
-    return area;
-}
 
 double lx_direct_open_flux(const struct lx_sampling_direct *sampling, const struct lx_asking *asking,
                            const struct lx_tile_cell *cell)
@@ -40,7 +32,7 @@ double lx_direct_open_flux(const struct lx_sampling_direct *sampling, const stru
     lx_world_settle(&open, &(struct lx_settling){.has_normals = false}, &elements);
     lx_world_all_light(&open, &elements, LX_WANT_IRRADIANCE, asking, &received);
     lx_effort_take(asking->effort, EMITTER_EFFORT * open.prepared->emitters.count);
-    return received.on_element[0] ? 0 : area_of(cell) * received.irradiance.value[0];
+    return received.on_element[0] ? 0 : lx_cell_area(cell) * received.irradiance.value[0];
 }
 
 /* Direct irradiance at the nodes of a cell; *error is that of its integral.  0, or -1 where the work is to stop. */
@@ -109,13 +101,13 @@ static int node_around(const struct lx_window *tile, const struct lx_window *win
     return LX_ORDER * at[0] + at[1];
 }
 
-/* What is left at outlines. */
+/* Adds a flux that is left at outlines. */
 static void leave(const struct descent *descent, const struct lx_window *window, double flux)
 {
     descent->tile->local_error[node_around(&descent->tile->window, window)] += flux;
 }
 
-/* By how much the last samples are beside the polynomial of a window, without signs. */
+/* Adds a flux by which the last samples are beside the polynomial of a window, without signs. */
 static void bend(const struct descent *descent, const struct lx_window *window, double flux, double radius_mm)
 {
     const int q = node_around(&descent->tile->window, window);
@@ -166,7 +158,7 @@ static double find_crossings(const struct descent *descent, const struct lx_tile
     for (int q = 0; q < LX_RULE_NODES; q++)
         nodes[q] += found->correction[q];
     const double open = found->share > 0 ? found->share * lx_direct_open_flux(sampling, descent->asking, cell) : 0;
-    return found->irradiance * area_of(cell) + open;
+    return found->irradiance * lx_cell_area(cell) + open;
 }
 
 /*
@@ -206,13 +198,13 @@ static int look_closer(struct descent *descent, const struct lx_window *window, 
     for (int i = 0; i < 4 && !failed; i++) {
         const struct lx_window quarter = lx_window_quarter(window, i);
         const int further = is_narrow[i] ? level + 1 + sampling->most_levels : most;
-        if (tells || is_narrow[i])
+        if (tells || is_narrow[i]) {
             failed = look_closer(descent, &quarter, &cells[i], &on[i], level + 1, further > most ? further : most,
                                  &quarters[i]);
-        else if (narrow > 0)
-            end_at(descent, &changes[i]);
-        if (tells || is_narrow[i])
             continue;
+        }
+        if (narrow > 0)
+            end_at(descent, &changes[i]);
         leave(descent, &quarter, missed[i]);
         if (on[i].count == 0)
             bend(descent, &quarter, (narrow > 0 ? KEPT : 1) * changes[i].off, cells[i].radius_mm);
@@ -250,7 +242,7 @@ int lx_direct_sample(const struct lx_sampling_direct *sampling, const struct lx_
     }
     for (int q = 0; q < LX_RULE_NODES; q++)
         descent.errors += tile->local_error[q];
-    tile->direct_error = (sqrt(descent.squares) + descent.errors) / area_of(&tile->cell);
+    tile->direct_error = (sqrt(descent.squares) + descent.errors) / lx_tile_area(tile);
     free(crossings.items);
     return failed;
 }

@@ -194,7 +194,7 @@ static double product(const float weights[LX_RULE_NODES], const double values[LX
     return (sums[0] + sums[1]) + (sums[2] + sums[3]);
 }
 
-/* What arrives of a near tile's errors of direct light, those around its nodes from there. */
+/* Errors of a near tile's direct light as they arrive, those around its nodes from there. */
 static double unsure_near(const struct lx_tile *tile, const float weights[LX_RULE_NODES], double kernel)
 {
     double spread = lx_tile_unsure(tile) * lx_tile_area(tile), local = 0;

@@ -8,7 +8,7 @@
 #include "between.h"
 #include "refine.h"
 
-/* What a place has from a tile. */
+/* The share that a place has of a tile's light. */
 struct share {
     double seen; /* of all its ways */
     double bent; /* irradiance of the errors that cancel from afar, where it is near */

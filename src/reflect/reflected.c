@@ -26,8 +26,8 @@ static const size_t MOST_EFFORT = 1000000000;
 static const double SAMPLES_SHARE = 0.6, WORTH_AS_MUCH = 0.5;
 /* Differences of direct light that do not count, as a share of all of it and of the bound that is wanted. */
 static const double LITTLE = 5e-2;
-/* What may be missed on one window between outlines, as a share of that; or, as long as nobody knows how much light
- * there is, of all that would fall without shadows. */
+/* Light between outlines that may be missed on one window, as a share of that; or, as long as nobody knows how much
+ * light there is, of all that would fall without shadows. */
 static const double NARROW = 1.0 / 64, NARROW_AT_FIRST = 1e-3;
 /* How exact integrals over sources are made that samples of direct light take, as a share of the bound that is wanted:
  * errors of samples count as errors of the direct light. */

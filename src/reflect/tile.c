@@ -179,12 +179,17 @@ void lx_face_make(const struct lx_smooth_sheet *sheet, size_t surface, double re
         face->size_mm[k] = 2 * face->cell.lengths_mm[k];
 }
 
-double lx_tile_area(const struct lx_tile *tile)
+double lx_cell_area(const struct lx_tile_cell *cell)
 {
     double area = 0;
     for (int q = 0; q < LX_RULE_NODES; q++)
-        area += tile->cell.area[q];
+        area += cell->area[q];
     return area;
+}
+
+double lx_tile_area(const struct lx_tile *tile)
+{
+    return lx_cell_area(&tile->cell);
 }
 
 double lx_tile_unsure(const struct lx_tile *tile)

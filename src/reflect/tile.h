@@ -69,6 +69,7 @@ struct lx_tile {
 
 void lx_tile_clear(struct lx_tile *tile);
 
+double lx_cell_area(const struct lx_tile_cell *cell);
 double lx_tile_area(const struct lx_tile *tile);
 
 /* The error of the direct light that a tile sends on, in the mean, and around a node. */
