@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* The lobes' constants and their float64 reference with its error bound. */
 #include "lobe.h"
+#include "material.h"
 
 /* c: 1, or what makes a lobe over pi with the cosine reflect exactly ks at normal view. */
 static lx_bounded normalization(const struct lx_material *material)

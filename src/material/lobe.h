@@ -11,7 +11,9 @@
 #define LX_MATERIAL_LOBE_H
 
 #include "../base/bounded.h"
-#include "material.h"
+#include "model.h"
+
+struct lx_material;
 
 struct lx_lobe {
     enum lx_model model;

@@ -4,9 +4,7 @@
 #define LX_MATERIAL_MATERIAL_H
 
 #include "../parameter/table.h"
-
-enum lx_model { LX_BLINN_PHONG, LX_PHONG, LX_LAMBERT };
-enum lx_highlight { LX_HIGHLIGHT_PLAIN, LX_HIGHLIGHT_GATED, LX_HIGHLIGHT_COSINE };
+#include "model.h"
 
 struct lx_material {
     uint64_t given;

@@ -23,7 +23,7 @@
 #include "../base/rows.h"
 #include "../light/distribution_even.h"
 #include "../light/emitter.h"
-#include "../material/lobe.h"
+#include "../material/model.h"
 #include "../surface/shape.h"
 #include "rules.h"
 
