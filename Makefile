@@ -29,9 +29,9 @@ WARNINGS_ARE_ERRORS = --werror
 
 # One thing at a time: the parallel work is Ninja's.
 .NOTPARALLEL:
-.PHONY: build help setup run app python check check-long bench install clean check-clang check-sanitize check-threads check-valgrind \
-    format fuzz coverage fuzz-coverage mutants properties frozen freeze docs validation abi po packages check-packages \
-    check-kills check-wheel check-aarch64 notebook web check-web
+.PHONY: build help setup run app python check quick check-long check-nightly bench install clean compile-clang \
+    check-clang check-sanitize check-threads check-valgrind format fuzz coverage fuzz-coverage mutants properties frozen \
+    freeze docs validation abi po packages check-packages check-kills check-wheel check-aarch64 notebook web check-web
 
 build: $(BUILD)/build.ninja
 	@$(COMPILE) $(BUILD)
@@ -43,8 +43,11 @@ help:
 	@echo 'make app             build and start the desktop app; APP="scene.yaml" opens a scene'
 	@echo 'make python          build the Python package in $(BUILD)/python: PYTHONPATH=$(BUILD)/python python3'
 	@echo 'make check           build and run the tests; ends with "N passed, N failed"'
+	@echo 'make quick           those that take seconds, for the work between two checks'
 	@echo 'make check-long      those that take long: random scenes, most windows of the app, large files, old processors'
-	@echo 'make check-clang     the same with clang, warnings being errors'
+	@echo 'make check-nightly   all that takes too long for each change: before a release, or each night'
+	@echo 'make compile-clang   compiles everything with clang, warnings being errors'
+	@echo 'make check-clang     the tests, built by clang'
 	@echo 'make check-sanitize  the same with address and undefined-behaviour sanitizers (SANITIZE="gcc clang")'
 	@echo 'make check-threads   what computes in several threads, watched by the thread sanitizer'
 	@echo 'make check-aarch64   builds the library and the command for aarch64 and tries them by an emulator'
@@ -104,10 +107,22 @@ check: setup build
 check-long: setup build
 	@$(RUN_TESTS) $(BUILD) --num-processes $(PROCESSES) --suite campaign $(TESTS)
 
+# A release's check, and each night's; STEPS='web wheel' runs some of it.
+STEPS ?=
+check-nightly:
+	@STEPS='$(STEPS)' .ci/nightly
+
 # Whole or not at all, as the page of the validation.
 bench: build
 	@$(PYTHON) bench/compare.py $(BUILD) >$(BUILD)/PERFORMANCE.md && cp $(BUILD)/PERFORMANCE.md docs/PERFORMANCE.md
 	@cat docs/PERFORMANCE.md
+
+# Warnings come from the compiler's front end, which needs no optimization; code is not run here.
+compile-clang:
+	@tools/setup clang
+	@test -e build-warnings/build.ninja || CC=clang CXX=clang++ $(MESON) setup build-warnings $(WARNINGS_ARE_ERRORS) \
+	    -Doptimization=0 -Ddebug=false $(SANITIZED_SETS)
+	@$(COMPILE) build-warnings
 
 check-clang:
 	@tools/setup clang
@@ -274,5 +289,5 @@ format:
 	@find include src front cli app python tests bench fuzz -name '*.[ch]' 2>/dev/null | xargs clang-format -i
 
 clean:
-	@rm -rf $(BUILD) build-clang build-fuzz build-coverage build-threads build-mutants build-sanitize-gcc \
+	@rm -rf $(BUILD) build-clang build-warnings build-fuzz build-coverage build-threads build-mutants build-sanitize-gcc \
 	    build-sanitize-clang build-web web/node_modules
