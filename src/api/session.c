@@ -8,6 +8,7 @@
 #include "../base/diagnostics.h"
 #include "../base/number.h"
 #include "../scene/scene.h"
+#include "../shade/plan_make.h"
 #include "refuse.h"
 #include "session.h"
 

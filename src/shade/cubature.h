@@ -12,8 +12,8 @@
 #define LX_SHADE_CUBATURE_H
 
 #include "../base/rows.h"
+#include "element.h"
 #include "occlusion.h"
-#include "reference.h"
 
 struct lx_cubature {
     lx_bounded irradiance; /* where it was asked for */

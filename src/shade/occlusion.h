@@ -14,8 +14,10 @@
 #include <stdint.h>
 
 #include "../surface/obstacle.h"
-#include "reference.h"
+#include "element.h"
 #include "sweep.h"
+
+struct lx_prepared;
 
 /* A hidden part of an arc in tau: where it begins and ends, what bounds it there, and how far that may be off. */
 struct lx_hidden {

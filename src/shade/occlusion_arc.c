@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "../base/vector.h"
+#include "../surface/surface.h"
 #include "occlusion_arc.h"
 
 /* What lies before the source by less than this share of the distance, lies on it. */

@@ -9,6 +9,7 @@
 #include "../base/memory.h"
 #include "camera.h"
 #include "seen.h"
+#include "smooth_gloss.h"
 
 enum { HALF_SIDE = LX_PANEL_SIDE / 2, QUARTERS = 4, SIDE_BY_SIDE = LX_BLOCK / LX_PANEL_SIDE };
 

@@ -24,7 +24,7 @@
 #include "precision.h"
 #include "prepared.h"
 #include "sampling.h"
-#include "smooth_gloss.h"
+#include "smooth_plan.h"
 #include "tree.h"
 
 /* Lights that follow each other, of one kind and precision, and with the same surfaces that may stand in their way. */
@@ -98,14 +98,6 @@ struct lx_plan {
     double least_value;
     size_t every; /* of the lights only each such one is summed: for a look at many */
 };
-
-/*
- * By quantity, precision, tolerance (0: the usual one), light_error and progress of the settings.  LUXEL_OK,
- * LUXEL_ERROR_MEMORY, or LUXEL_CANCELLED.  Release with lx_plan_clear() in any case.
- */
-luxel_status lx_plan_make(const struct lx_prepared *prepared, const struct lx_kernels *kernels,
-                          const luxel_settings *settings, struct lx_plan *plan);
-void lx_plan_clear(struct lx_plan *plan);
 
 /* How exact highlights and clusters are while the maximum is looked for. */
 #define LX_ROUGH 0.1

@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "../base/memory.h"
+#include "plan_make.h"
 
 /* A source that shines at all shines with strength 1 by the law 1/r^2, and ambient light not at all. */
 static void make_plain(struct lx_emitter *emitter)

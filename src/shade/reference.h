@@ -6,14 +6,8 @@
 #ifndef LX_SHADE_REFERENCE_H
 #define LX_SHADE_REFERENCE_H
 
+#include "element.h"
 #include "prepared.h"
-
-struct lx_element {
-    lx_bounded3 place_mm, normal, view;
-    const struct lx_lobe *lobe;
-    const struct lx_prepared_surface *own; /* the surface that it lies on, NULL: none */
-    bool is_free;                          /* it was asked for by its place: its normal need not be its surface's */
-};
 
 /* What is asked for of a free element. */
 struct lx_free_element {

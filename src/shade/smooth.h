@@ -16,6 +16,7 @@
 #include "../base/rows.h"
 #include "sampling.h"
 #include "smooth_lights.h"
+#include "smooth_plan.h"
 #include "tabled.h"
 #include "vicinity.h"
 
@@ -26,37 +27,8 @@ struct lx_ball;
 struct lx_shader_memory;
 struct lx_seen;
 
-/* Polynomials through so many nodes on each axis. */
-struct lx_basis {
-    unsigned nodes;
-    double place[LX_MOST_NODES];                         /* of the nodes, from 1 to -1 */
-    _Alignas(64) double series[LX_MOST_NODES][LX_LANES]; /* [node][degree], as lx_find_polynomial() takes them */
-    double reach; /* of the ellipse: the sum of its half axes, for half a square's side */
-    double share; /* of the bound in it, which the polynomial is off by at most */
-    double slip;  /* of what is not analytic: so much of `share` for its largest value among the nodes and between */
-};
-
-enum { LX_BASES = 4 };
-
 void lx_basis_make(unsigned nodes, double reach, struct lx_basis *basis);
 void lx_bases_make(struct lx_basis bases[LX_BASES]); /* from the fewest nodes on */
-
-/*
- * What a plan knows for them of a surface.  Extended sources follow the lights, for what is diffuse: the surface's
- * first shell is light lights.count.  Their highlights have polynomials of their own (smooth_gloss.h).
- */
-struct lx_smooth {
-    bool pays; /* where it does not nothing else is there */
-    struct lx_smooth_lights lights;
-    double *gains; /* of the shells, as lx_smooth_shell_bound() takes them; infinite: to be summed for each pixel */
-    bool has_highlights;
-    struct lx_smooth_lights parts;       /* that highlights are of */
-    struct lx_smooth_lights plain_parts; /* the same as if they shone as much in all directions */
-    struct lx_round_parts round;
-    struct lx_luminaires luminaires;
-    size_t count;     /* of lights and shells */
-    double radius_mm; /* of the surface, as it looks on the screen */
-};
 
 /* Of more lights there are none: what is kept of each of them takes 144 bytes. */
 enum { LX_MOST_SMOOTH = 1 << 20 };

@@ -14,7 +14,6 @@
 #include "smooth.h"
 
 /* By the fewest nodes that may do. */
-enum { LX_GLOSS_BASES = 3 };
 void lx_gloss_bases_make(struct lx_basis bases[LX_GLOSS_BASES]);
 
 /* DARK: there are no highlights that matter.  ROUGH: they have to be summed in smaller squares, or for each pixel. */

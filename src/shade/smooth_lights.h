@@ -15,7 +15,7 @@
 
 #include "../base/rows.h"
 #include "lights.h"
-#include "patch.h"
+#include "smooth_plan.h"
 
 struct lx_planned_surface;
 
@@ -31,17 +31,6 @@ int lx_smooth_luminaires_make(const struct lx_lights *lights, const uint32_t *wh
 /* Whether the highlights of all extended sources over a surface, of which there are some, are by the law 1/r^2, and few
  * enough to be cut into parts. */
 bool lx_has_smooth_highlights(const struct lx_planned_surface *surface);
-
-/* What of these sources is round: which share of it each part has. */
-struct lx_round_part {
-    const struct lx_shell *shell;
-    struct lx_cell cell; /* of the only patch of its kind that the shell has */
-};
-
-struct lx_round_parts {
-    struct lx_round_part *parts;
-    size_t count;
-};
 
 /* The parts of what is flat, and of what is round: 0, or -1 when memory ran out.  Clear both in any case. */
 int lx_smooth_parts_make(const struct lx_planned_surface *surface, struct lx_smooth_lights *flat,

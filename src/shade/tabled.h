@@ -14,21 +14,12 @@
 #include "kernel.h"
 #include "lights.h"
 #include "smooth_lights.h"
+#include "smooth_plan.h"
 #include "vicinity.h"
 
-struct lx_basis;
 struct lx_fitting;
 struct lx_shader_memory;
 
-/* Luminaires over a surface with tables of equal cells. */
-struct lx_luminaires {
-    uint32_t *which; /* of the surface's lights */
-    uint32_t *runs;  /* which run each of them is in */
-    size_t count;
-    struct lx_smooth_lights evenly; /* as if they shone evenly */
-};
-
-enum { LX_TABLE_BASES = 4 };
 void lx_table_bases_make(struct lx_basis *bases);
 
 /* 0, or -1 when memory ran out.  Clear them in any case. */

@@ -14,6 +14,7 @@
 #include <cmocka.h>
 
 #include "shade/camera.h"
+#include "shade/plan_make.h"
 
 static struct lx_square random_square(struct randomness *random, const struct lx_plan *plan)
 {

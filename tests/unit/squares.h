@@ -7,6 +7,7 @@
 
 #include "random_scenes.h"
 #include "shade/panels.h"
+#include "shade/smooth_gloss.h"
 
 /* A random scene of one surface, seen so finely that squares fit, without shadows, and a place for a source, so far
  * from the surface in a direction: of a plate in front of it. */

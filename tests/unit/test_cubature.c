@@ -17,6 +17,7 @@
 #include "campaign.h"
 #include "light/facets.h"
 #include "shade/cubature.h"
+#include "shade/reference.h"
 
 /* xorshift64*: the same scenes on every machine */
 static double uniform(uint64_t *state, double low, double high)

@@ -22,6 +22,7 @@
 #include "light/extended.h"
 #include "light/facets.h"
 #include "shade/camera.h"
+#include "shade/plan_make.h"
 #include "shade/reference.h"
 #include "shade/shader.h"
 #include "surface/authored.h"

@@ -21,6 +21,7 @@
 #include "campaign.h"
 #include "random_scenes.h"
 #include "shade/camera.h"
+#include "shade/plan_make.h"
 #include "shade/reference.h"
 #include "shade/shader.h"
 

@@ -20,6 +20,7 @@
 #include "scenes.h"
 #include "shade/camera.h"
 #include "shade/cut.h"
+#include "shade/plan_make.h"
 #include "shade/reference.h"
 #include "shade/shader.h"
 

@@ -12,6 +12,7 @@
 #include <cmocka.h>
 
 #include "material/lobe.h"
+#include "material/material.h"
 
 static const double DEGREE = M_PI / 180;
 

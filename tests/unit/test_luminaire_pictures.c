@@ -12,7 +12,7 @@
 #include "random_scenes.h"
 #include "scenes.h"
 #include "light/distribution.h"
-#include "shade/plan.h"
+#include "shade/plan_make.h"
 #include "shade/seen.h"
 #include "shade/shader.h"
 #include "shade/smooth.h"

@@ -18,6 +18,7 @@
 #include "lamp_scenes.h"
 #include "light/extended.h"
 #include "light/facets.h"
+#include "shade/plan_make.h"
 #include "shade/reference.h"
 #include "shade/seen.h"
 #include "shade/shell_bound.h"

@@ -10,7 +10,7 @@
 
 #include "scene/scene.h"
 #include "scenes.h"
-#include "shade/plan.h"
+#include "shade/plan_make.h"
 
 static const char form[] = "luxel: 1\n"
                            "screen: {width: 700, height: 700, resolution: [70, 70]}\n"

@@ -28,6 +28,8 @@
 #include "shade/camera.h"
 #include "shade/cubature.h"
 #include "shade/cut.h"
+#include "shade/plan_make.h"
+#include "shade/reference.h"
 #include "shade/shader.h"
 #include "wrapped.h"
 

@@ -9,6 +9,8 @@
 #include "camera.h"
 #include "general.h"
 #include "openings.h"
+#include "plan_make.h"
+#include "smooth_gloss.h"
 
 /* The picture's maximum is bounded from below by this many samples on each axis, or by all its pixels. */
 enum { SAMPLES = 16 };

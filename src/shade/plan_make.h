@@ -1,0 +1,16 @@
+/* SPDX-License-Identifier: MIT */
+/* The maker of a picture's plan. */
+#ifndef LX_SHADE_PLAN_MAKE_H
+#define LX_SHADE_PLAN_MAKE_H
+
+#include "plan.h"
+
+/*
+ * By quantity, precision, tolerance (0: the usual one), light_error and progress of the settings.  LUXEL_OK,
+ * LUXEL_ERROR_MEMORY, or LUXEL_CANCELLED.  Release with lx_plan_clear() in any case.
+ */
+luxel_status lx_plan_make(const struct lx_prepared *prepared, const struct lx_kernels *kernels,
+                          const luxel_settings *settings, struct lx_plan *plan);
+void lx_plan_clear(struct lx_plan *plan);
+
+#endif
