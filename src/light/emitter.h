@@ -78,6 +78,9 @@ static inline bool lx_has_closed_form(const struct lx_emitter *emitter)
 
 struct lx_cloud;
 
+/* A face that is cut into so many parts each way becomes a swarm: a million emitters would be ten times as large. */
+enum { LX_LEAST_IN_SWARM = 64 };
+
 /* Many points that differ in place, intensity and, where they are aimed, axis: as the rows of a cloud say. */
 struct lx_swarm {
     const struct lx_cloud *cloud; /* outlives the list, */

@@ -7,11 +7,6 @@
 #include "facets.h"
 #include "round.h"
 
-void lx_facets_free(struct lx_facets *facets)
-{
-    lx_kept_release((struct lx_kept *)facets);
-}
-
 /* Whether it is within a sphere that is an opening, whose surface is seen from outside alone. */
 static bool is_within(const struct lx_emitter *emitter, lx_bounded3 place_mm)
 {

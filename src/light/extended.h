@@ -15,49 +15,14 @@
  * (Lambert 1760; for edges Le/2 sum theta_i (N.g_i), Baum, Rushmeier, Winget 1989), here to 1e-12 relative
  * everywhere: the terms are summed as wide numbers, so they may cancel.  The other laws and the highlights are
  * integrals over the source (shade/cubature.h).
- *
- * Corners are wide because a corner made of centre, size and axis is no float64 number, and an element next to it
- * would see the difference.
  */
 #ifndef LX_LIGHT_EXTENDED_H
 #define LX_LIGHT_EXTENDED_H
 
 #include <math.h>
 
-#include "../base/wide.h"
-#include "../format/kept.h"
 #include "emitter.h"
-
-enum { LX_NO_FACE = -1 };
-
-/* A convex face: the corners loop[first] ... in counter-clockwise order as seen from the side that it shines to. */
-struct lx_face {
-    unsigned first, count;
-    lx_wide3 normal; /* unit */
-    double area_mm2;
-};
-
-/* An edge runs from one corner to another along the loop of the face `left`; `right`, the face beyond it, runs along
- * it the other way; LX_NO_FACE where there is none. */
-struct lx_edge {
-    unsigned from, to;
-    int left, right;
-};
-
-struct lx_facets {
-    struct lx_kept kept; /* several emitters may use them */
-    lx_wide3 *corners_mm;
-    size_t corner_count;
-    unsigned *loop;
-    struct lx_face *faces;
-    size_t face_count;
-    struct lx_edge *edges;
-    size_t edge_count;
-    double center_mm[3];    /* of a sphere around it, near to the centroid */
-    double radius_mm;       /* of that sphere */
-    double area_mm2;        /* of all faces */
-    double corner_error_mm; /* how far the corners may be from where they should be: 0 where nothing was rounded */
-};
+#include "shell_facets.h"
 
 /* The middle of an emitter that has a place, and the radius of the ball around it; of a point 0. */
 static inline const double *lx_emitter_center(const struct lx_emitter *emitter)
@@ -76,9 +41,6 @@ static inline double lx_emitter_radius(const struct lx_emitter *emitter)
     return emitter->type == LX_CYLINDER ? hypot(emitter->radius_mm, emitter->height_mm / 2) : emitter->radius_mm;
 }
 
-/* Takes one user away, the last with all of it; NULL is harmless. */
-void lx_facets_free(struct lx_facets *facets);
-
 /* Whether the place lies on the source, as far as its error tells: there is no L from every part of it. */
 bool lx_extended_touches(const struct lx_emitter *emitter, lx_bounded3 place_mm);
 
@@ -87,9 +49,6 @@ lx_bounded lx_extended_area_mm2(const struct lx_emitter *emitter);
 
 /* The irradiance by the law 1/r^2 of an element that the source does not touch; its normal is a unit vector. */
 lx_bounded lx_extended_irradiance(const struct lx_emitter *emitter, lx_bounded3 place_mm, lx_bounded3 normal);
-
-/* A face that is cut into so many parts each way becomes a swarm: a million emitters would be ten times as large. */
-enum { LX_LEAST_IN_SWARM = 64 };
 
 /* Appends the point emitters that stand for the source when it is cut into parts (SPEC: `parts: N`): facets by
  * lx_facets_cut() of facets.h, the round ones by lx_round_cut() of round.h.  0, or -1 when memory ran out. */

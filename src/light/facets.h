@@ -4,7 +4,8 @@
 #define LX_LIGHT_FACETS_H
 
 #include "../base/pose.h"
-#include "extended.h"
+#include "emitter.h"
+#include "shell_facets.h"
 
 /* What is wrong with an outline or a mesh, and where. */
 enum lx_shape_fault {

@@ -12,7 +12,7 @@
 #ifndef LX_LIGHT_ROUND_H
 #define LX_LIGHT_ROUND_H
 
-#include "extended.h"
+#include "emitter.h"
 
 /* As lx_extended_touches(), _irradiance(), _cut() for LX_DISK, LX_BALL, LX_CYLINDER. */
 bool lx_round_touches(const struct lx_emitter *emitter, lx_bounded3 place_mm);

@@ -1,0 +1,10 @@
+/* SPDX-License-Identifier: MIT */
+/* The end of the flat faces of an emitter, which several may use. */
+#include "shell_facets.h"
+
+#include <stdlib.h>
+
+void lx_facets_free(struct lx_facets *facets)
+{
+    lx_kept_release((struct lx_kept *)facets);
+}
