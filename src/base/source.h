@@ -28,7 +28,7 @@ struct lx_source;
 luxel_status lx_source_open(const char *path, size_t most, luxel_diagnostics *diagnostics, struct lx_source **source);
 
 /*
- * The same for a file whose failures others report, at a place of their own: always a source, which may have failed
+ * A source for a file whose failures others report, at a place of their own: always a source, which may have failed
  * already; NULL: memory ran out.  Devices are refused: some have no end, and reading up to the limit takes seconds.
  */
 struct lx_source *lx_source_try(const char *path, size_t most);

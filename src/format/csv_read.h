@@ -11,7 +11,7 @@
 #define LX_CSV_PLACES "x_mm,y_mm,"
 #define LX_CSV_VALUE "value_"
 
-/* So many digits tell one float32 from every other. */
+/* The digits that tell one float32 from every other. */
 enum { LX_CSV_SINGLE_DIGITS = 9 };
 /* Digits of a place on the screen: enough for any picture, too few to show the roundings of its samples. */
 enum { LX_CSV_PLACE_DIGITS = 12 };

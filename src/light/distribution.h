@@ -97,7 +97,7 @@ void lx_turn_distribution(const struct lx_pointed *pointed, const struct lx_fram
 /* The function for the unit direction L to the light. */
 lx_bounded lx_pointed_value(const struct lx_pointed *pointed, lx_bounded3 towards);
 
-/* The same in plain float64, and its greatest slope, for a radian, where it does not jump. */
+/* The function in plain float64, and its greatest slope, for a radian, where it does not jump. */
 double lx_pointed_plain(const struct lx_pointed *pointed, const double towards[3]);
 double lx_pointed_slope(const struct lx_pointed *pointed);
 

@@ -39,7 +39,7 @@ struct lx_even_extent {
 bool lx_even_table_make(const struct lx_distribution *distribution, struct lx_even_table *even);
 void lx_even_table_clear(struct lx_even_table *even);
 
-/* Of so many cells from a first one on, [0] of the azimuth and [1] of the polar angle. */
+/* The extent of the function in `count` cells from a first one on, [0] of the azimuth and [1] of the polar angle. */
 struct lx_even_extent lx_even_extent_of(const struct lx_even_table *even, const size_t first[2], const size_t count[2]);
 
 #endif

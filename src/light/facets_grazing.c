@@ -75,7 +75,7 @@ static double size(lx_wide3 a)
     return sqrt(a.x.high * a.x.high + a.y.high * a.y.high + a.z.high * a.z.high);
 }
 
-/* The same over the edge up to t = end; *failed where it comes too near. */
+/* The integral over the edge up to t = end; *failed where it comes too near. */
 static lx_wide integrate(const struct edge *edge, double end, bool *failed)
 {
     lx_wide sum = lx_wide_of(0);

@@ -404,7 +404,7 @@ static struct lx_shape_report cut_faces(const struct lx_facets *facets, struct p
     return report;
 }
 
-/* The same body of convex, flat faces. */
+/* Makes the body one of convex, flat faces. */
 static struct lx_shape_report refine(struct mesh *mesh)
 {
     struct lx_facets *facets = mesh->facets, *made = NULL;

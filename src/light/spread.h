@@ -71,7 +71,7 @@ struct lx_shapes {
 
 /* Adds a shape, whose facets it takes over; facets of NULL, of LX_FACETS, are memory that ran out.  0, or -1. */
 int lx_shapes_add(struct lx_shapes *shapes, const struct lx_emitter *shape);
-/* The same of facets. */
+/* Adds facets as a shape. */
 int lx_shapes_add_facets(struct lx_shapes *shapes, struct lx_facets *facets);
 void lx_shapes_clear(struct lx_shapes *shapes);
 

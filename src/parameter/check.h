@@ -19,7 +19,7 @@
 void lx_check_report(const struct lx_check *check, const char *key, size_t element, enum lx_message message,
                      const char *const *arguments);
 
-/* The same as advice, at all of the key's value. */
+/* Reports advice at all of the key's value. */
 void lx_check_advise(const struct lx_check *check, const char *key, enum lx_message message,
                      const char *const *arguments);
 

@@ -3,7 +3,7 @@
  * Sums over tiles: the mean irradiance of each side of the surfaces, and the balance of the flux, which tells where the
  * light that arrives at them stays.
  *
- * Of what falls on a place, E, the share 1 - rho is absorbed; of the rest the share F, the integral of the kernel over
+ * A place absorbs the share 1 - rho of what falls on it, E; of the rest the share F, the integral of the kernel over
  * all faces, arrives at faces, and 1 - F escapes.  As the kernel is the same in both directions the integral of
  * rho E F is that of E_r.  Here both come from sums of different kinds, at the nodes that send and at the nodes that
  * receive; so what they differ by is a check of the solution.

@@ -102,8 +102,8 @@ struct lx_light_balance lx_reflected_balance(const struct lx_radiosity *reflecte
 bool lx_reflected_overlaps(const struct lx_radiosity *reflected, size_t surfaces[2]);
 
 /*
- * The same on a surface, for many places: the polynomial of the tile there, with the bound that holds on all of it.
- * `near` is of the caller, 0 at first: places that follow each other are often on one tile.
+ * The reflected irradiance on a surface, for many places: the polynomial of the tile there, with the bound that holds
+ * on all of it. `near` is of the caller, 0 at first: places that follow each other are often on one tile.
  */
 lx_bounded lx_reflected_on(const struct lx_radiosity *reflected, const struct lx_prepared *prepared, size_t surface,
                            const double place_mm[3], const double normal[3], size_t *near);

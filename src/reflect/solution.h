@@ -91,13 +91,13 @@ int lx_parts_worst(const struct lx_radiosity *reflected, const double *allowed, 
 /* The reflected irradiance on a tile, at coordinates of its face. */
 lx_bounded lx_parts_value(const struct lx_radiosity *reflected, size_t tile, const double at[2]);
 
-/* Likewise for what a picture shows. */
+/* Whether the parts do for what a picture shows, and which groups are to be cut for it. */
 bool lx_spots_are_reached(const struct lx_radiosity *reflected, const struct lx_reflected_wish *wish);
 int lx_spots_cut(const struct lx_radiosity *reflected, const struct lx_reflected_wish *wish, bool *cuts);
 /* Parts for it, if what arrives of errors lets it be reached by them, or anyway. */
 luxel_status lx_spots_show(struct lx_radiosity *reflected, const struct lx_reflected_wish *wish, bool anyway);
 
-/* Likewise for the means of all sides. */
+/* Whether they do for the means of all sides, and which groups are to be cut for those. */
 bool lx_means_are_reached(const struct lx_radiosity *reflected, const struct lx_reflected_wish *wish);
 int lx_means_cut(const struct lx_radiosity *reflected, const struct lx_reflected_wish *wish, bool *cuts);
 

@@ -121,7 +121,7 @@ static double judge_kinks(const double *x, const double *values, const uint64_t 
     return sum;
 }
 
-/* Of a panel in which nothing hides. */
+/* Evaluates a panel in which nothing hides. */
 static void evaluate_smooth(const struct lx_integrand *integrand, struct lx_panel *panel)
 {
     const struct rule *rule = &coarse_rule;

@@ -11,7 +11,8 @@ enum { INNER_PANELS = 256, INNER_PANELS_OF_TABLE = INNER_PANELS + 2 * MOST_LINES
 /* Cuts nearer to each other than this are the same one. */
 static const double NARROWEST = 1e-14;
 
-/* Of a ball's rim, where arcs end and what is integrated grows like the inverse of it; nothing is summed there. */
+/* The least incidence at a ball's rim, where arcs end and what is integrated grows like its inverse; nothing is summed
+ * there. */
 static const double LEAST_INCIDENCE = 1e-9;
 
 /* Work that is never exceeded; what was reached by then is told by the error. */

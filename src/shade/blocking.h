@@ -29,7 +29,7 @@ static inline struct lx_ball lx_vicinity_ball(const struct lx_vicinity *at)
     return (struct lx_ball){.center = {at->place[0], at->place[1], at->place[2]}, .radius = at->place_leeway.tile};
 }
 
-/* The same question of a shape; both balls are offsets from the anchor of another one. */
+/* Whether a shape may block; both balls are offsets from the anchor of another one. */
 bool lx_shape_may_block(const struct lx_shape *shape, const double anchor_mm[3], const struct lx_ball *from,
                         const struct lx_ball *towards, bool endless);
 

@@ -161,7 +161,7 @@ static void sort_items(struct lx_found *found)
     }
 }
 
-/* Of each quarter of a node whether something may be met in it, as bits. */
+/* Tells of each quarter of a node whether something may be met in it, as bits. */
 typedef unsigned node_test(const void *data, lx_box_test *may_meet, const struct lx_box_node *node);
 
 static unsigned quarters_met(const void *data, lx_box_test *may_meet, const struct lx_box_node *node)

@@ -23,7 +23,7 @@ struct lx_boxes {
     uint32_t node_count;
 };
 
-/* So many boxes have no tree. */
+/* Boxes that are too few for a tree. */
 enum { LX_FEW_BOXES = 48 };
 
 /* More than so many are not listed: then each has to be asked. */

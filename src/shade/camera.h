@@ -21,7 +21,7 @@ struct lx_camera {
 /* The camera of an observer. */
 struct lx_camera lx_camera_of(const struct lx_observer *observer);
 
-/* The same camera in a scene that was carried into the frame of its screen. */
+/* The camera in a scene that was carried into the frame of its screen. */
 struct lx_camera lx_camera_carried(const struct lx_camera *camera);
 
 /* Where the samples of a column and a row lie on the screen. */

@@ -86,7 +86,7 @@ lx_bounded3 lx_cell_place(const struct lx_cells *cells, unsigned column, unsigne
     };
 }
 
-/* Of coordinate i of a cell: along one side it is that of the column, or row, whatever the other one. */
+/* Coordinate i of a cell's middle: along one side it is that of the column, or row, whatever the other one. */
 static lx_bounded place_of(const struct lx_lattice *lattice, int i, unsigned column, unsigned row)
 {
     const struct lx_lattice_line *across = &lattice->lines[0][column], *upward = &lattice->lines[1][row];

@@ -17,7 +17,7 @@ struct lx_cells {
     unsigned n[2];     /* columns, rows */
 };
 
-/* Of a grid of a committed scene. */
+/* The cells of a grid of a committed scene. */
 struct lx_cells lx_cells_of(const struct lx_grid *grid);
 
 /* The centre of a cell. */

@@ -26,7 +26,7 @@ static const double NARROWEST = 1e-14;
 /* From which tolerance on few points do for what is hidden in part, as pictures ask for. */
 static const double COARSE = 1e-4;
 
-/* Of a whole integral, relative: sweeps are made in float64. */
+/* The rounding of a whole integral, relative: sweeps are made in float64. */
 static const double ROUNDING = 1e-13;
 
 /* A top below this vanishes among the float64 numbers, whatever comes on top of it. */
@@ -257,7 +257,7 @@ static double shape_error(const struct lx_emitter *emitter, const double place_m
 
 /*
  * The relative error of the area of facets whose corners stand as float64 offsets from the centre: large for needles.
- * Of many faces, the average goes for all.
+ * The average of many faces goes for all.
  */
 static double facets_error(const struct lx_facets *facets)
 {

@@ -34,7 +34,7 @@ struct lx_cubature lx_integrate(const struct lx_emitter *emitter, const struct l
 struct lx_cubature lx_integrate_asking(const struct lx_emitter *emitter, const struct lx_element *element, bool diffuse,
                                        double known, double tolerance, const struct lx_asking *asking);
 
-/* The same of what is left of the source behind what stands in the way (NULL: nothing). */
+/* Integrates over what is left of the source behind what stands in the way (NULL: nothing). */
 struct lx_cubature lx_integrate_seen(const struct lx_emitter *emitter, const struct lx_element *element,
                                      struct lx_occlusion *occlusion, bool diffuse, double known, double tolerance,
                                      const struct lx_asking *asking);

@@ -33,7 +33,7 @@ struct lx_glimpse {
  * that the rules are not for. */
 bool lx_glimpse_sum(const struct lx_glimpse *glimpse, double *sum);
 
-/* The same of the highlight of facets by the law 1/r^2 behind the outline of meshes, in slabs between its edges. */
+/* The highlight of facets by the law 1/r^2 behind the outline of meshes, in slabs between its edges. */
 bool lx_glimpse_outline(const struct lx_glimpse *glimpse, const struct lx_asking *asking, double *sum);
 
 #endif

@@ -65,7 +65,7 @@ static void round_all(const double *restrict values, size_t count, float *restri
 }
 
 /*
- * Of a sphere seen along -z: the place is (dx, dy, sqrt(R^2 - dx^2 - dy^2)).  What is the same in the whole row is
+ * A sphere seen along -z: the place is (dx, dy, sqrt(R^2 - dx^2 - dy^2)).  What is the same in the whole row is
  * formed in twice the precision, so that sources just above the surface find it where it is.
  */
 struct sphere_row {
@@ -243,7 +243,7 @@ static struct lx_stretch view_sphere(const struct lx_shape *sphere, const struct
     return stretch;
 }
 
-/* Of a sphere seen from a point, as surface/sphere.c explains it: d the line, c from the centre to the observer. */
+/* A sphere seen from a point, as surface/sphere.c explains it: d the line, c from the centre to the observer. */
 static void meet_central_lines(const struct lx_shape *sphere, const struct lx_row_view *view,
                                const double *restrict x_mm, size_t count, double *restrict depth, double *restrict px,
                                double *restrict py, double *restrict pz)

@@ -277,7 +277,7 @@ struct lx_vicinity {
     /* how far a plate's place is from the middle where it moves along a line by a complex number, and along the other
      * axis as within the square; infinite on what is no plate */
     double straight;
-    double slip;  /* what may not be analytic counts for so many times its largest value in the square */
+    double slip; /* what may not be analytic counts for so many times its largest value in the square */
     struct lx_leeway place_leeway, normal_leeway, view_leeway;
 };
 
@@ -309,8 +309,8 @@ struct lx_foot {
     double root, most;
 };
 
-/* Of light i, the only one that reaches the square, and of a lobe with a plain highlight and a whole exponent n.  The
- * root is infinite where there may be no such function, S may be 0, or diffuse light is not cut off. */
+/* The root for light i, the only one that reaches the square, and a lobe with a plain highlight and a whole exponent n.
+ * The root is infinite where there may be no such function, S may be 0, or diffuse light is not cut off. */
 typedef struct lx_foot lx_bound_foot(const struct lx_vicinity *vicinity, const struct lx_smooth_lights *lights,
                                      size_t i, const struct lx_lobe_double *lobe);
 

@@ -48,7 +48,7 @@ LX_LANE NAME(lanes) NAME(far_term)(const struct NAME(outlook) * at, const struct
     return f * NAME(dot)(at->n, edge->moment) - less * NAME(dot)(at->n, q);
 }
 
-/* The same where it is near. */
+/* The term of an edge that is near. */
 LX_LANE NAME(lanes) NAME(near_term)(const struct NAME(outlook) * at, const struct NAME(edge) * edge)
 {
     const NAME(lanes) zero = NAME(all)(0), smallest = NAME(all)((REAL)SMALLEST);

@@ -117,8 +117,8 @@ LX_LANE void NAME(limit)(NAME(lanes) * cosine, NAME(lanes) * versine)
 }
 
 /*
- * Of `count` vectors side by side, cosine^exponent with t = 1 - cosine; cosine is at least 0, but for roundings of 1 by
- * which a power near 0 may then be off, too.  A whole exponent by
+ * The powers cosine^exponent of `count` vectors side by side, with t = 1 - cosine; cosine is at least 0, but for
+ * roundings of 1 by which a power near 0 may then be off, too.  A whole exponent by
  * squaring: while it is large by squaring the complements, 1 - (1 - t)^2 = t (2 - t), which keeps the digits of a small
  * t; at last the powers themselves, which keeps those of a small power.  Others by the logarithm.  Errors, t's own
  * aside: below 6 ulp of 1, by the logarithm 2.  In float64 what has become less than a half is squared itself from

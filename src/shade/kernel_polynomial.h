@@ -50,7 +50,7 @@ LX_LANE void put(const lanes_single numbers[VECTORS], bool adds, float *values)
     }
 }
 
-/* The same of no more than `count` numbers. */
+/* Puts no more than `count` numbers. */
 LX_LANE void put_some(const lanes_single numbers[VECTORS], int count, bool adds, float *values)
 {
     if (count >= VECTORS * LX_WIDTH_single) {

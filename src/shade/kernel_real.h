@@ -237,7 +237,7 @@ LX_LANE void NAME(shine_of)(struct NAME(lx_exponent) exponent, const struct NAME
 }
 
 /*
- * Of light from L, for each unit of E_perp, what the diffuse and the specular coefficient are multiplied by.  A gated
+ * Factors of the diffuse and the specular coefficient for light from L, for each unit of E_perp.  A gated
  * highlight is there where `height` is above 0.
  */
 LX_LANE void NAME(reflect)(struct NAME(lx_exponent) exponent, const struct NAME(elements) * at,

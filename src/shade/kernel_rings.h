@@ -51,7 +51,7 @@ LX_LANE NAME(lanes)
     return (REAL)(2 * M_PI) * span * view->q * view->x * sum;
 }
 
-/* Of the rings that the horizon cuts, from v = 0 to v = to, one half: v = to (1 - z^2), where all is smooth. */
+/* One half of the rings that the horizon cuts, from v = 0 to v = to: v = to (1 - z^2), where all is smooth. */
 LX_LANE NAME(lanes) NAME(cut_rings)(const struct NAME(law) * law, const struct NAME(ball_view) * view, NAME(lanes) to,
                                     REAL begin, const struct NAME(gather) * gather, const struct lx_gauss_rule *rule)
 {

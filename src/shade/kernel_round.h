@@ -151,7 +151,7 @@ LANE double foot_of(struct lane lane, struct lane3 axis, struct lane3 beside, do
  */
 static const double UNSEEN = 0, WHOLE = 1, CUT = 2, CAP_WHOLE = 3, CAP_CUT = 4;
 
-/* Of elements that see the source; below: where the horizon is higher than all of it. */
+/* The kind of elements that see the source; below: where the horizon is higher than all of it. */
 LANE double kind_by_horizon(const struct lx_shell *shell, struct lane lane, double whole, double cut)
 {
     const double height = dot3(lane.n, lane.c);
@@ -227,7 +227,7 @@ LANE double common_arc(struct lane lane, struct circle circle, struct turn up, s
     return first.angle < last.angle ? term : 0;
 }
 
-/* The same of a rim that runs from -end to end where direction is 1, and back where it is -1, and where it passes
+/* The term of a rim that runs from -end to end where direction is 1, and back where it is -1, and where it passes
  * through the horizon. */
 LANE double rim_term(struct lane lane, struct circle circle, double touch, struct turn end, double start_height,
                      double end_height, double direction, bool cuts, struct passage *passage)
@@ -277,7 +277,7 @@ LANE double generator_term(struct lane lane, struct outline outline, struct lane
     return clipped_edge(lane, bottom, e, moment, from, to, weight, passage);
 }
 
-/* Of the rim at the top (side 1) or bottom (side -1) what is in the outline. */
+/* The part of the rim at the top (side 1) or bottom (side -1) that is in the outline. */
 LANE double outline_rim(struct lane lane, struct outline outline, double side, struct passage *passage)
 {
     bool seen = side * outline.height - outline.half > outline.touch; /* the cap within this rim is */

@@ -146,7 +146,7 @@ struct NAME(choice) {
     NAME(lanes) wanted;
 };
 
-/* Of those that are wanted; where rules do not do, sets `left` to 1. */
+/* The rules for the lanes that are wanted; where none does, sets `left` to 1. */
 LX_LANE struct NAME(choice) NAME(choose)(NAME(lanes) wanted, NAME(lanes) along, NAME(lanes) across, NAME(lanes) * left)
 {
     struct NAME(choice) choice;

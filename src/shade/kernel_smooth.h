@@ -162,7 +162,7 @@ struct bounded_shine {
 };
 
 /*
- * Of S^n, where S = a.b of two vectors with the given cosine of their angle in the middle, is at most
+ * A bound of S^n, where S = a.b of two vectors with the given cosine of their angle in the middle: S is at most
  * sqrt(real^2 + imaginary^2), and differs by at most `tile` within the square and by `all` in the region.
  */
 LX_LANE struct bounded_shine bound_power(const struct lx_lobe_double *lobe, lanes_double cosine, lanes_double square,

@@ -20,7 +20,7 @@
 #endif
 
 /*
- * So many vectors go side by side where one alone would wait for its own results, if there are that many lights; else
+ * Vectors that go side by side where one alone would wait for its own results, if there are that many lights; otherwise
  * two, as what wide registers hold takes as long to be kept in memory meanwhile as a light does.
  */
 enum { LX_ABREAST = 4, LX_FEWEST_ABREAST = LX_VECTOR_BYTES == 64 ? 2 : 1 };
@@ -60,7 +60,7 @@ typedef BITS NAME(lane_bits) __attribute__((vector_size(LX_VECTOR_BYTES)));
 
 enum { NAME(LX_WIDTH) = LX_VECTOR_BYTES / sizeof(REAL) };
 
-/* The same number in every lane. */
+/* One number in every lane. */
 LX_LANE NAME(lanes) NAME(all)(REAL number)
 {
     return number - (NAME(lanes)){0};
@@ -90,8 +90,8 @@ LX_LANE NAME(lanes) NAME(lesser)(NAME(lanes) a, NAME(lanes) b)
     return LX_OPERATION(min)(a, b);
 }
 
-/* Of a >= 0, its square normal where it is not 0: rounded as the machine does, or, where Newton's steps take less time
- * (see below), within 0.54 ulp, in float64 0.501. */
+/* The root of a >= 0, whose square is normal where it is not 0: rounded as the machine does, or, where Newton's steps
+ * take less time (see below), within 0.54 ulp, in float64 0.501. */
 LX_LANE NAME(lanes) NAME(root)(NAME(lanes) a)
 {
 #if LX_ISA_LEVEL >= 4
@@ -257,7 +257,7 @@ LX_LANE NAME(lanes) NAME(whole_of)(NAME(lanes) a)
 }
 #endif
 
-/* Of a k that is none the whole number below it counts.  Numbers below the normal ones would cost a hundredfold. */
+/* a 2^k; where k is no whole number the one below it counts.  Numbers below the normal ones cost a hundredfold. */
 LX_LANE NAME(lanes) NAME(scale)(NAME(lanes) a, NAME(lanes) k)
 {
     return LX_OPERATION(maskz_scalef)(LX_JOIN(LX_OPERATION(cmp), _mask)(k, NAME(all)(1 - BIAS), _CMP_GE_OQ), a, k);

@@ -11,7 +11,7 @@
 /* Lights that a kernel takes at once: those in float32 are summed by themselves before they join the float64 sum. */
 enum { LX_MOST_IN_RUN = 16 };
 
-/* Of larger clouds the constants are not stored. */
+/* The largest clouds whose constants are stored. */
 enum { LX_MOST_STORED = 4096 };
 
 /* The lights of a cloud that are not stored. */
@@ -39,7 +39,7 @@ void lx_light_set(const struct lx_emitter *emitter, const double anchor_mm[3], s
 double lx_light_unit(enum lx_attenuation law);
 /* Those of another point that differs in its place and strength alone. */
 void lx_light_move(const double anchor_mm[3], const double row[4], struct lx_light_double *light);
-/* The same in float32. */
+/* A light's constants in float32. */
 struct lx_light_single lx_light_single_of(const struct lx_light_double *light);
 
 struct lx_lobe_single lx_lobe_single_of(const struct lx_lobe_double *lobe);

@@ -60,7 +60,7 @@ int lx_occlusion_make(const struct lx_prepared *prepared, const struct lx_elemen
 void lx_occlusion_clear(struct lx_occlusion *occlusion);
 
 /*
- * The same step by step: begins with no obstacles, and returns the shaft in which they are to be gathered; gathers
+ * Gathering step by step: begins with no obstacles, and returns the shaft in which they are to be gathered; gathers
  * those of a shape, which may be the element's own, turned away from its normal; then leaves out those that hide
  * nothing.  `normal`: what is below that horizon does not matter; NULL: it does.  0, or -1 when memory ran out.
  */

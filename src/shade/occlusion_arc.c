@@ -397,7 +397,7 @@ static size_t hide_by_space(const struct half_plane *half, const struct lx_obsta
     return lx_hide_between(half, space, space_hides, &candidates, hidden, count);
 }
 
-/* Of an obstacle of which nothing is known but what its `blocks` tells. */
+/* Whether an obstacle hides a direction of which nothing is known but what its `blocks` tells. */
 static bool shape_hides(const struct lx_occlusion *occlusion, const struct lx_shape *shape,
                         const struct half_plane *half, double tau)
 {

@@ -65,7 +65,7 @@ size_t lx_hide_between(const struct half_plane *half, const struct lx_obstacle *
 void lx_propose_by_scan(const struct half_plane *half, const struct lx_obstacle *obstacle, hides_test hides,
                         struct candidates *candidates);
 
-/* Of the side of a cylinder. */
+/* What the side of a cylinder hides. */
 size_t lx_hide_by_tube(const struct half_plane *half, const struct lx_obstacle *tube, struct lx_hidden *hidden,
                        size_t count);
 

@@ -212,7 +212,7 @@ bool lx_cell_is_round(const struct lx_patch *patch, const struct lx_cell *cell)
     return cell->dt == 1 && (patch->kind == LX_PATCH_DISK || patch->kind == LX_PATCH_BALL);
 }
 
-/* Of all that is round the middle is that of the disk or the ball. */
+/* The middle of a round patch: that of the disk or the ball. */
 static double look_at_round(const struct lx_patch *patch, const double element[3], double middle[3])
 {
     double square = 0;

@@ -14,7 +14,7 @@
 
 /* The picture's maximum is bounded from below by this many samples on each axis, or by all its pixels. */
 enum { SAMPLES = 16 };
-/* Of more lights only some are summed to find the brightest row of samples. */
+/* The most lights that are all summed to find the brightest row of samples; of more only some are. */
 enum { MANY_LIGHTS = 1 << 16 };
 /* Lights that are looked at between two questions whether to go on. */
 enum { LIGHTS_BETWEEN_CHECKS = 64 };
@@ -24,7 +24,7 @@ enum { LIGHTS_BETWEEN_CHECKS = 64 };
  */
 enum { ENOUGH_LIGHTS = 4, LEAST_PANELS = 1, LEAST_OF_FEW_LIGHTS = 7 };
 
-/* Of the highlights of extended sources. */
+/* The usual tolerance of the highlights of extended sources. */
 static const double USUAL_TOLERANCE = 1e-3;
 
 /* Dim pixels need not be better than a thousandth of the picture's maximum. */
@@ -300,7 +300,7 @@ static luxel_status choose_shells(const struct lx_plan *plan, struct lx_control 
     return LUXEL_OK;
 }
 
-/* Of an axis of so many pixels. */
+/* The number of samples on an axis. */
 static unsigned sample_count(unsigned pixels)
 {
     return pixels < SAMPLES ? pixels : SAMPLES;

@@ -24,14 +24,14 @@ struct lx_stand {
 /* A bound of a light's error in float32; infinite where float32 must not be used. */
 double lx_bound_light(const struct lx_prepared *prepared, const struct lx_shape *shape, const struct lx_lobe *lobe,
                       const struct lx_emitter *emitter);
-/* The same of another strength that stands as is told, to be seen from there. */
+/* That bound for an emitter of another strength that stands as `stand` says. */
 double lx_bound_stand(const struct lx_shape *shape, const struct lx_lobe *lobe, const struct lx_emitter *emitter,
                       double strength, const struct lx_stand *stand);
 
-/* The same of the diffuse light of a shell; infinite unless it is of facets. */
+/* A bound of the error of a shell's diffuse light in float32; infinite unless it is of facets. */
 double lx_bound_shell(const struct lx_shape *shape, double diffuse, const struct lx_shell *shell,
                       const struct lx_asking *asking);
-/* The same in float64 of one of facets, for places that are exact. */
+/* A bound of the error in float64 of a shell of facets, for places that are exact. */
 double lx_bound_shell_double(const struct lx_shape *shape, double diffuse, const struct lx_shell *shell,
                              const struct lx_asking *asking);
 
@@ -44,12 +44,12 @@ double lx_bound_shell_double(const struct lx_shape *shape, double diffuse, const
 /* No place of a shell is nearer to a shape than this; less than 0 where they may meet. */
 double lx_gap(const struct lx_shape *shape, const struct lx_shell *shell, const struct lx_asking *asking);
 
-/* The same of the diffuse light of a shell by its own law, which rules sum; infinite of a ball, which has none. */
+/* A bound for the diffuse light of a shell by its own law, which rules sum; infinite for a ball, which has none. */
 double lx_bound_law(const struct lx_shape *shape, double diffuse, const struct lx_shell *shell,
                     const struct lx_asking *asking);
 
 /*
- * Of lights that are all in float64, leaves as many to float32 as the picture's accuracy allows, given a lower bound
+ * Leaves as many lights, which are all in float64, to float32 as the picture's accuracy allows, given a lower bound
  * of its maximum, and the rounding of other lights, to which theirs is added.  Their bounds become negative.  Returns
  * how many they are; fewer where the work is to stop.
  */

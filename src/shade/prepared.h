@@ -14,7 +14,7 @@
 #include "camera.h"
 #include <luxel/render.h>
 
-/* Of probes where nothing else is asked for. */
+/* The tolerance of probes where nothing else is asked for. */
 #define LX_DEFAULT_TOLERANCE 1e-9
 
 /* A surface of the scene, or a part of one. */
@@ -66,7 +66,7 @@ int lx_prepare_few(const struct lx_scene_parameters *scene, double tolerance, si
  * made of it.  But for roundings all is as it was, with the same numbers of surfaces and emitters.  0, or -1 as above.
  */
 int lx_prepared_carry(const struct lx_prepared *prepared, const struct lx_asking *asking, struct lx_prepared *carried);
-/* The same where that frame is not the scene's own: then it is put into *carried; else that is NULL, and it is the
+/* The scene in that frame, where that is not its own: then it is put into *carried; else that is NULL, and it is the
  * scene itself.  NULL: memory ran out, or the work is to stop.  Release *carried by lx_prepared_free() anyway. */
 const struct lx_prepared *lx_prepared_on_screen(const struct lx_prepared *prepared, const struct lx_asking *asking,
                                                 struct lx_prepared **carried);

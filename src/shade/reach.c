@@ -21,7 +21,7 @@ static void make_plain(struct lx_emitter *emitter)
         emitter->radiance = lx_exact(1);
 }
 
-/* Of one that was made plain. */
+/* Whether an emitter shines that was made plain. */
 static bool shines(const struct lx_emitter *emitter)
 {
     return lx_is_extended(emitter) ? emitter->radiance.value > 0 : emitter->strength > 0;

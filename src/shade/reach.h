@@ -21,8 +21,8 @@ struct lx_reach {
 };
 
 /*
- * Of the kernels and settings (light_error, progress) that the picture itself has.  LUXEL_OK, LUXEL_ERROR_MEMORY or
- * LUXEL_CANCELLED; release with lx_reach_clear() in any case.
+ * Opens it with the kernels and settings (light_error, progress) that the picture itself has.  LUXEL_OK,
+ * LUXEL_ERROR_MEMORY or LUXEL_CANCELLED; release with lx_reach_clear() in any case.
  */
 luxel_status lx_reach_open(struct lx_reach *reach, const struct lx_scene_parameters *scene,
                            const struct lx_kernels *kernels, const luxel_settings *settings);

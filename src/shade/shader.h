@@ -50,7 +50,7 @@ void lx_shader_choose(struct lx_shader_memory *memory, const struct lx_portion *
 size_t lx_shade_row(const struct lx_plan *plan, struct lx_shader_memory *memory, size_t row, struct lx_control *control,
                     bool is_caller, double *values, uint8_t *mask);
 
-/* The same rounded to float32; values has room for all of the row and no more. */
+/* Shades a row, rounded to float32; values has room for all of the row and no more. */
 size_t lx_shade_row_single(const struct lx_plan *plan, struct lx_shader_memory *memory, size_t row,
                            struct lx_control *control, bool is_caller, float *values, uint8_t *mask);
 

@@ -240,7 +240,7 @@ static void light_by_shell(const struct lx_plan *plan, const struct lx_planned_s
         plan->kernels->light_by_shell[shell->type](shell, diffuse, &memory->seen.block, count, asking, memory->sum);
 }
 
-/* The same of one that some elements see in part, or not at all. */
+/* Adds the light of a shell that some elements see in part, or not at all. */
 static void light_by_seen(const struct lx_plan *plan, const struct lx_planned_surface *surface,
                           const struct lx_planned_shell *planned, struct lx_shader_memory *memory, size_t count,
                           const struct lx_asking *asking)

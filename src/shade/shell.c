@@ -62,7 +62,7 @@ static luxel_status set_facets(const struct lx_facets *facets, const struct lx_a
     return LUXEL_OK;
 }
 
-/* Of c + l r + q r^2 the two 1/r have the sum -l/c and the product q/c. */
+/* The pole of 1/(c + l r + q r^2): its two 1/r have the sum -l/c and the product q/c. */
 static double pole_of(double none, double root, double square)
 {
     const double under = root * root - 4 * none * square, none_beside = 1e30; /* beside r = 0 */

@@ -49,7 +49,7 @@ static enum side side_of_horizon(const struct lx_shell *shell, const struct lx_v
     return height + reach_of(shell, n) < -leeway ? BEHIND : UNSURE;
 }
 
-/* The same of a cylinder's ends and side, of which the latter is seen from outside. */
+/* The side of a cylinder's ends and of its hull, which is seen from outside. */
 static enum side side_of_cylinder(const struct lx_shell *shell, const double from_center[3], double leeway)
 {
     const double along = lx_dot(shell->axis, from_center);

@@ -31,7 +31,7 @@ static const struct {
  * bounded at once, if any of them is left. */
 enum { LIGHTS_BETWEEN_CHECKS = 128, BOUNDS_BETWEEN_CHECKS = 4096, BOUNDED_AT_ONCE = 64 };
 
-/* So many lights that nodes do not do for in a quarter of a panel are worth more nodes there; fewer are as soon summed
+/* Lights in a quarter of a panel that nodes do not do for and that are worth more nodes there; fewer are as soon summed
  * for each pixel. */
 enum { MOST_FOR_PIXELS = 4 };
 
@@ -203,7 +203,7 @@ static size_t count_left(const struct lx_smooth *smooth, const struct lx_fitting
     return left;
 }
 
-/* Of so much of what is left at nodes, and the rest afterwards. */
+/* The cost of polynomials for `taken` lights at nodes, and of summing the others for each pixel. */
 static double cost_of(const struct lx_square *square, unsigned nodes, size_t taken, size_t left)
 {
     const double further = square->side == LX_PANEL_SIDE && taken < left ? COST_OF_QUARTERS : 0;
@@ -433,7 +433,7 @@ static double add_folded(const struct lx_plan *plan, const struct lx_planned_sur
     return rounding;
 }
 
-/* Of the sums at nodes the least; where they are of all lights tells which quarters are fainter than they may be. */
+/* The least of the sums at nodes; where they are of all lights it tells which quarters are fainter than they may be. */
 static double find_least(const struct lx_basis *basis, const double *sums, double limit, bool are_all,
                          struct lx_fitting *fitting)
 {

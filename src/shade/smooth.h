@@ -30,7 +30,7 @@ struct lx_seen;
 void lx_basis_make(unsigned nodes, double reach, struct lx_basis *basis);
 void lx_bases_make(struct lx_basis bases[LX_BASES]); /* from the fewest nodes on */
 
-/* Of more lights there are none: what is kept of each of them takes 144 bytes. */
+/* The most lights that polynomials are made of: what is kept of each of them takes 144 bytes. */
 enum { LX_MOST_SMOOTH = 1 << 20 };
 
 /* For the lights over a surface and its shells, whose highlights lx_has_smooth_highlights(), if they have any.

@@ -141,13 +141,13 @@ struct cut_patch {
     struct cut cut;
 };
 
-/* So many cells of a length that is twice as long as that. */
+/* The number of cells of a length that is twice as long as half_mm. */
 static unsigned cells_along(double half_mm, double away_mm, double least, double most)
 {
     return (unsigned)fmax(fmin(ceil(half_mm / (FINENESS * lx_larger(away_mm, 0))), most), least);
 }
 
-/* Of a patch that is so far from the surface; turns are longer than radii. */
+/* The cut of a patch that is away_mm from the surface; turns are longer than radii. */
 static struct cut cut_of(const struct lx_patch *patch, double away_mm, size_t patches)
 {
     const struct lx_cell all = {0, 0, 1, 1};

@@ -145,7 +145,7 @@ struct cells_seen {
     size_t count;
 };
 
-/* Of polar angles, or of azimuths on less than a turn.  False: light may jump there.  None where all is dark. */
+/* Cells of polar angles, or of azimuths on less than a turn.  False: light may jump there.  None where all is dark. */
 static bool see_cells(const struct lx_even_lines *lines, double angle, double within, bool has_jump,
                       struct cells_seen *seen)
 {
@@ -162,7 +162,7 @@ static bool see_cells(const struct lx_even_lines *lines, double angle, double wi
     return true;
 }
 
-/* Of azimuths of a whole turn. */
+/* Cells of azimuths of a whole turn. */
 static void see_turn(const struct lx_even_lines *lines, double angle, double within, struct cells_seen *seen)
 {
     const double cells = (double)lines->cells, half = within * lines->per_radian + 1e-6;
@@ -355,8 +355,7 @@ static size_t add_by_basis(struct work *work, const struct lx_square_values *to,
         if (!work->has_nodes)
             lx_gather_nodes(plan, lx_shader_seen(work->shader), work->square, work->basis, false);
         work->has_nodes = true;
-        const double rounding =
-            make_tabled(work, &fit, &surface->lights.exacts[luminaires->which[i]], fitting->tabled);
+        const double rounding = make_tabled(work, &fit, &surface->lights.exacts[luminaires->which[i]], fitting->tabled);
         if (!(rounding <= allowance->rounding))
             continue;
         plan->kernels->spread_tabled(fitting->tabled, to->rows, to->columns, to->values, to->stride);

@@ -33,7 +33,7 @@ static double root_of_sum(double a, double b)
 
 /* ---- where lines of sight meet the surface ---- */
 
-/* Of lines through two places side by side, which may be the same, where the left one meets the surface.  False: not
+/* Where the left one of two lines side by side, which may be the same, meets the surface.  False: not
  * both do. */
 static bool meet(const struct lx_plan *plan, const struct lx_planned_surface *surface, const double x_mm[2],
                  double y_mm, double place[3], double *depth_of_left)
@@ -226,7 +226,7 @@ static struct pencil pencil_of(const struct lx_plan *plan, const struct lx_squar
 
 /* ---- vicinities ---- */
 
-/* Of the view vector along a way that moves, as kernel_smooth.h finds that of the way to a light. */
+/* The leeway of the view vector along a way that moves, as kernel_smooth.h finds that of the way to a light. */
 static bool leeway_of_view(const double way[3], const struct lx_leeway *moves, struct lx_vicinity *at)
 {
     const double d = sqrt(lx_dot(way, way)), nearest = d - moves->first - moves->second;

@@ -256,7 +256,7 @@ struct range {
     size_t first, end;
 };
 
-/* The same as the reference makes it. */
+/* The light of one element as the reference makes it. */
 static void sum_one(const struct lx_world *world, const struct lx_elements *elements, size_t i,
                     const struct range *range, enum lx_wanted wanted, const struct lx_asking *asking,
                     struct lx_received *received)

@@ -122,7 +122,7 @@ static struct lx_obstacle shell_of(const struct lx_shape *sphere, bool is_around
     return ball;
 }
 
-/* Of a source that is all inside an element inside loses nothing. */
+/* An element inside loses nothing of a source that is all inside. */
 static int inside_gather(const struct lx_shape *sphere, const struct lx_shaft *shaft, struct lx_obstacles *obstacles)
 {
     double offset[3], end[3];

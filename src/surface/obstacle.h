@@ -97,7 +97,7 @@ bool lx_shaft_meets_hull(const struct lx_shaft *shaft, const double (*places_mm)
 /* Appends what a shape puts into the shaft; 0, or -1 when memory ran out. */
 int lx_shape_gather(const struct lx_shape *shape, const struct lx_shaft *shaft, struct lx_obstacles *obstacles);
 
-/* The same for a free element that the shape holds, at shaft->from_mm, with that unit normal: as lx_shape_hides(). */
+/* Gathers for a free element that the shape holds, at shaft->from_mm, with that unit normal: as lx_shape_hides(). */
 int lx_shape_gather_beside(const struct lx_shape *shape, const double normal[3], const struct lx_shaft *shaft,
                            struct lx_obstacles *obstacles);
 

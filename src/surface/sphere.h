@@ -24,7 +24,7 @@ double lx_sphere_front(const struct lx_shape *sphere, const struct lx_origin *ey
 void lx_sphere_outline(const struct lx_shape *sphere, const struct lx_origin *eye, int i, int steps, double place_mm[3],
                        double inside_mm[3]);
 
-/* Of the chart, whose coordinates are the direction from the centre. */
+/* Directions and moves on the chart, whose coordinates are the direction from the centre. */
 void lx_sphere_directions(const struct lx_shape *sphere, const double n[3], double first[3], double second[3]);
 void lx_sphere_move(const struct lx_shape *sphere, const double at[3], const double first[3], const double second[3],
                     const double step_mm[2], double moved[3]);

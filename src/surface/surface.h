@@ -62,10 +62,10 @@ enum { LX_MOST_GUESSES = 4 };
  */
 struct lx_surface_chart {
     bool by_normal; /* the coordinates are the unit normal itself, as of a sphere alone */
-    /* Of a place, as an offset from the anchor, and its unit normal. */
+    /* Coordinates of a place, an offset from the anchor, with its unit normal; and the way back. */
     void (*locate)(const struct lx_shape *shape, const double offset_mm[3], const double normal[3], double at[3]);
     void (*place)(const struct lx_shape *shape, const double at[3], double place_mm[3], double normal[3]);
-    /* The same with bounds of the errors; `at` need not be normalized. */
+    /* Place and normal with bounds of the errors; `at` need not be normalized. */
     void (*element)(const struct lx_shape *shape, const double at[3], lx_bounded3 *place_mm, lx_bounded3 *normal);
     /* Two directions in which coordinates change, and coordinates moved by so many mm along them. */
     void (*directions)(const struct lx_shape *shape, const double at[3], double first[3], double second[3]);
@@ -182,8 +182,8 @@ struct lx_surface_kind {
     /* For kinds that gather sheets: how many an open way from a place passes, an offset from the anchor, but for those
      * that `gather` left out because that place lies on them. */
     unsigned (*layers)(const struct lx_shape *shape, const double from_mm[3], const double way[3]);
-    /* The same as `hides` tells; `beyond` hides what lies beyond the tangent plane.  NULL: that, or nothing from an
-     * element that looks away from the surface. */
+    /* Appends the obstacles that take what `hides` tells; `beyond` hides what lies beyond the tangent plane.  NULL:
+     * that, or nothing from an element that looks away from the surface. */
     int (*gather_beside)(const struct lx_shape *shape, double facing, const struct lx_obstacle *beyond,
                          const struct lx_shaft *shaft, struct lx_obstacles *obstacles);
     /* Whether a place is inside the body that it bounds, and not on the surface.  NULL: it bounds none. */
