@@ -564,8 +564,9 @@ static const struct option_row rows[] = {
                 "the maximum, from 0 (the default: each point is summed) to below 1")},
     {"reflected-error", 0, N_("R"), COMPUTING, SHARED, TAKES(take_reflected_error),
      .help =
-         N_("error that reflected light may have, relative to the value of a probe or of a grid's cell, or to the "
-            "maximum of a picture, above 0 and below 1; the default is 0.001; exit code 5 where it is not reached")},
+         N_("error that reflected light may have, above 0 and below 1: relative to the value of a probe or of a grid's "
+            "cell, the default 0.001, or to the maximum of a picture, the default 0.01; exit code 5 where it is not "
+            "reached")},
     {"lights", 0, N_("LIST"), PICTURES, SHARED, TAKES(take_lights),
      .help = N_("the lights that alone give light, whether they are enabled or not: names, or numbers as of lights[0], "
                 "with commas between them")},

@@ -32,7 +32,8 @@ typedef struct luxel_light_share {
  * the screen, or an element's position and normal, will do.
  *
  * A free element that lies on a surface, to 1e-9 of its size, belongs to it: it has its material.  Elsewhere it has the
- * material of the surface that is named, which is the first unless another one is.  Surfaces are counted from 0, as in
+ * material of the surface that is named, which is the first unless another one is; in a scene without surfaces that
+ * which has all keys by default.  Surfaces are counted from 0, as in
  * surfaces[0].  It is seen as the scene's observer.view says: from (0, 0, 1) where that is `parallel`, else from where
  * the observer is; or from a direction of its own.  Each surface of the scene, be there one or many, takes the light of
  * point-like and distant sources from it where it stands in its way; one that it lies on takes what comes from behind.
@@ -70,7 +71,8 @@ typedef struct luxel_probe {
     double position_mm[3];    /* the element's place, where on_surface */
     double normal[3];         /* the element's unit normal, where on_surface */
     double view[3];           /* the unit vector V to the observer that was used, where on_surface */
-    size_t surface;           /* the surface whose material counts, as an index in the scene's list, where on_surface */
+    size_t surface;           /* the surface whose material counts, as an index in the scene's list, where on_surface; 0
+                               * where the list is empty */
     const char *surface_name; /* its name in the scene, NULL where it has none; lives as long as the probe */
     unsigned part;            /* the part of it that the element lies on, of a room a wall; else 0 */
     const char *part_name;    /* what that is called, such as "floor"; NULL where the surface has no parts */

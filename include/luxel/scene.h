@@ -136,6 +136,13 @@ LUXEL_API luxel_status luxel_scene_commit(luxel_scene *scene, luxel_diagnostics 
 /* Whether the last commit succeeded and nothing has been changed since. */
 LUXEL_API bool luxel_scene_is_committed(const luxel_scene *scene);
 
+/*
+ * Whether pictures can be made of a committed scene and points of its screen be probed, which luxel_render() and all
+ * that looks through the screen ask first; free elements, grids, glare and reflected light do not need it.
+ * LUXEL_ERROR_SCENE: pixels that are not square, an observer inside a surface or not above it, no surface at all.
+ */
+LUXEL_API luxel_status luxel_scene_check_view(const luxel_scene *scene, luxel_diagnostics *diagnostics);
+
 /* Appends advice about a committed scene: values outside advised ranges, unused keys, surfaces out of view. */
 LUXEL_API luxel_status luxel_scene_advise(const luxel_scene *scene, luxel_diagnostics *diagnostics);
 

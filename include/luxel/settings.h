@@ -45,7 +45,8 @@ typedef struct luxel_settings {
     const char *instruction_set; /* NULL: what LUXEL_ISA says, else the best of this machine */
     double tolerance;            /* of probes, relative; 0: 1e-9 where there is no closed form */
     double light_error;          /* 0: each point is summed; else many are taken together: see luxel_render() */
-    double reflected_error;      /* of reflected light, relative to a probe's value or a picture's maximum; 0: 1e-3 */
+    double reflected_error;      /* of reflected light, relative to the value of a probe or a grid's cell (0: 1e-3), or
+                                  * to the maximum of a picture, the greatest mean of a surface (0: 1e-2) */
     unsigned stride;             /* 1 (0 too): every pixel; n, to 65536: each n-th column and row: see luxel_render() */
     bool minimum_reached; /* false; true: statistics tell the least value where light arrives, see luxel_statistics */
     luxel_progress progress; /* NULL: none */

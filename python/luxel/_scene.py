@@ -281,9 +281,9 @@ class Scene:
         `quantity`: "brightness" or "irradiance".  `precision`: "single" (float32, within 2e-6 of the maximum) or
         "double" (float64, 1e-11).  `threads` 0: as many as pay.  `stride` n: a quick look at each n-th pixel.
         `light_error` E: many points may be taken together, within E of the value.  `reflected_error`: the bound wanted
-        of what surfaces reflect, as a share of the maximum; `statistics` tell which was reached.  `progress` is called
-        with the share done; where it returns False, the work ends with a LuxelError.  The same bytes for any number of
-        threads.
+        of what surfaces reflect, as a share of the maximum, 0.01 unless it is given; `statistics` tell which was
+        reached.  `progress` is called with the share done; where it returns False, the work ends with a LuxelError.
+        The same bytes for any number of threads.
 
         `lights`: a name, an index or several: these alone give light, whether they are enabled or not, as everywhere
         else that takes `lights`.  Pictures of groups that have each light once add up to that of all.
@@ -418,7 +418,8 @@ class Scene:
         """The mean irradiance of each side of the surfaces, and the balance of the flux, with bounds of their errors.
 
         None where surfaces reflect no light to each other (the scene's key `reflections`).  `reflected_error` is the
-        bound wanted of the means, as a share of the greatest; where it is missed there is a LuxelWarning.
+        bound wanted of the means, as a share of the greatest, 0.01 unless it is given; where it is missed there is a
+        LuxelWarning.
         """
         how = settings(self._carried, None, None, threads, None, tolerance, progress=progress,
                        reflected_error=reflected_error)

@@ -145,7 +145,7 @@ static luxel_status find(const luxel_scene *scene, const struct lx_session *sess
     const struct lx_reflected_wish wish = {
         .prepared = &session->prepared,
         .kernels = lx_element_kernels_of(session->kernels),
-        .error = lx_reflected_error_of(settings),
+        .error = lx_pictured_error_of(settings),
         .threads = lx_thread_count(settings->threads, MOST_WORTH),
         .control = &control,
     };

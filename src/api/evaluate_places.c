@@ -147,7 +147,7 @@ static void light_elements(struct batch *batch)
 /* Whether a place is a free element like another that begins a batch. */
 static bool is_alike(const struct evaluating *work, const luxel_place *place, const luxel_place *first)
 {
-    return place->is_element && lx_is_place(place) && place->surface < work->world.prepared->scene->surfaces.count &&
+    return place->is_element && lx_is_place(place) && place->surface < lx_material_count(work->world.prepared->scene) &&
            place->has_view == first->has_view;
 }
 
@@ -183,7 +183,7 @@ static size_t evaluate_seen(const struct evaluating *work, const struct lx_askin
     for (; next < last && batch.elements.count < LX_BATCH && !work->places[next].is_element; next++) {
         const luxel_place *at = &work->places[next];
         struct lx_element element;
-        if (lx_is_place(at) && lx_element_seen(work->world.prepared, at->screen_mm[0], at->screen_mm[1], &element)) {
+        if (lx_is_place(at) && lx_evaluator_sees(work->evaluator, at->screen_mm[0], at->screen_mm[1], &element)) {
             batch.of[batch.elements.count] = next;
             lx_elements_append(work->world.prepared, &batch.elements, &element);
             continue;

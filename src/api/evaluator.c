@@ -49,6 +49,8 @@ luxel_status luxel_evaluator_new(const luxel_scene *scene, const luxel_settings 
     luxel_status status = lx_session_open_world(scene, settings, diagnostics, &session);
     if (status == LUXEL_OK)
         status = lx_reflect_picture(scene, &session, diagnostics);
+    made->scene = scene;
+    made->sees = status == LUXEL_OK && luxel_scene_check_view(scene, NULL) == LUXEL_OK;
     made->reflected = session.reflected;
     made->reflected_at = session.reflected ? reflected_at : NULL;
     made->settings = session.settings;

@@ -34,6 +34,8 @@ luxel_status luxel_scene_geometry(const luxel_scene *scene, luxel_diagnostics *d
 {
     luxel_settings settings;
     luxel_status status = lx_settings_check(scene, NULL, diagnostics, &settings);
+    if (status == LUXEL_OK)
+        status = luxel_scene_check_view(scene, diagnostics);
     if (status != LUXEL_OK)
         return status;
     struct lx_prepared prepared;

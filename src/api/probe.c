@@ -53,7 +53,7 @@ void luxel_probe_free(luxel_probe *probe)
 static int copy_names(const struct lx_scene_parameters *scene, const bool *on, struct probes *probes)
 {
     probes->named = lx_new_array(scene->lights.count, sizeof *probes->named);
-    probes->surface_names = lx_new_array(scene->surfaces.count, sizeof *probes->surface_names);
+    probes->surface_names = lx_new_array(lx_material_count(scene), sizeof *probes->surface_names);
     if (!probes->named || !probes->surface_names)
         return -1;
     for (size_t i = 0; i < scene->lights.count; i++) {
@@ -354,7 +354,7 @@ static luxel_status check_places(const struct lx_scene_parameters *scene, const 
             lx_report(diagnostics, LUXEL_SEVERITY_ERROR, NULL, LX_MSG_BAD_PLACE, NULL);
             return LUXEL_ERROR_ARGUMENT;
         }
-        if (places[i].is_element && places[i].surface >= scene->surfaces.count) {
+        if (places[i].is_element && places[i].surface >= lx_material_count(scene)) {
             lx_report(diagnostics, LUXEL_SEVERITY_ERROR, NULL, LX_MSG_NO_SUCH_SURFACE,
                       LX_ARGS(lx_write_number((double)places[i].surface, index),
                               lx_write_number((double)scene->surfaces.count - 1, most)));
@@ -362,6 +362,19 @@ static luxel_status check_places(const struct lx_scene_parameters *scene, const 
         }
     }
     return LUXEL_OK;
+}
+
+/* No place needs no world, and free elements need no picture, which take long where surfaces are many. */
+static luxel_status open(const luxel_scene *scene, const luxel_settings *settings, const luxel_place *places,
+                         size_t count, luxel_diagnostics *diagnostics, struct lx_session *session)
+{
+    bool sees = false;
+    for (size_t i = 0; i < count && !sees; i++)
+        sees = !places[i].is_element;
+    if (sees)
+        return lx_session_open(scene, settings, diagnostics, session);
+    return count > 0 ? lx_session_open_world(scene, settings, diagnostics, session)
+                     : lx_session_begin(scene, settings, diagnostics, session);
 }
 
 luxel_status luxel_probe_many(const luxel_scene *scene, const luxel_settings *settings, const luxel_place *places,
@@ -375,9 +388,7 @@ luxel_status luxel_probe_many(const luxel_scene *scene, const luxel_settings *se
                   LX_ARGS(probes ? "places" : "probes"));
         return LUXEL_ERROR_ARGUMENT;
     }
-    /* no place needs no world and no plan, which take long where surfaces are many */
-    luxel_status status = count > 0 ? lx_session_open(scene, settings, diagnostics, &session)
-                                    : lx_session_begin(scene, settings, diagnostics, &session);
+    luxel_status status = open(scene, settings, places, count, diagnostics, &session);
     if (status == LUXEL_OK)
         status = check_places(lx_scene_parameters(scene), places, count, diagnostics);
     if (status == LUXEL_OK)

@@ -130,6 +130,8 @@ luxel_status luxel_find_reach(const luxel_scene *scene, const luxel_settings *se
     struct lx_session session;
     struct lx_reach found;
     luxel_status status = lx_session_begin(scene, settings, diagnostics, &session);
+    if (status == LUXEL_OK)
+        status = luxel_scene_check_view(scene, diagnostics);
     if (status != LUXEL_OK)
         return status;
     const struct lx_scene_parameters *parameters = lx_scene_parameters(scene);

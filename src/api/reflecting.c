@@ -18,7 +18,12 @@ bool lx_wants_reflections(const struct lx_scene_parameters *scene)
 
 double lx_reflected_error_of(const luxel_settings *settings)
 {
-    return settings->reflected_error > 0 ? settings->reflected_error : LX_DEFAULT_REFLECTED_ERROR;
+    return settings->reflected_error > 0 ? settings->reflected_error : 1e-3;
+}
+
+double lx_pictured_error_of(const luxel_settings *settings)
+{
+    return settings->reflected_error > 0 ? settings->reflected_error : 1e-2;
 }
 
 void lx_hint_overlap(const struct lx_radiosity *reflected, const struct lx_prepared *prepared,

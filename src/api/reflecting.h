@@ -8,11 +8,9 @@
 #include "refuse.h"
 #include "session.h"
 
-/* The bound that is asked for where settings name none. */
-#define LX_DEFAULT_REFLECTED_ERROR 1e-3
-
-/* The bound that settings ask for. */
+/* The bound that settings ask for, at probes, grids and eyes; and in pictures and means of surfaces. */
 double lx_reflected_error_of(const luxel_settings *settings);
+double lx_pictured_error_of(const luxel_settings *settings);
 
 /* Hints at surfaces that lie on one another, where that keeps the bound that was just reported from being small. */
 void lx_hint_overlap(const struct lx_radiosity *reflected, const struct lx_prepared *prepared,

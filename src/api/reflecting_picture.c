@@ -131,7 +131,7 @@ static struct lx_reflected_key key_of(const struct lx_session *session)
 {
     const luxel_settings *settings = &session->settings;
     return (struct lx_reflected_key){.quantity = (int)settings->quantity,
-                                     .error = lx_reflected_error_of(settings),
+                                     .error = lx_pictured_error_of(settings),
                                      .tolerance = session->prepared.tolerance,
                                      .kernels = session->kernels,
                                      .on = session->prepared.on};
@@ -147,6 +147,7 @@ struct lx_reflected_key lx_reflected_key_of_plane(const struct lx_session *sessi
 {
     struct lx_reflected_key key = key_of(session);
     key.quantity = -1 - (int)i; /* below those of pictures */
+    key.error = lx_reflected_error_of(&session->settings);
     return key;
 }
 

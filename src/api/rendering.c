@@ -313,7 +313,7 @@ static void finish_statistics(struct lx_rendering *rendering)
     const double maximum = statistics->maximum.exists ? statistics->maximum.value : 0;
     statistics->has_reflected = true;
     statistics->reflected_error = maximum > 0 ? rendering->reflected_error / maximum : 0;
-    statistics->reflected_reached = statistics->reflected_error <= lx_reflected_error_of(&rendering->session->settings);
+    statistics->reflected_reached = statistics->reflected_error <= lx_pictured_error_of(&rendering->session->settings);
     if (statistics->reflected_reached)
         return;
     char error[LX_NUMBER_SIZE];

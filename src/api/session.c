@@ -144,19 +144,26 @@ luxel_status lx_session_begin(const luxel_scene *scene, const luxel_settings *se
     return status == LUXEL_OK ? choose_kernels(session, diagnostics) : status;
 }
 
+static luxel_status prepare(const luxel_scene *scene, luxel_diagnostics *diagnostics, struct lx_session *session)
+{
+    return lx_session_prepare(scene, &session->settings, diagnostics, &session->prepared);
+}
+
 luxel_status lx_session_open_world(const luxel_scene *scene, const luxel_settings *settings,
                                    luxel_diagnostics *diagnostics, struct lx_session *session)
 {
-    luxel_status status = lx_session_begin(scene, settings, diagnostics, session);
-    if (status == LUXEL_OK)
-        status = lx_session_prepare(scene, &session->settings, diagnostics, &session->prepared);
-    return status;
+    const luxel_status status = lx_session_begin(scene, settings, diagnostics, session);
+    return status == LUXEL_OK ? prepare(scene, diagnostics, session) : status;
 }
 
 luxel_status lx_session_open(const luxel_scene *scene, const luxel_settings *settings, luxel_diagnostics *diagnostics,
                              struct lx_session *session)
 {
-    luxel_status status = lx_session_open_world(scene, settings, diagnostics, session);
+    luxel_status status = lx_session_begin(scene, settings, diagnostics, session);
+    if (status == LUXEL_OK)
+        status = luxel_scene_check_view(scene, diagnostics);
+    if (status == LUXEL_OK)
+        status = prepare(scene, diagnostics, session);
     if (status == LUXEL_OK) {
         status = lx_plan_make(&session->prepared, session->kernels, &session->settings, &session->plan);
         if (status == LUXEL_ERROR_MEMORY)

@@ -304,6 +304,8 @@ static void advise_range(struct lx_adviser *adviser)
 luxel_status luxel_scene_advise_peak(const luxel_scene *scene, luxel_diagnostics *diagnostics)
 {
     struct lx_adviser adviser;
+    if (luxel_scene_is_committed(scene) && luxel_scene_check_view(scene, NULL) != LUXEL_OK)
+        return LUXEL_OK; /* there is no picture to speak of */
     luxel_status status = lx_adviser_begin(&adviser, scene, diagnostics);
     if (status != LUXEL_OK)
         return status;

@@ -178,6 +178,8 @@ luxel_status luxel_find_profile(const luxel_evaluator *evaluator, const luxel_pa
     const luxel_quantity quantity = luxel_evaluator_quantity(evaluator);
     const bool photometric = evaluator->prepared.scene->units == LX_PHOTOMETRIC;
     luxel_status status = check_path(path, diagnostics);
+    if (status == LUXEL_OK)
+        status = luxel_scene_check_view(evaluator->scene, diagnostics);
     if (status == LUXEL_OK && path->type == LUXEL_PATH_ARC)
         status = find_arc(evaluator, path, diagnostics, &arc);
     if (status != LUXEL_OK)

@@ -11,6 +11,7 @@
 #include "../light/light.h"
 #include "../surface/part.h"
 #include "mend.h"
+#include "object.h"
 #include "observer.h"
 
 /* How far a surface reaches along a direction of the screen's frame, from its origin. */
@@ -127,13 +128,13 @@ static void advise_view(struct lx_walk *walk, const struct lx_scene_parameters *
 static bool is_behind(const struct lx_scene_parameters *scene, const double place_mm[3])
 {
     const struct lx_frame frame = lx_observer_frame(&scene->observer);
-    for (size_t s = 0; s < scene->surfaces.count; s++) {
+    bool is_behind_all = scene->surfaces.count > 0;
+    for (size_t s = 0; s < scene->surfaces.count && is_behind_all; s++) {
         const struct lx_item *surface = &scene->surfaces.items[s];
         const struct lx_surface_kind *kind = (const struct lx_surface_kind *)surface->variant;
-        if (!lx_surface_is_dark(kind, surface->parameters, &frame, place_mm))
-            return false;
+        is_behind_all = lx_surface_is_dark(kind, surface->parameters, &frame, place_mm);
     }
-    return true;
+    return is_behind_all;
 }
 
 /* The place, raised above the first surface, as the screen has it. */
@@ -239,6 +240,7 @@ luxel_status luxel_scene_advise(const luxel_scene *scene, luxel_diagnostics *dia
     lx_node_id root = scene->document.root;
     lx_advise_parameters(&walk, &lx_scene_table, &scene->parameters);
     advise_view(&walk, &scene->parameters, lx_document_find(&scene->document, root, "surfaces"));
+    lx_advise_unseen(&walk, scene);
     advise_lights(&walk, &scene->parameters, lx_document_find(&scene->document, root, "lights"));
     return walk.out_of_memory ? lx_out_of_memory(diagnostics) : LUXEL_OK;
 }

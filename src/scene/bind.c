@@ -148,6 +148,7 @@ bool lx_bound_check(luxel_scene *scene, const struct lx_binding *bindings, size_
                 mapping->table->check(&check, mapping->parameters);
         }
     }
-    lx_validate_scene(&walk, scene);
+    lx_validate_reflections(&walk, scene);
+    lx_validate_view(&walk, scene);
     return !walk.failed && !walk.out_of_memory;
 }

@@ -85,25 +85,6 @@ static int add(struct collecting *all, const char *key, const char *word)
     return 0;
 }
 
-static int add_choice_or_pair(struct collecting *all, const struct lx_parameter *parameter,
-                              const struct lx_choice_or_pair *value)
-{
-    if (value->choice >= 0)
-        return add(all, parameter->name, parameter->choices[value->choice]);
-    char words[2 * LX_NUMBER_SIZE + 8], low[LX_NUMBER_SIZE], high[LX_NUMBER_SIZE];
-    snprintf(words, sizeof words, "[%s, %s]", lx_write_number(value->low, low), lx_write_number(value->high, high));
-    return add(all, parameter->name, words);
-}
-
-static int add_choice_or_whole(struct collecting *all, const struct lx_parameter *parameter,
-                               const struct lx_choice_or_whole *value)
-{
-    if (value->choice >= 0)
-        return add(all, parameter->name, parameter->choices[value->choice]);
-    char number[LX_NUMBER_SIZE];
-    return add(all, parameter->name, lx_write_number(value->whole, number));
-}
-
 static bool has_effect(const struct lx_table *table, const struct lx_parameter *parameter, const void *parameters)
 {
     for (size_t i = 0; i < table->rule_count; i++)
@@ -182,28 +163,51 @@ static int add_view(struct collecting *all, const struct lx_parameter *parameter
     return add(all, parameter->name, words);
 }
 
-/* The value of a key that is no group or list. */
+enum { WORD_SIZE = 2 * LX_NUMBER_SIZE + 8 };
+
+/* What a key that is no group or list says of how things are computed; NULL: nothing. */
+static const char *word_of_value(const struct lx_parameter *parameter, const void *parameters, bool booleans,
+                                 char buffer[WORD_SIZE])
+{
+    const void *value = lx_const_member(parameter, parameters);
+    const struct lx_choice_or_pair *pair = value;
+    const struct lx_choice_or_whole *whole = value;
+    char low[LX_NUMBER_SIZE], high[LX_NUMBER_SIZE];
+    if (parameter->type == LX_CHOICE)
+        return lx_chosen(parameter, parameters);
+    if (parameter->type == LX_CHOICE_OR_PAIR && pair->choice < 0) {
+        snprintf(buffer, WORD_SIZE, "[%s, %s]", lx_write_number(pair->low, low), lx_write_number(pair->high, high));
+        return buffer;
+    }
+    if (parameter->type == LX_CHOICE_OR_PAIR)
+        return parameter->choices[pair->choice];
+    if (parameter->type == LX_CHOICE_OR_WHOLE)
+        return whole->choice < 0 ? lx_write_number(whole->whole, buffer) : parameter->choices[whole->choice];
+    if (strcmp(parameter->name, "maintenance_factor") == 0)
+        return lx_write_number(*(const double *)value, buffer);
+    if (parameter->type == LX_BOOLEAN && booleans)
+        return *(const bool *)value ? "true" : "false";
+    return NULL;
+}
+
+/* Direct light alone, sources as their files say and rooms that stand upright are no conventions. */
+static bool goes_without_saying(const struct lx_parameter *parameter, const char *word)
+{
+    static const char *const names[] = {"reflections", "maintenance_factor", "up"};
+    for (size_t i = 0; i < sizeof names / sizeof names[0]; i++)
+        if (strcmp(parameter->name, names[i]) == 0)
+            return strcmp(word, parameter->initial) == 0;
+    return false;
+}
+
 static int collect_value(struct collecting *all, const struct lx_parameter *parameter, const void *parameters,
                          bool booleans)
 {
-    const void *value = lx_const_member(parameter, parameters);
-    if (parameter->type == LX_CHOICE)
-        return strcmp(parameter->name, "view") == 0 ? add_view(all, parameter, parameters)
-                                                    : add(all, parameter->name, lx_chosen(parameter, parameters));
-    if (parameter->type == LX_CHOICE_OR_PAIR)
-        return add_choice_or_pair(all, parameter, value);
-    if (strcmp(parameter->name, "reflections") == 0 &&
-        ((const struct lx_choice_or_whole *)value)->choice == LX_REFLECTIONS_NONE)
-        return 0; /* direct light alone goes without saying */
-    if (parameter->type == LX_CHOICE_OR_WHOLE)
-        return add_choice_or_whole(all, parameter, value);
-    if (strcmp(parameter->name, "maintenance_factor") == 0 && *(const double *)value != 1) {
-        char number[LX_NUMBER_SIZE];
-        return add(all, parameter->name, lx_write_number(*(const double *)value, number));
-    }
-    if (parameter->type == LX_BOOLEAN && booleans)
-        return add(all, parameter->name, *(const bool *)value ? "true" : "false");
-    return 0;
+    char buffer[WORD_SIZE];
+    if (strcmp(parameter->name, "view") == 0)
+        return add_view(all, parameter, parameters);
+    const char *word = word_of_value(parameter, parameters, booleans, buffer);
+    return !word || goes_without_saying(parameter, word) ? 0 : add(all, parameter->name, word);
 }
 
 /* Whether a group is the material of nothing: of a wall that has none of its own, or where materials do not count. */

@@ -47,10 +47,13 @@ struct lx_walk lx_scene_walk(const luxel_scene *scene, luxel_diagnostics *diagno
 lx_node_id lx_scene_node(const luxel_scene *scene, const char *group, const char *key);
 
 /*
- * What must hold between the parts of a scene, as far as they are good themselves: square pixels, an observer
- * above all surfaces.  Sets walk->failed.
+ * What must hold between the parts of a scene for pictures, as far as they are good themselves: something to see,
+ * square pixels, an observer outside of all surfaces.  Sets walk->failed.
  */
-void lx_validate_scene(struct lx_walk *walk, const luxel_scene *scene);
+void lx_validate_view(struct lx_walk *walk, const luxel_scene *scene);
+
+/* Advice about a committed scene without surfaces, or with such that show the observer their backs. */
+void lx_advise_unseen(struct lx_walk *walk, const luxel_scene *scene);
 
 /* Checks what reflected light asks of surfaces and lights. */
 void lx_validate_reflections(struct lx_walk *walk, const luxel_scene *scene);

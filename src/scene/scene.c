@@ -189,7 +189,9 @@ static luxel_status commit(luxel_scene *scene, luxel_diagnostics *diagnostics)
     walk.kept = &scene->kept;
     luxel_status status = lx_decode(&walk, &lx_scene_table, &scene->parameters);
     if (status != LUXEL_ERROR_MEMORY) {
-        lx_validate_scene(&walk, scene);
+        lx_validate_reflections(&walk, scene);
+        if (walk.errors > walk.unread)
+            lx_validate_view(&walk, scene); /* so that all that is wrong is told at once */
         status = lx_walk_status(&walk);
     }
     if (status == LUXEL_OK && lx_collect_conventions(scene) < 0)

@@ -92,6 +92,12 @@ struct lx_scene_parameters {
 
 extern const struct lx_table lx_scene_table;
 
+/* How many materials free elements may name: those of the surfaces, else that which has all keys by default. */
+static inline size_t lx_material_count(const struct lx_scene_parameters *scene)
+{
+    return scene->surfaces.count > 0 ? scene->surfaces.count : 1;
+}
+
 /* Whether a scene's numbers are ahead of its text (bind.h), so that its text does not repeat it. */
 bool lx_scene_is_ahead(const luxel_scene *scene);
 

@@ -345,11 +345,10 @@ static const struct lx_parameter scene_parameters[] = {
         .label = "Surfaces",
         .type = LX_VARIANTS,
         .offset = offsetof(struct lx_scene_parameters, surfaces),
-        .count = 1,
         .required = true,
         .group = &surface_common_table,
         .variants = lx_surface_variants,
-        .meaning = "the surfaces, at least one",
+        .meaning = "the surfaces; the list may be empty where only grids and free elements are asked for",
     },
     {
         .name = "lights",

@@ -1,5 +1,8 @@
 /* SPDX-License-Identifier: MIT */
-/* What must hold between the parts of a scene.  Parts with errors of their own are left out here. */
+/*
+ * What must hold between the parts of a scene for pictures and screen points: something to see, square pixels, and an
+ * observer outside of all surfaces.  Parts with errors of their own are left out here.
+ */
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -74,6 +77,16 @@ struct watch {
     const char *key; /* that says where it stands */
 };
 
+static struct watch watch_of(const struct lx_observer *observer)
+{
+    return (struct watch){
+        .frame = lx_observer_frame(observer),
+        .z_mm = lx_observer_height(observer),
+        .is_perspective = observer->projection == LX_PERSPECTIVE,
+        .key = lx_observer_is_placed(observer) ? "position" : "z",
+    };
+}
+
 /* Whether a surface is one that observers may stand in, by the middle of its extent. */
 static bool is_room(const struct lx_item *surface)
 {
@@ -105,29 +118,6 @@ static void report_observer(struct lx_walk *walk, const luxel_scene *scene, cons
     lx_walk_report(walk, LUXEL_SEVERITY_ERROR, lx_document_place(walk->document, id), &step, message, name, number);
 }
 
-/* An error of a surface that shows its back: at the observer's height, or at the surface's axis. */
-static void report_back(struct lx_walk *walk, const luxel_scene *scene, const struct watch *watch, size_t i,
-                        enum lx_standing standing)
-{
-    const struct lx_document *document = walk->document;
-    char name[40];
-    snprintf(name, sizeof name, "surfaces[%zu]", i);
-    if (standing == LX_STANDS_BEHIND) {
-        report_observer(walk, scene, watch, LX_MSG_OBSERVER_BEHIND, name, NULL);
-        lx_hint(walk->diagnostics, LX_MSG_HINT_TURN_ROUND, NULL);
-        return;
-    }
-    lx_node_id list = lx_document_find(document, document->root, "surfaces");
-    lx_node_id id = lx_document_node(document, list)->first;
-    for (size_t k = 0; k < i; k++)
-        id = lx_document_node(document, id)->next;
-    struct lx_step surfaces = {NULL, "surfaces", 0}, item = {&surfaces, NULL, i}, step = {&item, "axis", 0};
-    const bool is_own = watch->frame.is_own;
-    lx_walk_report(walk, LUXEL_SEVERITY_ERROR, lx_document_place(document, lx_document_find(document, id, "axis")),
-                   &step, is_own ? LX_MSG_TURNED_AWAY : LX_MSG_TURNED_FROM_POSITION, name, NULL);
-    lx_hint(walk->diagnostics, is_own ? LX_MSG_HINT_TURN_UP : LX_MSG_HINT_TURN_ROUND, NULL);
-}
-
 static void report_too_low(struct lx_walk *walk, const luxel_scene *scene, const struct watch *watch, size_t highest,
                            double highest_mm)
 {
@@ -150,13 +140,7 @@ static void report_too_low(struct lx_walk *walk, const luxel_scene *scene, const
 /* Only the one that reaches highest is reported of the surfaces that the observer is not above. */
 static void check_observer(struct lx_walk *walk, const luxel_scene *scene)
 {
-    const struct lx_observer *observer = &scene->parameters.observer;
-    const struct watch watch = {
-        .frame = lx_observer_frame(observer),
-        .z_mm = lx_observer_height(observer),
-        .is_perspective = observer->projection == LX_PERSPECTIVE,
-        .key = lx_observer_is_placed(observer) ? "position" : "z",
-    };
+    const struct watch watch = watch_of(&scene->parameters.observer);
     if (watch.is_perspective && !(watch.z_mm > 0))
         return; /* a rule of its table, and reported by it */
     size_t count = scene->parameters.surfaces.count, highest = count;
@@ -164,11 +148,8 @@ static void check_observer(struct lx_walk *walk, const luxel_scene *scene)
     for (size_t i = 0; i < count; i++) {
         enum lx_standing standing;
         double top_mm;
-        if (!standing_of(scene, &watch, i, &standing, &top_mm) || standing == LX_STANDS_BEFORE)
-            continue;
-        if (standing != LX_STANDS_TOO_LOW) {
-            report_back(walk, scene, &watch, i, standing);
-        } else if (highest == count || top_mm > highest_mm) {
+        if (standing_of(scene, &watch, i, &standing, &top_mm) && standing == LX_STANDS_TOO_LOW &&
+            (highest == count || top_mm > highest_mm)) {
             highest = i;
             highest_mm = top_mm;
         }
@@ -188,7 +169,14 @@ static bool is_observer_good(const luxel_scene *scene)
     return lx_observer_is_sound(observer);
 }
 
-void lx_validate_scene(struct lx_walk *walk, const luxel_scene *scene)
+static void report_no_surfaces(struct lx_walk *walk, luxel_severity severity)
+{
+    const lx_node_id surfaces = lx_document_find(walk->document, walk->document->root, "surfaces");
+    lx_walk_report(walk, severity, lx_document_place(walk->document, surfaces), &(struct lx_step){NULL, "surfaces", 0},
+                   LX_MSG_NO_SURFACES, NULL, NULL);
+}
+
+void lx_validate_view(struct lx_walk *walk, const luxel_scene *scene)
 {
     const struct lx_screen *screen = &scene->parameters.screen;
     if (is_good("screen", screen, "width") && is_good("screen", screen, "height") &&
@@ -196,5 +184,37 @@ void lx_validate_scene(struct lx_walk *walk, const luxel_scene *scene)
         check_square(walk, scene);
     if (is_observer_good(scene))
         check_observer(walk, scene);
-    lx_validate_reflections(walk, scene);
+    if (scene->committed && scene->parameters.surfaces.count == 0)
+        report_no_surfaces(walk, LUXEL_SEVERITY_ERROR);
+}
+
+luxel_status luxel_scene_check_view(const luxel_scene *scene, luxel_diagnostics *diagnostics)
+{
+    if (!luxel_scene_is_committed(scene)) {
+        lx_report(diagnostics, LUXEL_SEVERITY_ERROR, NULL, LX_MSG_NOT_COMMITTED, NULL);
+        return LUXEL_ERROR_ARGUMENT;
+    }
+    struct lx_walk walk = lx_scene_walk(scene, diagnostics);
+    lx_validate_view(&walk, scene);
+    return lx_walk_status(&walk);
+}
+
+void lx_advise_unseen(struct lx_walk *walk, const luxel_scene *scene)
+{
+    if (scene->parameters.surfaces.count == 0)
+        report_no_surfaces(walk, LUXEL_SEVERITY_ADVICE);
+    const struct watch watch = watch_of(&scene->parameters.observer);
+    const struct lx_document *document = walk->document;
+    lx_node_id id = lx_document_node(document, lx_document_find(document, document->root, "surfaces"))->first;
+    for (size_t i = 0; i < scene->parameters.surfaces.count; i++, id = lx_document_node(document, id)->next) {
+        enum lx_standing standing;
+        double top_mm;
+        if (!standing_of(scene, &watch, i, &standing, &top_mm) || standing != LX_SEES_BACK)
+            continue;
+        struct lx_step list = {NULL, "surfaces", 0}, item = {&list, NULL, i};
+        const lx_node_id axis = lx_document_find(document, id, "axis");
+        lx_walk_report(walk, LUXEL_SEVERITY_ADVICE, lx_document_place(document, axis ? axis : id), &item,
+                       LX_MSG_SHOWS_BACK, NULL, NULL);
+        lx_hint(walk->diagnostics, LX_MSG_HINT_TURN_ROUND, NULL);
+    }
 }

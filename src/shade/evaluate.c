@@ -94,16 +94,21 @@ luxel_value lx_evaluate_element(const struct luxel_evaluator *evaluator, const s
     return result;
 }
 
+bool lx_evaluator_sees(const struct luxel_evaluator *evaluator, double x_mm, double y_mm, struct lx_element *element)
+{
+    return evaluator->sees && lx_element_seen(&evaluator->prepared, x_mm, y_mm, element);
+}
+
 luxel_value luxel_trace(const luxel_evaluator *evaluator, double x_mm, double y_mm)
 {
     struct lx_element element;
-    return lx_element_seen(&evaluator->prepared, x_mm, y_mm, &element) ? place_of(&element) : (luxel_value){0};
+    return lx_evaluator_sees(evaluator, x_mm, y_mm, &element) ? place_of(&element) : (luxel_value){0};
 }
 
 luxel_value luxel_evaluate(const luxel_evaluator *evaluator, double x_mm, double y_mm, double *shares)
 {
     struct lx_element element;
-    if (lx_element_seen(&evaluator->prepared, x_mm, y_mm, &element))
+    if (lx_evaluator_sees(evaluator, x_mm, y_mm, &element))
         return lx_evaluate_element(evaluator, &element, shares);
     if (shares)
         memset(shares, 0, luxel_evaluator_light_count(evaluator) * sizeof *shares);
@@ -136,7 +141,7 @@ struct lx_element lx_free_element_at(const struct lx_prepared *prepared, const l
 luxel_value luxel_evaluate_place(const luxel_evaluator *evaluator, const luxel_place *place, double *shares)
 {
     const struct lx_prepared *prepared = &evaluator->prepared;
-    if (place->is_element && lx_is_place(place) && place->surface < prepared->scene->surfaces.count) {
+    if (place->is_element && lx_is_place(place) && place->surface < lx_material_count(prepared->scene)) {
         const struct lx_element element = lx_free_element_at(prepared, place);
         luxel_value value = lx_evaluate_element(evaluator, &element, shares);
         if (!element.own)

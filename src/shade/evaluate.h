@@ -10,6 +10,8 @@
 struct lx_kernels;
 
 struct luxel_evaluator {
+    const luxel_scene *scene;
+    bool sees; /* the screen shows something (luxel_scene_check_view()) */
     luxel_settings settings;
     const struct lx_kernels *kernels;
     struct lx_prepared prepared;
@@ -45,6 +47,9 @@ bool lx_is_place(const luxel_place *place);
 
 /* The free element at a place that is one. */
 struct lx_element lx_free_element_at(const struct lx_prepared *prepared, const luxel_place *place);
+
+/* What is seen through a point of the screen; false: nothing. */
+bool lx_evaluator_sees(const struct luxel_evaluator *evaluator, double x_mm, double y_mm, struct lx_element *element);
 
 /* The value of an element: sums its lights. */
 luxel_value lx_evaluate_element(const struct luxel_evaluator *evaluator, const struct lx_element *element,

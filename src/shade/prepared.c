@@ -9,6 +9,7 @@
 #include "../base/rows.h"
 #include "../light/carry.h"
 #include "../light/light.h"
+#include "../parameter/decode.h"
 #include "../scene/lit.h"
 #include "among.h"
 #include "prepared.h"
@@ -69,6 +70,15 @@ static void prepare_surface(const struct lx_scene_parameters *scene, size_t i, s
     }
 }
 
+/* The lobe of free elements in a scene without surfaces: that of a material with all keys by default. */
+static struct lx_lobe default_lobe(void)
+{
+    struct lx_material material = {0};
+    for (size_t i = 0; i < lx_material_table.count; i++)
+        lx_set_default(&lx_material_table.parameters[i], lx_member(&lx_material_table.parameters[i], &material));
+    return lx_lobe_prepare(&material);
+}
+
 /* `room`: an empty list that knows how many emitters it may take. */
 static int prepare(const struct lx_scene_parameters *scene, const luxel_settings *settings, double tolerance,
                    const struct lx_emitters *room, struct lx_prepared *prepared)
@@ -78,7 +88,7 @@ static int prepare(const struct lx_scene_parameters *scene, const luxel_settings
         .scene = scene,
         .camera = lx_camera_of(&scene->observer),
         .surfaces = lx_new_array(count_parts(surfaces), sizeof *prepared->surfaces),
-        .authored = lx_new_array(surfaces->count, sizeof *prepared->authored),
+        .authored = lx_new_array(lx_material_count(scene), sizeof *prepared->authored),
         .on = lx_lights_on(scene, settings),
         .emitters = *room,
         .tolerance = tolerance,
@@ -87,6 +97,7 @@ static int prepare(const struct lx_scene_parameters *scene, const luxel_settings
     };
     if (!prepared->surfaces || !prepared->authored || !prepared->on)
         return -1;
+    prepared->authored[0].lobe = default_lobe();
     for (size_t i = 0; i < surfaces->count; i++)
         prepare_surface(scene, i, prepared);
     if (lx_among_make(prepared))
@@ -126,14 +137,14 @@ int lx_prepared_carry(const struct lx_prepared *prepared, const struct lx_asking
     *carried = *prepared;
     carried->camera = lx_camera_carried(&prepared->camera);
     carried->surfaces = lx_new_array(prepared->surface_count, sizeof *carried->surfaces);
-    carried->authored = lx_new_array(prepared->scene->surfaces.count, sizeof *carried->authored);
+    carried->authored = lx_new_array(lx_material_count(prepared->scene), sizeof *carried->authored);
     carried->boxes = (struct lx_boxes){.count = 0};
     carried->on = lx_new_array(prepared->scene->lights.count, sizeof *carried->on);
     carried->emitters = (struct lx_emitters){0};
     if (!carried->surfaces || !carried->authored || !carried->on)
         return -1;
     memcpy(carried->on, prepared->on, prepared->scene->lights.count * sizeof *carried->on);
-    memcpy(carried->authored, prepared->authored, prepared->scene->surfaces.count * sizeof *carried->authored);
+    memcpy(carried->authored, prepared->authored, lx_material_count(prepared->scene) * sizeof *carried->authored);
     for (size_t i = 0; i < prepared->surface_count; i++) {
         const struct lx_prepared_surface *surface = &prepared->surfaces[i];
         struct lx_prepared_surface *made = &carried->surfaces[i];

@@ -39,6 +39,8 @@ luxel_status luxel_study_scene(const luxel_study *study, uint64_t i, luxel_diagn
     if (status == LUXEL_OK)
         status = luxel_scene_commit(made, diagnostics);
     if (status == LUXEL_OK)
+        status = luxel_scene_check_view(made, diagnostics);
+    if (status == LUXEL_OK)
         *scene = made;
     else
         luxel_scene_free(made);

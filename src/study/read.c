@@ -89,6 +89,8 @@ static luxel_status make_base(struct lx_walk *walk, struct luxel_study *study)
         return lx_out_of_memory(walk->diagnostics);
     luxel_diagnostics *found = luxel_diagnostics_new();
     status = luxel_scene_commit(study->base, found);
+    if (status == LUXEL_OK)
+        status = luxel_scene_check_view(study->base, found);
     struct lx_place place = lx_document_place(document, set ? set : document->root);
     lx_hand_over(walk->diagnostics, found, "-s", &place);
     luxel_diagnostics_free(found);

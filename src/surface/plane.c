@@ -191,9 +191,9 @@ enum lx_standing lx_plane_standing(const struct lx_shape *plane, double highest_
                                    bool perspective)
 {
     if (perspective)
-        return height_of(plane, (double[]){0, 0, observer_z_mm}) > 0 ? LX_STANDS_BEFORE : LX_STANDS_BEHIND;
+        return height_of(plane, (double[]){0, 0, observer_z_mm}) > 0 ? LX_STANDS_BEFORE : LX_SEES_BACK;
     if (!(plane->normal[2] > 0))
-        return LX_TURNED_AWAY;
+        return LX_SEES_BACK;
     return observer_z_mm > highest_mm ? LX_STANDS_BEFORE : LX_STANDS_TOO_LOW;
 }
 

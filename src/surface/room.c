@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /*
  * The room: a box along the axes, seen from inside.  Its parts are six rectangles that face inwards; each is seen from
- * its front alone, so that an observer outside looks through the walls that are nearest.
+ * its front alone, so that an observer outside looks through the walls that are nearest.  Which wall is the floor says
+ * the axis that is up.
  */
 #include <math.h>
 #include <string.h>
@@ -13,6 +14,18 @@ enum wall { LEFT, RIGHT, FLOOR, CEILING, BACK, FRONT, WALLS };
 
 static const char *const wall_names[] = {"left", "right", "floor", "ceiling", "back", "front", NULL};
 
+enum up { UP_Y, UP_Z };
+
+static const char *const up_names[] = {"y", "z", NULL};
+
+/* On which axis each wall stands, and on which side of the middle, by what is up. */
+static const struct {
+    int axis, side;
+} wall_sides[][WALLS] = {
+    [UP_Y] = {{0, -1}, {0, 1}, {1, -1}, {1, 1}, {2, -1}, {2, 1}},
+    [UP_Z] = {{0, -1}, {0, 1}, {2, -1}, {2, 1}, {1, 1}, {1, -1}},
+};
+
 struct room_materials {
     uint64_t given;
     struct lx_material walls[WALLS];
@@ -21,6 +34,7 @@ struct room_materials {
 struct room_parameters {
     uint64_t given;
     double center_mm[3], size_mm[3];
+    int up;
     struct room_materials materials;
 };
 
@@ -47,7 +61,7 @@ static const struct lx_parameter materials_parameters[] = {
         .type = LX_GROUP,
         .offset = offsetof(struct room_materials, walls[FLOOR]),
         .group = &lx_material_table,
-        .meaning = "the material of the floor, at the lowest y, instead of material",
+        .meaning = "the material of the floor, at the lowest y (z with up: z), instead of material",
     },
     {
         .name = "ceiling",
@@ -55,7 +69,7 @@ static const struct lx_parameter materials_parameters[] = {
         .type = LX_GROUP,
         .offset = offsetof(struct room_materials, walls[CEILING]),
         .group = &lx_material_table,
-        .meaning = "the material of the ceiling, at the highest y, instead of material",
+        .meaning = "the material of the ceiling, at the highest y (z with up: z), instead of material",
     },
     {
         .name = "back",
@@ -63,7 +77,7 @@ static const struct lx_parameter materials_parameters[] = {
         .type = LX_GROUP,
         .offset = offsetof(struct room_materials, walls[BACK]),
         .group = &lx_material_table,
-        .meaning = "the material of the wall at the lowest z, instead of material",
+        .meaning = "the material of the wall at the lowest z (the highest y with up: z), instead of material",
     },
     {
         .name = "front",
@@ -71,7 +85,7 @@ static const struct lx_parameter materials_parameters[] = {
         .type = LX_GROUP,
         .offset = offsetof(struct room_materials, walls[FRONT]),
         .group = &lx_material_table,
-        .meaning = "the material of the wall at the highest z, instead of material",
+        .meaning = "the material of the wall at the highest z (the lowest y with up: z), instead of material",
     },
 };
 
@@ -90,7 +104,7 @@ static const struct lx_parameter room_parameters[] = {
         .count = 3,
         .unit = LX_UNIT_MM,
         .required = true,
-        .meaning = "where the middle of the room lies: x to the right, y up, z towards the observer",
+        .meaning = "where the middle of the room lies",
     },
     {
         .name = "size",
@@ -101,7 +115,17 @@ static const struct lx_parameter room_parameters[] = {
         .unit = LX_UNIT_MM,
         .required = true,
         .legal = LX_ABOVE(0),
-        .meaning = "the width of the room along x, its height along y and its depth along z",
+        .meaning = "the sizes of the room along x, y and z",
+    },
+    {
+        .name = "up",
+        .label = "Up",
+        .type = LX_CHOICE,
+        .offset = offsetof(struct room_parameters, up),
+        .initial = "y",
+        .choices = up_names,
+        .meaning = "the axis that is up, which names the walls: the floor is the lowest wall along it, the ceiling the "
+                   "highest",
     },
     {
         .name = "materials",
@@ -130,16 +154,11 @@ static void room_extent(const void *parameters, double low_mm[3], double high_mm
 
 /* ---- walls ---- */
 
-static int axis_of(unsigned wall)
-{
-    return (int)wall / 2;
-}
-
 /* Where the wall lies and which way it looks, as a user would write it. */
 static void place_wall(const struct room_parameters *room, unsigned wall, struct lx_plate_parameters *plate)
 {
-    const int axis = axis_of(wall), upward = axis == 1 ? 2 : 1, across = 3 - axis - upward;
-    const double side = wall % 2 ? 1 : -1;
+    const int axis = wall_sides[room->up][wall].axis, side = wall_sides[room->up][wall].side;
+    const int upward = axis == 1 ? 2 : 1, across = 3 - axis - upward;
     *plate = (struct lx_plate_parameters){.up = {0, 1, 0}};
     memcpy(plate->center_mm, room->center_mm, sizeof plate->center_mm);
     plate->center_mm[axis] += side * room->size_mm[axis] / 2;

@@ -50,8 +50,7 @@ struct lx_origin {
 enum lx_standing {
     LX_STANDS_BEFORE,  /* where the surface can be seen */
     LX_STANDS_TOO_LOW, /* not above all of it */
-    LX_STANDS_BEHIND,  /* behind its front, or in its plane */
-    LX_TURNED_AWAY     /* its front is turned away from whoever looks along -z of the screen */
+    LX_SEES_BACK       /* behind its front, or in its plane: it is not drawn */
 };
 
 enum { LX_MOST_GUESSES = 4 };

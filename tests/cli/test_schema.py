@@ -218,7 +218,7 @@ def random_scenes(tap, tool):
     made.append(("scene of a room and a sphere from inside", {
         **made[-2][1], "reflections": "none",
         "grids": [{"center": [0, 0, 0], "size": [900, 600], "spacing": "en12464"}],
-        "surfaces": [{"type": "room", "center": [0, 0, 1000], "size": [2000, 2000, 2000], "materials": {
+        "surfaces": [{"type": "room", "center": [0, 0, 1000], "size": [2000, 2000, 2000], "up": "z", "materials": {
             name: wall for name in ("left", "right", "floor", "ceiling", "back", "front")}},
                      {"type": "sphere", "center": [0, 0, 500], "radius": 200, "inside": True}]}))
     used = set()

@@ -424,6 +424,50 @@ static void test_materials(void **state)
     luxel_scene_free(scene);
 }
 
+/* The name and the material of each wall follow from what is up: the same walls by other names shine alike. */
+static void test_up(void **state)
+{
+    (void)state;
+    static const char *const names[2][6] = {{"left", "right", "floor", "ceiling", "back", "front"},
+                                            {"left", "right", "front", "back", "floor", "ceiling"}};
+    for (int trial = 0; trial < 20; trial++) {
+        const struct box box = random_box();
+        luxel_scene *scenes[2];
+        for (int up = 0; up < 2; up++) {
+            char room[TEXT_SIZE], more[TEXT_SIZE / 2], light[200];
+            int length = snprintf(more, sizeof more, ", up: %s, materials: {", up ? "z" : "y");
+            for (int w = 0; w < 6; w++)
+                length += snprintf(more + length, sizeof more - (size_t)length,
+                                   "%s: {model: lambert, over_pi: true, diffuse: 0.%d}%s", names[up][w], w + 1,
+                                   w < 5 ? ", " : "}");
+            snprintf(light, sizeof light, "{type: point, position: [%g, %g, %g], intensity: 7}",
+                     (box.low[0] + box.high[0]) / 2, (box.low[1] + box.high[1]) / 2, (box.low[2] + box.high[2]) / 2);
+            scenes[up] = scene_of("{z: 9000}", room_of(&box, more, room), light);
+        }
+        for (int w = 0; w < 6; w++) {
+            double place[3], normal[3], values[2];
+            on_wall(&box, w, place, normal);
+            for (int up = 0; up < 2; up++) {
+                luxel_probe *probe;
+                assert_int_equal(luxel_probe_element(scenes[up], NULL, place, normal, NULL, &probe), LUXEL_OK);
+                assert_true(probe->has_value && probe->lies_on_surface);
+                assert_string_equal(probe->part_name, names[up][w]);
+                assert_true(fabs(probe->value * M_PI - (w + 1) / 10.0 * probe->shares[0].irradiance) <=
+                            1e-12 * probe->value);
+                values[up] = probe->value;
+                luxel_probe_free(probe);
+            }
+            assert_true(values[0] == values[1]);
+        }
+        luxel_scene_free(scenes[0]);
+        luxel_scene_free(scenes[1]);
+    }
+    luxel_scene *plain = scene_of("{z: 900}", "{type: room, center: [0, 0, 0], size: [9, 9, 9]}", "");
+    for (size_t i = 0; i < luxel_scene_convention_count(plain); i++)
+        assert_string_not_equal(luxel_scene_convention_key(plain, i), "up");
+    luxel_scene_free(plain);
+}
+
 #define BEGINNING                                                                                                      \
     "luxel: 1\nscreen: {width: 800, height: 800, resolution: [80, 80]}\nobserver: {z: 900}\nlights: []\nsurfaces:\n"   \
     "  - type: room\n    center: [0, 0, 0]\n"
@@ -440,6 +484,8 @@ static void test_wrong_rooms(void **state)
     expect_text_error(BEGINNING "    size: [1, 1, 1]\n    materials: {floor: {difuse: 1}}\n",
                       WANTED(.id = "unknown-key", .line = 9, .column = 25, .hint = "diffuse"));
     expect_text_error(BEGINNING "    size: [1, 1, 1]\n    materials: [1]\n", WANTED(.line = 9, .column = 16));
+    expect_text_error(BEGINNING "    size: [1, 1, 1]\n    up: [0, 0, 1]\n", WANTED(.line = 9, .column = 9));
+    expect_text_error(BEGINNING "    size: [1, 1, 1]\n    up: x\n", WANTED(.line = 9, .column = 9));
     expect_text_error(BEGINNING, WANTED(.id = "missing-key", .key = "surfaces[0].size"));
 }
 
@@ -476,6 +522,7 @@ int main(void)
         cmocka_unit_test(test_no_sight_leaks),
         cmocka_unit_test(test_observers),
         cmocka_unit_test(test_materials),
+        cmocka_unit_test(test_up),
         cmocka_unit_test(test_wrong_rooms),
         cmocka_unit_test(test_advice),
     };
