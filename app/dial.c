@@ -10,8 +10,8 @@
 
 #include "../front/words.h"
 #include "number.h"
-#include "touch.h"
 #include "row.h"
+#include "touch.h"
 
 enum {
     INSET = 22, /* of the bar at both ends: half a finger */
@@ -431,9 +431,16 @@ void app_dial_set_form(AppDial *self, AppDisplayForm *form)
 
 void app_dial_set_picture(AppDial *self, AppPicture *picture)
 {
-    app_picture_ref(picture);
+    if (picture)
+        app_picture_ref(picture);
     app_picture_unref(self->picture);
     self->picture = picture;
+    if (!picture) {
+        self->level_count = 0;
+        gtk_widget_queue_draw(self->area);
+        gtk_widget_queue_draw(self->needle);
+        return;
+    }
     if (!picture->display.isophotes || picture->side == APP_SIDE_DIFFERENCE)
         self->level_count = 0;
     for (int i = 0; i < ENDS; i++)

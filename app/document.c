@@ -16,7 +16,7 @@ struct _AppDocument {
     char *text, *saved_text;
     char *path, *name;
     AppHistory *history;
-    guint64 serial;
+    guint64 serial, origin;
     gint64 last_change; /* monotonic time */
     guint gestures;
     const char *topic;       /* of every change; NULL: each has its own */
@@ -110,6 +110,7 @@ static gboolean adopt(AppDocument *self, luxel_scene *scene, const char *path, c
     self->path = new_path;
     self->name = new_name;
     app_history_clear(self->history);
+    self->origin++;
     tell(self, TRUE);
     return TRUE;
 }
@@ -208,6 +209,11 @@ gboolean app_document_is_modified(const AppDocument *self)
 guint64 app_document_serial(const AppDocument *self)
 {
     return self->serial;
+}
+
+guint64 app_document_origin(const AppDocument *self)
+{
+    return self->origin;
 }
 
 AppDocument *app_document_copy(const AppDocument *self)

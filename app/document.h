@@ -42,8 +42,9 @@ const char *app_document_name(const AppDocument *self);
 const char *app_document_text(const AppDocument *self);
 gboolean app_document_is_modified(const AppDocument *self);
 
-/* A number that every change of the text makes greater. */
+/* A number that every change of the text makes greater; and one that every scene does that takes the place of another. */
 guint64 app_document_serial(const AppDocument *self);
+guint64 app_document_origin(const AppDocument *self);
 
 /* A document with the same scene, without history, for trying something out. */
 AppDocument *app_document_copy(const AppDocument *self);

@@ -59,11 +59,12 @@ static bool go_on(double done, void *data)
     return !app_runner_is_outdated(kept->runner) || g_get_monotonic_time() - kept->begun < PATIENCE_MICROSECONDS;
 }
 
-/* One thread, as pictures have the others; the answers are the same. */
+/* One thread, as pictures have the others; the answers are the same.  Reflected light is what the picture has. */
 static luxel_settings settings_of(const AppShot *shot, Kept *kept)
 {
     luxel_settings settings;
     luxel_settings_init(&settings);
+    settings.share_reflected = true;
     settings.quantity = luxel_field_quantity(shot->field);
     settings.threads = 1;
     settings.progress = go_on;
@@ -117,40 +118,45 @@ gboolean app_pixel_at(const luxel_field *field, double x_mm, double y_mm, guint 
 
 /* ---- points and sources ---- */
 
-static AppPoint read_point(Kept *kept, AppShot *shot, const luxel_settings *settings, gsize i)
+/* The points of a shot's scene by the scene of another one, or of itself; NULL: it was given up, or failed. */
+static luxel_probe *probe_points(const AppShot *of, const AppShot *by, gsize count, Kept *kept)
 {
-    AppPoint point = {0};
-    luxel_probe *probe;
-    luxel_scene_point(shot->moment->scene, i, &point.x_mm, &point.y_mm);
-    if (luxel_probe_screen(shot->moment->scene, settings, point.x_mm, point.y_mm, NULL, &probe) != LUXEL_OK)
-        return point;
-    point.on_surface = probe->on_surface;
-    point.has_value = probe->has_value;
-    point.source_on_element = probe->source_on_element;
-    point.value = probe->value;
-    point.error = probe->error;
-    point.has_pixel = probe->has_pixel && probe->has_pixel_value;
-    point.pixel_value = probe->pixel_value;
-    point.column = probe->column;
-    point.row = probe->row;
+    luxel_settings settings = settings_of(by, kept);
+    luxel_place *places = g_new0(luxel_place, count);
+    luxel_probe *probes = NULL;
+    for (gsize i = 0; i < count; i++)
+        luxel_scene_point(of->moment->scene, i, &places[i].screen_mm[0], &places[i].screen_mm[1]);
+    if (luxel_probe_many(by->moment->scene, &settings, places, count, NULL, &probes) != LUXEL_OK)
+        probes = NULL;
+    g_free(places);
+    return probes;
+}
+
+static AppPoint point_of(Kept *kept, AppShot *shot, const luxel_probe *probe)
+{
+    AppPoint point = {
+        .x_mm = probe->x_mm,
+        .y_mm = probe->y_mm,
+        .on_surface = probe->on_surface,
+        .has_value = probe->has_value,
+        .source_on_element = probe->source_on_element,
+        .value = probe->value,
+        .error = probe->error,
+        .has_pixel = probe->has_pixel && probe->has_pixel_value,
+        .pixel_value = probe->pixel_value,
+        .column = probe->column,
+        .row = probe->row,
+    };
     point.has_grey = point.has_pixel && shot->is_fine;
     if (point.has_grey)
         point.grey = grey_at(kept, shot, point.column, point.row);
-    luxel_probe_free(probe);
     return point;
 }
 
 /* Takes off what the other shot has at the same place. */
-static void take_off(AppPoint *point, const AppShot *minus, const luxel_settings *settings)
+static void take_off(AppPoint *point, const luxel_probe *probe)
 {
-    luxel_settings own = *settings;
-    luxel_probe *probe;
     point->has_grey = FALSE;
-    app_moment_light(minus->moment, &own);
-    if (luxel_probe_screen(minus->moment->scene, &own, point->x_mm, point->y_mm, NULL, &probe) != LUXEL_OK) {
-        point->has_value = point->has_pixel = FALSE;
-        return;
-    }
     point->on_surface = point->on_surface && probe->on_surface;
     point->source_on_element = point->source_on_element || probe->source_on_element;
     point->has_value = point->has_value && probe->has_value;
@@ -158,23 +164,24 @@ static void take_off(AppPoint *point, const AppShot *minus, const luxel_settings
     point->error += probe->error;
     point->has_pixel = point->has_pixel && probe->has_pixel && probe->has_pixel_value;
     point->pixel_value -= probe->pixel_value;
-    luxel_probe_free(probe);
 }
 
 /* The irradiance that each source gives at the place seen at the first surface's centre. */
-static void read_sources(const AppShot *shot, const luxel_settings *settings, AppMeasures *measures)
+static void read_sources(const AppShot *shot, Kept *kept, AppMeasures *measures)
 {
-    const luxel_scene *scene = shot->moment->scene;
-    luxel_settings irradiance = *settings;
+    const AppMoment *moment = shot->moment->direct ? shot->moment->direct : shot->moment;
+    const luxel_scene *scene = moment->scene;
+    luxel_settings irradiance = settings_of(shot, kept);
     luxel_probe *probe = NULL;
     double center[3], screen[2];
     measures->source_count = luxel_scene_light_count(scene);
     measures->sources = g_new0(AppSource, measures->source_count);
     irradiance.quantity = LUXEL_IRRADIANCE;
     irradiance.tolerance = 1e-6;
-    app_moment_light(shot->moment, &irradiance);
-    if (luxel_scene_surface_place(scene, 0, center) == LUXEL_OK && luxel_scene_project(scene, center, screen))
-        luxel_probe_screen(scene, &irradiance, screen[0], screen[1], NULL, &probe);
+    app_moment_light(moment, &irradiance);
+    if (luxel_scene_surface_place(scene, 0, center) == LUXEL_OK && luxel_scene_project(scene, center, screen) &&
+        luxel_probe_screen(scene, &irradiance, screen[0], screen[1], NULL, &probe) != LUXEL_OK)
+        probe = NULL;
     for (gsize i = 0; i < measures->source_count; i++) {
         AppSource *source = &measures->sources[i];
         source->irradiance = (double)NAN;
@@ -189,6 +196,7 @@ static void read_sources(const AppShot *shot, const luxel_settings *settings, Ap
 static AppMeasures *new_measures(const AppQuestion *question)
 {
     AppMeasures *measures = g_new0(AppMeasures, 1);
+    measures->version = app_version_of(question->shot, question->minus);
     measures->shot = app_shot_ref(question->shot);
     measures->live = app_shot_ref(question->live ? question->live : question->shot);
     measures->is_difference = question->minus != NULL;
@@ -210,23 +218,38 @@ static void free_measures(gpointer data)
     g_free(measures);
 }
 
-static void measure_points(AppRunner *runner, const AppQuestion *question, Kept *kept)
+static void measure_sources(AppRunner *runner, const AppQuestion *question, Kept *kept)
 {
     AppMeasures *measures = new_measures(question);
-    AppShot *shot = question->shot;
-    luxel_settings settings = settings_of(shot, kept);
-    const gsize count = luxel_scene_point_count(shot->moment->scene);
-    settings.progress = NULL;
-    measures->has_points = TRUE;
-    measures->point_count = MIN(count, APP_MOST_POINTS);
-    measures->points_left = count - measures->point_count;
-    measures->points = g_new0(AppPoint, measures->point_count);
-    for (gsize i = 0; i < measures->point_count; i++)
-        measures->points[i] = read_point(kept, shot, &settings, i);
-    for (gsize i = 0; i < measures->point_count && question->minus; i++)
-        take_off(&measures->points[i], question->minus, &settings);
-    read_sources(measures->live, &settings, measures);
+    measures->has_sources = TRUE;
+    read_sources(measures->live, kept, measures);
     app_runner_report(runner, measures);
+}
+
+static void measure_points(AppRunner *runner, const AppQuestion *question, Kept *kept)
+{
+    const gsize all = luxel_scene_point_count(question->shot->moment->scene), count = MIN(all, APP_MOST_POINTS);
+    luxel_probe *probes = count > 0 ? probe_points(question->shot, question->shot, count, kept) : NULL;
+    luxel_probe *minus = probes && question->minus ? probe_points(question->shot, question->minus, count, kept) : NULL;
+    const gboolean is_whole = probes && (minus || !question->minus);
+    if (count == 0 || is_whole || !app_runner_is_outdated(runner)) { /* else it was given up */
+        AppMeasures *measures = new_measures(question);
+        measures->has_points = TRUE;
+        measures->point_count = count;
+        measures->points_left = all - count;
+        measures->points = g_new0(AppPoint, count);
+        for (gsize i = 0; i < count; i++) {
+            AppPoint *point = &measures->points[i];
+            luxel_scene_point(question->shot->moment->scene, i, &point->x_mm, &point->y_mm);
+            if (is_whole)
+                *point = point_of(kept, question->shot, &probes[i]);
+            if (is_whole && minus)
+                take_off(point, &minus[i]);
+        }
+        app_runner_report(runner, measures);
+    }
+    luxel_probe_free(probes);
+    luxel_probe_free(minus);
 }
 
 /* ---- sections ---- */
@@ -343,6 +366,11 @@ static void answer(AppRunner *runner, gpointer job, gpointer state)
 {
     const AppQuestion *question = job;
     Both *both = state;
+    both->shot.runner = runner;
+    both->shot.begun = g_get_monotonic_time();
+    measure_sources(runner, question, &both->shot);
+    if (question->shot->moment->is_direct)
+        return;
     measure_points(runner, question, &both->shot);
     const luxel_evaluator *evaluator = evaluator_of(&both->shot, runner, question->shot);
     const luxel_evaluator *minus = question->minus ? evaluator_of(&both->minus, runner, question->minus) : NULL;
@@ -432,6 +460,7 @@ static void read_place(AppRunner *runner, gpointer job, gpointer state)
     reading->x_mm = place->x_mm;
     reading->y_mm = place->y_mm;
     reading->moment = app_moment_ref(place->shot->moment);
+    reading->version = app_version_of(place->shot, place->minus);
     reading->quantity = luxel_field_quantity(place->shot->field);
     reading->share_count = luxel_evaluator_light_count(evaluator);
     reading->shares = g_new0(double, reading->share_count);

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * Measures: the numbers beside the picture.  One thread reads them off a shot: points and sections at once, what takes
- * longer (statistics, true extrema, isophotes) when the hand rests.  Another one answers what is under the pointer.
+ * Measures: the numbers beside the picture.  One thread reads them off a shot: sources, points and sections at once,
+ * by the picture's own solution of reflected light; what takes longer (statistics, true extrema, isophotes) when the hand rests.  Another one answers what is under the pointer.
  */
 #ifndef LUXEL_APP_MEASURES_H
 #define LUXEL_APP_MEASURES_H
@@ -9,7 +9,7 @@
 #include "curve.h"
 #include "picture.h"
 
-/* What is wanted. */
+/* What is wanted; of a shot of direct light alone the sources, as its numbers would be taken for those of the scene. */
 typedef struct AppQuestion {
     AppShot *shot;    /* a reference is taken, as of the next two */
     AppShot *minus;   /* what is taken off, so that the answers are of the difference; NULL: nothing */
@@ -40,12 +40,14 @@ typedef struct AppSource {
 
 /* The answers, which come in parts: of each flag that is TRUE the rest is meant. */
 typedef struct AppMeasures {
+    AppVersion version; /* that they are of, but the sources */
     AppShot *shot;
     gboolean is_difference; /* of the shot and what was taken off */
-    AppShot *live;          /* whose the sources are */
-    gboolean has_points;    /* the sources, too */
+    gboolean has_points;
     AppPoint *points;
     gsize point_count, points_left; /* points_left: more than are listed */
+    gboolean has_sources;           /* by their direct light */
+    AppShot *live;                  /* whose they are */
     AppSource *sources;
     gsize source_count;
     gboolean has_section;
@@ -84,6 +86,7 @@ typedef struct AppReading {
     guint8 grey;
     AppMoment *moment;
     luxel_quantity quantity;
+    AppVersion version;
 } AppReading;
 
 typedef struct AppPointer AppPointer;

@@ -9,6 +9,7 @@
 #include "../front/language.h"
 #include "../front/words.h"
 #include "choices.h"
+#include "dim.h"
 #include "number.h"
 #include "results.h"
 #include "row.h"
@@ -140,6 +141,79 @@ luxel_drawing_style app_numbers_style(GtkWidget *widget, luxel_language *languag
     return style;
 }
 
+/* ---- which version they are of ---- */
+
+static const char *const page_names[] = {"space", "points", "section", "statistics"};
+
+static gboolean is_of(const AppNumbers *self, Part part)
+{
+    return app_version_equal(&self->versions[part], &self->wanted);
+}
+
+/* What keeps the results from being copied; NULL: nothing. */
+static const char *why_no_copy(const AppNumbers *self)
+{
+    if (self->wanted.is_direct)
+        return _("What surfaces reflect is not computed yet");
+    if (!self->is_latest || !is_of(self, PART_POINTS) || !self->shot)
+        return _("The numbers of this scene are still being computed");
+    return self->shot->is_fine ? NULL : _("The picture is still a coarse one");
+}
+
+static void judge(AppNumbers *self)
+{
+    GtkWidget *const parts[PARTS] = {
+        [PART_POINTS] = gtk_stack_get_child_by_name(GTK_STACK(self->stack), page_names[APP_PAGE_POINTS]),
+        [PART_SECTION] = gtk_stack_get_child_by_name(GTK_STACK(self->stack), page_names[APP_PAGE_SECTION]),
+        [PART_STATISTICS] = gtk_stack_get_child_by_name(GTK_STACK(self->stack), page_names[APP_PAGE_STATISTICS]),
+        [PART_BALANCE] = self->balance};
+    /* the balance stands among the statistics, with which it would be dimmed twice */
+    for (Part part = 0; part < PARTS; part++)
+        app_set_stale(parts[part], !is_of(self, part) && (part != PART_BALANCE || is_of(self, PART_STATISTICS)));
+    const char *why = why_no_copy(self);
+    gtk_widget_set_sensitive(self->copy, why == NULL);
+    gtk_widget_set_tooltip_text(self->copy, why ? why : _("Maximum, minimum and points as one text"));
+}
+
+gboolean app_numbers_set_version(AppNumbers *self, const AppVersion *version, gboolean is_latest)
+{
+    static const Part needed[] = {[APP_PAGE_SPACE] = PART_POINTS,
+                                  [APP_PAGE_POINTS] = PART_POINTS,
+                                  [APP_PAGE_SECTION] = PART_SECTION,
+                                  [APP_PAGE_STATISTICS] = PART_STATISTICS};
+    if (!app_version_equal(&self->wanted, version) || self->is_latest != is_latest) {
+        self->wanted = *version;
+        self->is_latest = is_latest;
+        judge(self);
+    }
+    return is_of(self, needed[app_numbers_page(self)]);
+}
+
+void app_numbers_set_late(AppNumbers *self, gboolean is_late)
+{
+    app_numbers_set_text(self->waiting, is_late ? _("being computed…") : "");
+}
+
+void app_numbers_forget(AppNumbers *self)
+{
+    const AppMeasures none = {.has_points = TRUE};
+    show_points(self, &none);
+    app_numbers_set_text(self->unit, "");
+    app_numbers_set_text(self->section_place, "");
+    for (int i = 0; i < 2; i++)
+        g_clear_pointer(&self->curves[i], app_curve_free);
+    g_clear_pointer(&self->bins, luxel_histogram_free);
+    for (int i = 0; i < LINES; i++)
+        app_numbers_set_text(self->lines[i], "");
+    app_numbers_show_balance(self, NULL);
+    for (int i = 0; i < PLOTS; i++)
+        app_numbers_tell_cursor(self, (Plot)i);
+    g_clear_pointer(&self->shot, app_shot_unref);
+    self->has_extrema = FALSE;
+    memset(self->versions, 0, sizeof self->versions);
+    judge(self);
+}
+
 /* ---- all ---- */
 
 /* What can be copied; extrema of another shot are no longer those of this one. */
@@ -165,7 +239,7 @@ static void keep_results(AppNumbers *self, const AppMeasures *measures)
 
 static void copy_results(AppNumbers *self)
 {
-    if (!self->shot)
+    if (why_no_copy(self))
         return;
     const char *name = app_document_name(self->document);
     const AppResults results = {.title = *name ? name : _("a new scene"),
@@ -187,6 +261,14 @@ void app_numbers_show(AppNumbers *self, AppMeasures *measures)
     self->unit_name = g_strdup_printf("%s%s, %s", measures->is_difference ? _("B − A: ") : "",
                                       gettext(luxel_field_quantity_word(field)), gettext(luxel_field_unit(field)));
     keep_results(self, measures);
+    if (measures->has_points)
+        self->versions[PART_POINTS] = measures->version;
+    if (measures->has_section)
+        self->versions[PART_SECTION] = measures->version;
+    if (measures->has_statistics)
+        self->versions[PART_STATISTICS] = measures->version;
+    if (measures->has_balance)
+        self->versions[PART_BALANCE] = measures->version;
     if (measures->has_points) {
         char *text = g_strdup_printf(
             _("Values: %s. “value” is exact at the point, “pixel” what the picture has there."), self->unit_name);
@@ -200,17 +282,7 @@ void app_numbers_show(AppNumbers *self, AppMeasures *measures)
         app_numbers_show_statistics(self, measures);
     if (measures->has_balance)
         app_numbers_show_balance(self, measures->balance);
-}
-
-void app_numbers_set_waiting(AppNumbers *self, gboolean waiting)
-{
-    GtkWidget *page = gtk_widget_get_first_child(self->stack);
-    while ((page = gtk_widget_get_next_sibling(page)))
-        if (waiting)
-            gtk_widget_add_css_class(page, "stale");
-        else
-            gtk_widget_remove_css_class(page, "stale");
-    gtk_widget_set_sensitive(self->copy, !waiting);
+    judge(self);
 }
 
 void app_numbers_set_colors(AppNumbers *self, const char *palette, double low, double high, gboolean logarithmic)
@@ -220,8 +292,6 @@ void app_numbers_set_colors(AppNumbers *self, const char *palette, double low, d
     self->high = high;
     self->logarithmic = logarithmic;
 }
-
-static const char *const page_names[] = {"space", "points", "section", "statistics"};
 
 AppPage app_numbers_page(AppNumbers *self)
 {
@@ -293,11 +363,16 @@ GtkWidget *app_numbers_new(AppDocument *document, GtkWidget *space)
     gtk_widget_set_vexpand(self->stack, TRUE);
     g_signal_connect_swapped(self->stack, "notify::visible-child", G_CALLBACK(page_turned), self);
     GtkWidget *copy = self->copy = gtk_button_new_with_label(_("Copy results"));
-    gtk_widget_set_tooltip_text(copy, _("Maximum, minimum and points as one text"));
-    gtk_widget_set_halign(copy, GTK_ALIGN_START);
+    GtkWidget *bottom = gtk_box_new(GTK_ORIENTATION_HORIZONTAL, 8);
+    self->waiting = gtk_label_new(NULL);
+    gtk_label_set_ellipsize(GTK_LABEL(self->waiting), PANGO_ELLIPSIZE_END);
+    gtk_widget_add_css_class(self->waiting, "note");
+    gtk_box_append(GTK_BOX(bottom), copy);
+    gtk_box_append(GTK_BOX(bottom), self->waiting);
     g_signal_connect_swapped(copy, "clicked", G_CALLBACK(copy_results), self);
     gtk_box_append(GTK_BOX(self), switcher);
     gtk_box_append(GTK_BOX(self), self->stack);
-    gtk_box_append(GTK_BOX(self), copy);
+    gtk_box_append(GTK_BOX(self), bottom);
+    judge(self);
     return GTK_WIDGET(self);
 }

@@ -48,9 +48,11 @@ static void add_amount(GtkWidget *grid, int *row, const char *words, const luxel
 static void add_sides(GtkWidget *grid, int *row, const luxel_balance *balance)
 {
     const gboolean is_photometric = strcmp(balance->flux_unit, "lm") == 0;
-    add_heading(grid, row, g_strdup_printf("%s, %s", is_photometric ? _("Mean illuminance of the surfaces")
-                                                                    : _("Mean irradiance of the surfaces"),
-                                           gettext(balance->unit)));
+    add_heading(
+        grid, row,
+        g_strdup_printf("%s, %s",
+                        is_photometric ? _("Mean illuminance of the surfaces") : _("Mean irradiance of the surfaces"),
+                        gettext(balance->unit)));
     for (gsize i = 0; i < MIN(balance->side_count, APP_MOST_POINTS); i++) {
         char *name = name_side(&balance->sides[i]);
         add_amount(grid, row, name, &balance->sides[i].irradiance);
@@ -85,7 +87,6 @@ GtkWidget *app_numbers_new_balance(AppNumbers *self)
 void app_numbers_await_balance(AppNumbers *self, gboolean is_coming)
 {
     gtk_widget_set_visible(self->balance, is_coming && gtk_widget_get_first_child(self->balance));
-    gtk_widget_add_css_class(self->balance, "stale");
 }
 
 void app_numbers_show_balance(AppNumbers *self, const luxel_balance *balance)
@@ -94,7 +95,6 @@ void app_numbers_show_balance(AppNumbers *self, const luxel_balance *balance)
     int row = 0;
     while ((child = gtk_widget_get_first_child(grid)))
         gtk_grid_remove(GTK_GRID(grid), child);
-    gtk_widget_remove_css_class(grid, "stale");
     gtk_widget_set_visible(grid, balance != NULL);
     if (!balance)
         return;

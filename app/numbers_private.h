@@ -32,6 +32,9 @@ typedef enum Line {
     LINES
 } Line;
 
+/* What comes and goes by itself, each of a version of the scene. */
+typedef enum Part { PART_POINTS, PART_SECTION, PART_STATISTICS, PART_BALANCE, PARTS } Part;
+
 /* The plots, off which a cursor reads values. */
 typedef enum Plot { PLOT_HORIZONTAL, PLOT_VERTICAL, PLOT_HISTOGRAM, PLOTS } Plot;
 
@@ -46,7 +49,9 @@ struct _AppNumbers {
     AppDocument *document;
     GtkWidget *stack, *points, *points_left, *unit, *section_place, *plots[PLOTS];
     Cursor cursors[PLOTS];
-    GtkWidget *lines[LINES], *balance, *copy;
+    GtkWidget *lines[LINES], *balance, *copy, *waiting;
+    AppVersion wanted, versions[PARTS]; /* of the scene that is shown, and that each part is of */
+    gboolean is_latest;                 /* what is wanted is the document as it is */
     guint point_rows;
     char *unit_name;
     AppCurve *curves[2];
@@ -89,7 +94,7 @@ void app_numbers_show_statistics(AppNumbers *self, AppMeasures *measures);
 
 /* numbers_balance.c: of scenes whose surfaces reflect light */
 GtkWidget *app_numbers_new_balance(AppNumbers *self);
-/* Dims the balance until another one comes; FALSE: none will. */
+/* Whether one belongs to what is shown. */
 void app_numbers_await_balance(AppNumbers *self, gboolean is_coming);
 void app_numbers_show_balance(AppNumbers *self, const luxel_balance *balance);
 

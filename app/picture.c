@@ -28,7 +28,7 @@ struct AppPainter {
 
 typedef struct Work {
     AppPainter *painter;
-    AppShot *last;            /* the last fine one */
+    AppShot *last;            /* the last fine one, of direct light as well */
     double seconds_per_pixel; /* of the last picture; 0: not known */
     luxel_quantity quantity;  /* that is wished */
 } Work;
@@ -38,6 +38,7 @@ typedef struct Work {
 static void clear_moment(gpointer data)
 {
     AppMoment *moment = data;
+    app_moment_unref(moment->direct);
     luxel_outlines_free(moment->outlines);
     luxel_scene_free(moment->scene);
 }
@@ -112,6 +113,16 @@ gboolean app_picture_value(const AppPicture *picture, guint column, guint row, d
     return TRUE;
 }
 
+AppVersion app_version_of(const AppShot *shot, const AppShot *minus)
+{
+    return (AppVersion){shot->moment->serial, minus ? minus->moment->serial : 0, shot->moment->is_direct};
+}
+
+gboolean app_version_equal(const AppVersion *a, const AppVersion *b)
+{
+    return a->shot == b->shot && a->minus == b->minus && a->is_direct == b->is_direct;
+}
+
 AppMoment *app_moment_new(luxel_scene *scene, guint64 serial, gssize solo, luxel_diagnostics *faults)
 {
     if (luxel_scene_commit(scene, faults) != LUXEL_OK) {
@@ -169,7 +180,17 @@ typedef struct Watch {
     AppPainter *painter;
     gint64 started;
     gboolean is_coarse;
+    Work *work;
+    AppWish *wish; /* that reflected light is found for; NULL: it is not */
 } Watch;
+
+static void free_wish(gpointer data)
+{
+    AppWish *wish = data;
+    luxel_scene_free(wish->scene);
+    app_shot_unref(wish->pinned);
+    g_free(wish);
+}
 
 static double seconds_since(gint64 started)
 {
@@ -182,12 +203,37 @@ static guint milliseconds(gint64 time)
     return (guint)(time / 1000);
 }
 
+static void paint_and_report(AppRunner *runner, const AppWish *wish, AppShot *shot);
+
+/* Whether a wish is for the light that another one is for, shown in another way. */
+static gboolean is_same_light(gconstpointer job, gconstpointer data)
+{
+    const AppWish *newer = job, *wish = data;
+    return newer->serial == wish->serial && newer->solo == wish->solo && newer->quantity == wish->quantity &&
+           newer->is_direct == wish->is_direct && !newer->pinned && !wish->pinned;
+}
+
+/* Reflected light takes long, and whoever zooms or chooses colours meanwhile goes on waiting for it: the direct light
+ * is painted as it is wished now. */
+static gboolean take_over(const Watch *watch)
+{
+    AppWish *newer = watch->wish ? app_runner_take(watch->runner, is_same_light, watch->wish) : NULL;
+    if (!newer)
+        return FALSE;
+    watch->wish->display = newer->display;
+    watch->wish->frame = newer->frame;
+    free_wish(newer);
+    if (watch->work->last)
+        paint_and_report(watch->runner, watch->wish, watch->work->last);
+    return TRUE;
+}
+
 static bool watch(double done, void *data)
 {
     const Watch *watch = data;
     if (!watch->is_coarse)
         g_atomic_int_set(&watch->painter->permille, (int)(done * PERMILLE));
-    if (!app_runner_is_outdated(watch->runner))
+    if (!app_runner_is_outdated(watch->runner) || take_over(watch))
         return true;
     return watch->is_coarse && seconds_since(watch->started) < LONG_SECONDS;
 }
@@ -201,11 +247,11 @@ static void note_given_up(Work *work, const luxel_scene *scene, guint stride, do
     work->seconds_per_pixel = fmax(work->seconds_per_pixel, seconds / pixels);
 }
 
-/* Computes each stride-th pixel; NULL where it was given up or failed. */
+/* Computes each stride-th pixel; NULL where it was given up or failed.  `wish`: see Watch. */
 static AppShot *compute(Work *work, AppRunner *runner, AppMoment *moment, guint stride, gboolean is_short,
-                        luxel_diagnostics *faults)
+                        AppWish *wish, luxel_diagnostics *faults)
 {
-    Watch watched = {runner, work->painter, g_get_monotonic_time(), is_short};
+    Watch watched = {runner, work->painter, g_get_monotonic_time(), is_short, work, wish};
     luxel_settings settings;
     luxel_field *field;
     luxel_settings_init(&settings);
@@ -379,6 +425,7 @@ static void paint_and_report(AppRunner *runner, const AppWish *wish, AppShot *sh
     if (difference)
         picture->display = display_of_difference(&wish->display, picture->comparison.largest.value);
     picture->shot = app_shot_ref(shot);
+    picture->serial = shot->moment->serial; /* whatever was wished meanwhile */
     picture->columns = luxel_field_columns(field);
     picture->rows = luxel_field_rows(field);
     picture->pixels = g_malloc((gsize)picture->columns * picture->rows * 4);
@@ -409,14 +456,10 @@ static guint stride_for(const Work *work, double pixels)
     return (guint)CLAMP(stride, 1, LARGEST_STRIDE);
 }
 
-/* Keeps and shows the fine picture of all light. */
+/* Keeps and shows a fine picture. */
 static void finish(Work *work, AppRunner *runner, const AppWish *wish, AppShot *shot)
 {
     paint_and_report(runner, wish, shot);
-    if (shot->moment->is_direct) {
-        app_shot_unref(shot);
-        return;
-    }
     app_shot_unref(work->last);
     work->last = shot;
 }
@@ -429,7 +472,7 @@ static void compute_and_paint(Work *work, AppRunner *runner, const AppWish *wish
     const double pixels = (double)columns * rows;
     guint stride = stride_for(work, pixels);
     if (stride > 1) {
-        AppShot *coarse = compute(work, runner, moment, stride, TRUE, faults);
+        AppShot *coarse = compute(work, runner, moment, stride, TRUE, NULL, faults);
         if (!coarse)
             return;
         /* most often it was the first picture, of which nothing was known, and the whole takes no longer */
@@ -440,17 +483,16 @@ static void compute_and_paint(Work *work, AppRunner *runner, const AppWish *wish
         if (stride > 1 && app_runner_is_outdated(runner))
             return;
     }
-    AppShot *fine = compute(work, runner, moment, 1, stride == 1, faults);
+    AppShot *fine = compute(work, runner, moment, 1, stride == 1, NULL, faults);
     if (fine)
         finish(work, runner, wish, fine);
 }
 
 /* All of the light, after the direct light was shown; how fast that follows the hand stays known. */
-static void add_reflected(Work *work, AppRunner *runner, const AppWish *wish, AppMoment *moment,
-                          luxel_diagnostics *faults)
+static void add_reflected(Work *work, AppRunner *runner, AppWish *wish, AppMoment *moment, luxel_diagnostics *faults)
 {
     const double known = work->seconds_per_pixel;
-    AppShot *shot = compute(work, runner, moment, 1, FALSE, faults);
+    AppShot *shot = compute(work, runner, moment, 1, FALSE, wish, faults);
     work->seconds_per_pixel = known;
     if (shot)
         finish(work, runner, wish, shot);
@@ -460,7 +502,8 @@ static void add_reflected(Work *work, AppRunner *runner, const AppWish *wish, Ap
 static gboolean is_last(const Work *work, const AppWish *wish)
 {
     return work->last && work->last->moment->serial == wish->serial && work->last->moment->solo == wish->solo &&
-           luxel_field_quantity(work->last->field) == wish->quantity;
+           luxel_field_quantity(work->last->field) == wish->quantity &&
+           (!work->last->moment->is_direct || wish->is_direct);
 }
 
 static void do_wish(AppRunner *runner, gpointer job, gpointer state)
@@ -473,13 +516,16 @@ static void do_wish(AppRunner *runner, gpointer job, gpointer state)
     }
     work->quantity = wish->quantity;
     luxel_diagnostics *faults = luxel_diagnostics_new();
-    AppMoment *direct = wish->pinned ? NULL : direct_moment(wish); /* what is compared is all light */
-    if (direct)
+    AppMoment *direct = direct_moment(wish);
+    const gboolean is_shown = direct && !wish->pinned; /* what is compared is all light */
+    if (is_shown)
         compute_and_paint(work, runner, wish, direct, NULL);
-    const gboolean is_enough = direct && app_runner_is_outdated(runner);
+    const gboolean is_enough = is_shown && (wish->is_direct || app_runner_is_outdated(runner));
     AppMoment *moment =
         is_enough ? NULL : app_moment_new(g_steal_pointer(&wish->scene), wish->serial, wish->solo, faults);
-    if (moment && direct)
+    if (moment)
+        moment->direct = direct ? app_moment_ref(direct) : NULL;
+    if (moment && is_shown)
         add_reflected(work, runner, wish, moment, faults);
     else if (moment)
         compute_and_paint(work, runner, wish, moment, faults);
@@ -489,14 +535,6 @@ static void do_wish(AppRunner *runner, gpointer job, gpointer state)
         report_faults(runner, wish, faults);
     else
         luxel_diagnostics_free(faults);
-}
-
-static void free_wish(gpointer data)
-{
-    AppWish *wish = data;
-    luxel_scene_free(wish->scene);
-    app_shot_unref(wish->pinned);
-    g_free(wish);
 }
 
 static void free_work(gpointer data)

@@ -19,10 +19,11 @@
 /* A committed scene at one moment of the work. */
 typedef struct AppMoment {
     luxel_scene *scene;
-    guint64 serial;           /* of the document */
+    guint64 serial;           /* of the version of the scene, see AppWish */
     gssize solo;              /* the light that alone is seen, or -1 */
     gsize only;               /* that light */
     gboolean is_direct;       /* without the reflected light that the document's scene asks for */
+    struct AppMoment *direct; /* the same without that light; NULL: there is none, or it is that itself */
     luxel_outlines *outlines; /* of its surfaces; the painter's, which makes them when they are wanted; NULL: none */
 } AppMoment;
 
@@ -49,8 +50,17 @@ typedef struct AppPicture {
     gboolean has_comparison;
     luxel_comparison comparison; /* of the shot with the pinned one */
     luxel_diagnostics *faults;   /* NULL: none */
-    guint64 serial;              /* of the document that was asked for */
+    guint64 serial;              /* of the version that was asked for */
 } AppPicture;
+
+/* What a number, a mark, a list, a curve or a text is of; {0}: of nothing. */
+typedef struct AppVersion {
+    guint64 shot, minus; /* the serial of what it was read off, and of what was taken off that; 0: nothing was */
+    gboolean is_direct;  /* direct light alone of a scene that reflects */
+} AppVersion;
+
+AppVersion app_version_of(const AppShot *shot, const AppShot *minus);
+gboolean app_version_equal(const AppVersion *a, const AppVersion *b);
 
 AppMoment *app_moment_ref(AppMoment *moment);
 void app_moment_unref(AppMoment *moment); /* NULL is harmless, as below */
@@ -65,9 +75,10 @@ gboolean app_picture_value(const AppPicture *picture, guint column, guint row, d
 /* What is wanted of a painter. */
 typedef struct AppWish {
     luxel_scene *scene; /* a copy, not committed, which is taken over */
-    guint64 serial;
+    guint64 serial;     /* another one, and a greater one, for each scene, light that alone is seen, and quantity */
     gssize solo;
     luxel_quantity quantity;
+    gboolean is_direct; /* light that surfaces reflect is not wanted, whatever the scene says */
     AppDisplay display;
     AppFrame frame; /* of the view */
     AppSide side;

@@ -112,6 +112,18 @@ gboolean app_runner_is_outdated(AppRunner *self)
     return g_atomic_int_get(&self->is_outdated);
 }
 
+gpointer app_runner_take(AppRunner *self, gboolean (*fits)(gconstpointer job, gconstpointer data), gconstpointer data)
+{
+    gpointer job = NULL;
+    g_mutex_lock(&self->mutex);
+    if (self->waiting && !self->is_stopping && fits(self->waiting, data)) {
+        job = g_steal_pointer(&self->waiting);
+        g_atomic_int_set(&self->is_outdated, FALSE);
+    }
+    g_mutex_unlock(&self->mutex);
+    return job;
+}
+
 gboolean app_runner_rest(AppRunner *self, guint milliseconds)
 {
     gint64 until = g_get_monotonic_time() + (gint64)milliseconds * 1000;

@@ -35,6 +35,10 @@ gboolean app_runner_is_busy(AppRunner *runner);
 
 /* For the work: whether there is a newer job or the runner is about to stop. */
 gboolean app_runner_is_outdated(AppRunner *runner);
+/* Takes the job that waits out, if it fits: the one that is being done stands for it then, and is not outdated.  The
+ * work's; NULL: none waits that fits. */
+gpointer app_runner_take(AppRunner *runner, gboolean (*fits)(gconstpointer job, gconstpointer data),
+                         gconstpointer data);
 /* Waits so long for a newer job; whether there is one. */
 gboolean app_runner_rest(AppRunner *runner, guint milliseconds);
 /* Takes the report over. */

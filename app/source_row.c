@@ -5,6 +5,7 @@
 #include <math.h>
 
 #include "../front/words.h"
+#include "dim.h"
 #include "lamp.h"
 #include "row.h"
 #include "share.h"
@@ -103,10 +104,7 @@ void app_source_row_set_share(AppSourceRow *self, double share, double whole)
 
 void app_source_row_set_stale(AppSourceRow *self, gboolean stale)
 {
-    if (stale)
-        gtk_widget_add_css_class(self->gives, "stale");
-    else
-        gtk_widget_remove_css_class(self->gives, "stale");
+    app_set_stale(self->gives, stale);
 }
 
 /* ---- the class ---- */

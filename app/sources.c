@@ -28,8 +28,9 @@ struct _AppSources {
     GtkWidget *several;
     GPtrArray *items; /* AppSourceRow's */
     gsize chosen;
-    GArray *together; /* gsize, rising: all that are chosen */
-    gsize count;      /* of the sources, as it was last */
+    GArray *together;       /* gsize, rising: all that are chosen */
+    guint64 wanted, serial; /* of the version of the scene that is shown, and of what the rows say that sources give */
+    gsize count;            /* of the sources, as it was last */
     gssize solo;
     gboolean is_updating;
 };
@@ -326,12 +327,25 @@ void app_sources_hover(AppSources *self, gssize index)
     }
 }
 
-void app_sources_set_stale(AppSources *self, gboolean stale)
+static void judge(AppSources *self)
 {
     for (guint i = 0; i < self->items->len; i++)
-        app_source_row_set_stale(g_ptr_array_index(self->items, i), stale);
-    if (stale)
-        app_sources_show_shares(self, NULL);
+        app_source_row_set_stale(g_ptr_array_index(self->items, i), self->serial != self->wanted);
+}
+
+gboolean app_sources_set_version(AppSources *self, guint64 serial)
+{
+    self->wanted = serial;
+    judge(self);
+    return self->serial == self->wanted;
+}
+
+void app_sources_forget(AppSources *self)
+{
+    self->serial = 0;
+    for (guint i = 0; i < self->items->len; i++)
+        app_source_row_set_gives(g_ptr_array_index(self->items, i), "");
+    app_sources_show_shares(self, NULL);
 }
 
 void app_sources_show_shares(AppSources *self, const AppReading *reading)
@@ -359,6 +373,8 @@ void app_sources_show(AppSources *self, const AppMeasures *measures, gboolean ph
         app_source_row_set_gives(g_ptr_array_index(self->items, i), text->str);
         g_string_free(text, TRUE);
     }
+    self->serial = measures->live->moment->serial;
+    judge(self);
 }
 
 gboolean app_sources_set_fault(AppSources *self, const char *key, const char *reason)

@@ -26,8 +26,11 @@ const GArray *app_sources_chosen(const AppSources *self);
 gsize app_sources_shown(const AppSources *self);
 /* Which row is lit up, as the pointer is on its mark; -1: none. */
 void app_sources_hover(AppSources *self, gssize index);
-/* Dims what the sources give: it is of an earlier scene. */
-void app_sources_set_stale(AppSources *self, gboolean stale);
+/* The version of the scene that is shown: what the sources give in another one is dimmed.  FALSE: that is still on its
+ * way. */
+gboolean app_sources_set_version(AppSources *self, guint64 serial);
+/* Another scene is opened: nothing is left of what those of the one before give. */
+void app_sources_forget(AppSources *self);
 /* Shows flux and irradiance; `photometric`: in lm and lx. */
 void app_sources_show(AppSources *self, const AppMeasures *measures, gboolean photometric);
 /* Shows each source's share of the value that was read under the pointer; NULL: there is none. */

@@ -16,7 +16,7 @@ enum {
     TITLE = 14,
     REACH = 14,
     LEAST_SIDE = 40,
-    STILL = 4 /* within which a press with Ctrl or Shift is no drag */
+    STILL = 4 /* within which a press is no drag */
 };
 
 enum { SELECTED, HOVERED, TOGGLED, SIGNALS };
@@ -204,7 +204,7 @@ static void drag_update(GtkGestureDrag *gesture, double dx, double dy, AppStage 
     const GdkModifierType state = gtk_event_controller_get_current_event_state(GTK_EVENT_CONTROLLER(gesture));
     const double gain = ((state & GDK_SHIFT_MASK) ? 0.1 : 1) / self->map.scale;
     double to[3];
-    if (!self->is_held || (self->is_toggling && hypot(dx, dy) < STILL))
+    if (!self->is_held || (!self->has_moved && hypot(dx, dy) < STILL))
         return;
     if (self->is_toggling && !self->was_chosen) /* it is a drag, which chooses nothing but what it moves */
         select_thing(self);
@@ -232,6 +232,16 @@ static void drag_end(GtkGestureDrag *gesture, double dx, double dy, AppStage *se
         select_thing(self);
     fit(self);
     gtk_widget_queue_draw(GTK_WIDGET(self));
+}
+
+/* What is held is let go: it is of a scene that is no longer there. */
+static void let_go(AppStage *self)
+{
+    if (!self->is_held)
+        return;
+    self->is_held = FALSE;
+    g_clear_pointer(&self->turn, app_turn_free);
+    app_document_end_gesture(self->document);
 }
 
 /* What is under the pointer, and where: "Source 2: x 1500, y 200, z 2200 mm". */
@@ -267,7 +277,10 @@ void app_stage_set_moment(AppStage *self, AppMoment *moment)
 {
     if (moment == self->moment)
         return;
-    app_moment_ref(moment);
+    if (moment)
+        app_moment_ref(moment);
+    else
+        let_go(self);
     app_moment_unref(self->moment);
     self->moment = moment;
     g_clear_pointer(&self->space, app_space_free);

@@ -20,7 +20,7 @@ G_DECLARE_FINAL_TYPE(AppStage, app_stage, APP, STAGE, GtkWidget)
 
 GtkWidget *app_stage_new(AppDocument *document);
 
-/* Shows the scene of a moment; a reference is taken. */
+/* Shows the scene of a moment, to which a reference is taken; NULL: none. */
 void app_stage_set_moment(AppStage *self, AppMoment *moment);
 /* Which lamps are chosen together (gsize), and which of them is the one that the form shows. */
 void app_stage_choose(AppStage *self, const GArray *lights, gsize selected);

@@ -178,10 +178,25 @@ void app_view_set_picture(AppView *self, AppPicture *picture)
     gtk_widget_queue_draw(GTK_WIDGET(self));
 }
 
-void app_view_set_isophotes(AppView *self, luxel_isophotes *isophotes)
+void app_view_forget(AppView *self)
+{
+    app_view_let_go(self);
+    g_clear_object(&self->texture);
+    g_clear_pointer(&self->picture, app_picture_unref);
+    g_clear_pointer(&self->isophotes, luxel_isophotes_free);
+    g_array_set_size(self->marks, 0);
+    self->is_fitted = TRUE;
+    self->screen = (AppArea){.high = {1, 1}}; /* that of the first picture is fitted */
+    self->surface = -1;
+    self->is_read = FALSE;
+    gtk_widget_queue_draw(GTK_WIDGET(self));
+}
+
+void app_view_set_isophotes(AppView *self, luxel_isophotes *isophotes, guint64 serial)
 {
     luxel_isophotes_free(self->isophotes);
     self->isophotes = isophotes;
+    self->isophotes_serial = serial;
     gtk_widget_queue_draw(GTK_WIDGET(self));
 }
 
@@ -280,9 +295,20 @@ static void draw_marks(AppView *self, GtkSnapshot *snapshot)
     }
 }
 
+static const double DIM = 0.3; /* of what is not of the document, or not of the picture */
+
+static void draw_isophotes(AppView *self, GtkSnapshot *snapshot, int width, int height)
+{
+    const gboolean is_stale = self->isophotes_serial != shown_moment(self->picture)->serial;
+    if (is_stale)
+        gtk_snapshot_push_opacity(snapshot, DIM);
+    app_draw_isophotes(snapshot, &self->map, self->isophotes, &GRAPHENE_RECT_INIT(0, 0, (float)width, (float)height));
+    if (is_stale)
+        gtk_snapshot_pop(snapshot);
+}
+
 static void app_view_snapshot(GtkWidget *widget, GtkSnapshot *snapshot)
 {
-    static const double DIM = 0.3; /* of a picture that is not the document's */
     AppView *self = APP_VIEW(widget);
     const int width = gtk_widget_get_width(widget), height = gtk_widget_get_height(widget);
     if (!self->texture)
@@ -295,8 +321,7 @@ static void app_view_snapshot(GtkWidget *widget, GtkSnapshot *snapshot)
     gtk_snapshot_append_texture(snapshot, self->texture, &area);
     const gboolean is_whole = self->picture->side != APP_SIDE_DIFFERENCE; /* which has neither */
     if (is_whole && display->isophotes && self->isophotes)
-        app_draw_isophotes(snapshot, &self->map, self->isophotes,
-                           &GRAPHENE_RECT_INIT(0, 0, (float)width, (float)height));
+        draw_isophotes(self, snapshot, width, height);
     if (!self->is_stale)
         app_draw_values(snapshot, widget, &self->map, self->picture);
     else

@@ -22,8 +22,8 @@ G_DECLARE_FINAL_TYPE(AppView, app_view, APP, VIEW, GtkWidget)
 void app_view_set_document(AppView *self, AppDocument *document);
 /* Shows a picture; a reference is taken. */
 void app_view_set_picture(AppView *self, AppPicture *picture);
-/* Shows these lines from now on; they are taken over.  NULL: none. */
-void app_view_set_isophotes(AppView *self, luxel_isophotes *isophotes);
+/* Shows these lines of a version of the scene from now on; they are taken over.  NULL: none. */
+void app_view_set_isophotes(AppView *self, luxel_isophotes *isophotes, guint64 serial);
 /* Shows the section's lines; `shown` FALSE: not. */
 void app_view_set_section(AppView *self, gboolean shown, const double section_mm[2]);
 /* Rings the place at which a section is read; NULL: none is. */
@@ -35,6 +35,8 @@ void app_view_choose(AppView *self, const GArray *lights);
 /* Which mark is lit up, as the pointer is on its line in a list; kind APP_MARK_NONE: none. */
 void app_view_hover(AppView *self, AppMarkKind kind, gsize index);
 /* Dims the picture: it is of an earlier scene, as the present one cannot be computed. */
+/* Another scene is opened: nothing is left of the one before, and what was held is let go. */
+void app_view_forget(AppView *self);
 void app_view_set_stale(AppView *self, gboolean stale);
 /* Which surface was under the pointer, -1 for none: what a press there takes. */
 void app_view_set_surface(AppView *self, gssize surface);

@@ -10,7 +10,7 @@
 
 enum {
     REACH = 12, /* pixels from a mark within which a press takes it */
-    STILL = 4   /* within which a press with Ctrl or Shift is no drag */
+    STILL = 4   /* within which a press is no drag */
 };
 
 /* ---- taking hold ---- */
@@ -156,6 +156,18 @@ static void move_section(AppView *self, const AppTouch *touch)
     g_signal_emit_by_name(self, "section-moved", place[0], place[1]);
 }
 
+/* A surface is everywhere: one is moved that was chosen before, and a room, in which one stands, never. */
+static gboolean can_take(const AppView *self, const AppMark *mark)
+{
+    if (mark->kind != APP_MARK_SURFACE)
+        return TRUE;
+    char *key = g_strdup_printf("surfaces[%zu].type", mark->index), *type = app_document_get(self->document, key, NULL);
+    const gboolean is_room = g_strcmp0(type, "room") == 0;
+    g_free(type);
+    g_free(key);
+    return !is_room && self->selected_kind == APP_MARK_SURFACE && self->selected_index == mark->index;
+}
+
 static void drag_begin(GtkGestureDrag *gesture, double x, double y, AppView *self)
 {
     const double at[2] = {x, y};
@@ -165,11 +177,16 @@ static void drag_begin(GtkGestureDrag *gesture, double x, double y, AppView *sel
     gtk_widget_grab_focus(GTK_WIDGET(self));
     if (!self->picture || !self->picture->shot || !self->document)
         return;
-    if (button == GDK_BUTTON_PRIMARY && what_is_at(self, at, &mark)) {
+    self->pressed.kind = APP_MARK_NONE;
+    self->has_moved = FALSE;
+    const gboolean is_thing = button == GDK_BUTTON_PRIMARY && what_is_at(self, at, &mark);
+    if (is_thing && can_take(self, &mark)) {
         self->is_toggling = mark.kind == APP_MARK_SOURCE && (state & (GDK_CONTROL_MASK | GDK_SHIFT_MASK));
         take(self, &mark, at);
         return;
     }
+    if (is_thing)
+        self->pressed = mark;
     self->doing = DOING_PAN;
     self->pan_start[0] = self->map.origin[0];
     self->pan_start[1] = self->map.origin[1];
@@ -182,13 +199,16 @@ static void drag_update(GtkGestureDrag *gesture, double dx, double dy, AppView *
     gtk_gesture_drag_get_start_point(gesture, &x, &y);
     at[0] = x + dx;
     at[1] = y + dy;
+    if (!self->has_moved && hypot(dx, dy) < STILL) /* a hand that clicks is never quite still */
+        return;
     if (self->doing == DOING_PAN) {
+        self->has_moved = TRUE;
         self->map.origin[0] = self->pan_start[0] + dx;
         self->map.origin[1] = self->pan_start[1] + dy;
         self->is_fitted = FALSE;
         app_view_tell_frame(self);
         gtk_widget_queue_draw(GTK_WIDGET(self));
-    } else if (self->doing == DOING_MOVE && (!self->is_toggling || hypot(dx, dy) >= STILL)) {
+    } else if (self->doing == DOING_MOVE) {
         begin_to_move(self);
         AppTouch touch = {.mm_per_pixel = app_view_mm_per_pixel(self),
                           .fine = (state & GDK_SHIFT_MASK) != 0,
@@ -202,21 +222,29 @@ static void drag_update(GtkGestureDrag *gesture, double dx, double dy, AppView *
     }
 }
 
+void app_view_let_go(AppView *self)
+{
+    if (self->doing == DOING_MOVE)
+        app_document_end_gesture(self->document);
+    g_clear_pointer(&self->turn, app_turn_free);
+    self->doing = DOING_NOTHING;
+    self->is_toggling = FALSE;
+    self->pressed.kind = APP_MARK_NONE;
+}
+
 static void drag_end(GtkGestureDrag *gesture, double dx, double dy, AppView *self)
 {
     const gboolean is_click = self->doing == DOING_MOVE && !self->has_moved;
     (void)gesture;
     (void)dx;
     (void)dy;
-    if (self->doing == DOING_MOVE)
-        app_document_end_gesture(self->document);
-    g_clear_pointer(&self->turn, app_turn_free);
-    self->doing = DOING_NOTHING;
     if (is_click && self->is_toggling)
         g_signal_emit_by_name(self, "toggled", (guint)self->hand.mark.index);
     else if (is_click && self->was_chosen)
         select_mark(self, &self->hand.mark);
-    self->is_toggling = FALSE;
+    else if (self->doing == DOING_PAN && !self->has_moved && self->pressed.kind != APP_MARK_NONE)
+        select_mark(self, &self->pressed);
+    app_view_let_go(self);
 }
 
 /* ---- pointer, wheel, keys ---- */
@@ -237,7 +265,7 @@ static void show_cursor(AppView *self, const double at[2])
     const char *name = "default";
     if (section_at(self, at, &mark))
         name = mark.index == 0 ? "move" : mark.index == 1 ? "ns-resize" : "ew-resize";
-    else if (self->picture && self->picture->shot && what_is_at(self, at, &mark))
+    else if (self->picture && self->picture->shot && what_is_at(self, at, &mark) && can_take(self, &mark))
         name = "grab";
     gtk_widget_set_cursor_from_name(GTK_WIDGET(self), name);
 }

@@ -16,6 +16,7 @@ struct _AppView {
     GdkTexture *texture;
     GArray *marks; /* of the moment that is shown */
     luxel_isophotes *isophotes;
+    guint64 isophotes_serial; /* of the version that they are of: over a picture of another one they are dimmed */
     gboolean section_shown;
     double section_mm[2];
     gboolean is_read; /* a section, at this place */
@@ -36,6 +37,7 @@ struct _AppView {
     gboolean is_toggling; /* pressed with Ctrl or Shift, and not moved yet */
     gboolean was_chosen;  /* what was pressed, with others */
     AppTurn *turn;        /* of light from far away that is chosen with it, while it is held; NULL: none */
+    AppMark pressed;      /* a surface that a click chooses; of no kind: none */
     gboolean has_moved;
     AppHand hand;
     double pan_start[2];
@@ -52,5 +54,7 @@ gboolean app_view_is_chosen(const AppView *self, const AppMark *mark);
 
 /* view_input.c: what the pointer, the wheel, the keys and fingers do. */
 void app_view_add_input(AppView *self);
+/* Ends what the hand does. */
+void app_view_let_go(AppView *self);
 
 #endif

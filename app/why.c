@@ -7,6 +7,7 @@
 
 #include "../front/language.h"
 #include "../front/words.h"
+#include "dim.h"
 #include "explained.h"
 #include "number.h"
 
@@ -25,7 +26,9 @@ struct _AppWhy {
     guint timer;
     gboolean is_busy, is_outdated;
     gsize light;
-    char *text; /* of the place that was explained last; NULL: none */
+    char *text;             /* of the place that was explained last; NULL: none */
+    guint64 wanted, serial; /* of the version that is shown, and that the text is of */
+    GCancellable *cancellable;
 };
 
 G_DEFINE_FINAL_TYPE(AppWhy, app_why, GTK_TYPE_BOX)
@@ -45,8 +48,21 @@ static void show_formula(AppWhy *self)
     gtk_label_set_text(GTK_LABEL(self->formula), formula       ? formula
                                                  : !self->text ? _("Rest with the pointer on a surface.")
                                                                : _("The chosen source has no say here."));
-    gtk_widget_set_sensitive(self->whole, self->text != NULL);
     g_free(formula);
+}
+
+static void judge(AppWhy *self)
+{
+    const gboolean is_stale = self->text && self->serial != self->wanted;
+    app_set_stale(self->formula, is_stale);
+    app_set_stale(self->where, is_stale);
+    gtk_widget_set_sensitive(self->whole, self->text && !is_stale);
+}
+
+static bool goes_on(double done, void *cancellable)
+{
+    (void)done;
+    return !g_cancellable_is_cancelled(cancellable);
 }
 
 static void explain(GTask *task, gpointer source, gpointer data, GCancellable *cancellable)
@@ -56,8 +72,10 @@ static void explain(GTask *task, gpointer source, gpointer data, GCancellable *c
     luxel_settings settings;
     luxel_document *document = NULL;
     (void)source;
-    (void)cancellable;
     luxel_settings_init(&settings);
+    settings.share_reflected = true;
+    settings.progress = goes_on;
+    settings.progress_data = cancellable;
     settings.quantity = luxel_field_quantity(place->shot->field);
     settings.threads = 1;
     app_moment_light(place->shot->moment, &settings);
@@ -78,20 +96,29 @@ static void explained(GObject *source, GAsyncResult *result, gpointer data)
 {
     AppWhy *self = APP_WHY(source);
     char *text = g_task_propagate_pointer(G_TASK(result), NULL);
+    const Place *place = g_task_get_task_data(G_TASK(result));
+    char x[APP_NUMBER_SIZE], y[APP_NUMBER_SIZE];
     (void)data;
     self->is_busy = FALSE;
+    if (!self->formula || !self->place.shot) { /* the window went meanwhile, or the scene */
+        g_free(text);
+        return;
+    }
     g_free(self->text);
     self->text = text;
-    if (!self->formula) /* the window went meanwhile */
-        return;
+    self->serial = place->shot->moment->serial;
+    char *where = g_strdup_printf(_("x = %s, y = %s mm"), app_number_round(place->x_mm, 4, x),
+                                  app_number_round(place->y_mm, 4, y));
+    gtk_label_set_text(GTK_LABEL(self->where), where);
+    g_free(where);
     show_formula(self);
+    judge(self);
     if (self->is_outdated)
         ask(self);
 }
 
 static void ask(AppWhy *self)
 {
-    char x[APP_NUMBER_SIZE], y[APP_NUMBER_SIZE];
     if (!self->place.shot || !gtk_toggle_button_get_active(GTK_TOGGLE_BUTTON(self->toggle)))
         return;
     self->is_outdated = self->is_busy;
@@ -100,11 +127,7 @@ static void ask(AppWhy *self)
     Place *place = g_new(Place, 1);
     *place = self->place;
     app_shot_ref(place->shot);
-    char *where = g_strdup_printf(_("x = %s, y = %s mm"), app_number_round(place->x_mm, 4, x),
-                                  app_number_round(place->y_mm, 4, y));
-    gtk_label_set_text(GTK_LABEL(self->where), where);
-    g_free(where);
-    GTask *task = g_task_new(self, NULL, explained, NULL);
+    GTask *task = g_task_new(self, self->cancellable, explained, NULL);
     g_task_set_task_data(task, place, free_place);
     self->is_busy = TRUE;
     g_task_run_in_thread(task, explain);
@@ -127,6 +150,32 @@ void app_why_point(AppWhy *self, AppShot *shot, double x_mm, double y_mm)
     g_clear_handle_id(&self->timer, g_source_remove);
     if (gtk_toggle_button_get_active(GTK_TOGGLE_BUTTON(self->toggle)))
         self->timer = g_timeout_add(REST_MS, rested, self);
+}
+
+void app_why_follow(AppWhy *self, AppShot *shot)
+{
+    if (!self->place.shot || self->place.shot == shot || self->timer)
+        return;
+    app_shot_ref(shot);
+    app_shot_unref(self->place.shot);
+    self->place.shot = shot;
+    ask(self);
+}
+
+void app_why_set_version(AppWhy *self, guint64 serial)
+{
+    self->wanted = serial;
+    judge(self);
+}
+
+void app_why_forget(AppWhy *self)
+{
+    g_clear_handle_id(&self->timer, g_source_remove);
+    g_clear_pointer(&self->place.shot, app_shot_unref);
+    g_clear_pointer(&self->text, g_free);
+    gtk_label_set_text(GTK_LABEL(self->where), "");
+    show_formula(self);
+    judge(self);
 }
 
 void app_why_choose(AppWhy *self, gsize light)
@@ -194,12 +243,14 @@ static void app_why_dispose(GObject *object)
     g_clear_handle_id(&self->timer, g_source_remove);
     g_clear_pointer(&self->place.shot, app_shot_unref);
     self->formula = NULL;
+    g_cancellable_cancel(self->cancellable);
     G_OBJECT_CLASS(app_why_parent_class)->dispose(object);
 }
 
 static void app_why_finalize(GObject *object)
 {
     g_free(APP_WHY(object)->text);
+    g_object_unref(APP_WHY(object)->cancellable);
     G_OBJECT_CLASS(app_why_parent_class)->finalize(object);
 }
 
@@ -214,6 +265,7 @@ static void app_why_init(AppWhy *self)
     GtkWidget *line = gtk_box_new(GTK_ORIENTATION_HORIZONTAL, 8), *scrolled = gtk_scrolled_window_new();
     gtk_orientable_set_orientation(GTK_ORIENTABLE(self), GTK_ORIENTATION_VERTICAL);
     gtk_box_set_spacing(GTK_BOX(self), 6);
+    self->cancellable = g_cancellable_new();
     self->toggle = gtk_toggle_button_new_with_label(_("Why?"));
     self->where = gtk_label_new(NULL);
     self->revealed = gtk_box_new(GTK_ORIENTATION_VERTICAL, 6);
@@ -246,6 +298,7 @@ static void app_why_init(AppWhy *self)
     g_signal_connect_swapped(self->toggle, "toggled", G_CALLBACK(toggled), self);
     g_signal_connect_swapped(self->whole, "clicked", G_CALLBACK(show_whole), self);
     show_formula(self);
+    judge(self);
 }
 
 GtkWidget *app_why_new(void)

@@ -17,6 +17,12 @@ GtkWidget *app_why_new(void);
 
 /* The pointer is at a place of the screen, of this shot; where it rests it is explained, if that is wanted. */
 void app_why_point(AppWhy *self, AppShot *shot, double x_mm, double y_mm);
+/* The picture that is shown has become this shot: what was explained is explained anew there. */
+void app_why_follow(AppWhy *self, AppShot *shot);
+/* The version that is shown; the explanation of another one is dimmed. */
+void app_why_set_version(AppWhy *self, guint64 serial);
+/* Another scene is opened: nothing is left of the one before. */
+void app_why_forget(AppWhy *self);
 /* Whose formula is shown. */
 void app_why_choose(AppWhy *self, gsize light);
 

@@ -22,14 +22,30 @@ G_DEFINE_FINAL_TYPE(AppWindow, app_window, GTK_TYPE_APPLICATION_WINDOW)
 
 /* ---- asking ---- */
 
+/* "reflected light: 38 %, at most 40 s": it may be exact enough before all effort is spent. */
+static void tell_reflected(AppWindow *self, double done, double seconds)
+{
+    const double left = done > 0.01 ? seconds * (1 - done) / done : 0;
+    char *text = left > 0 ? g_strdup_printf(_("reflected light: %.0f %%, at most %.0f s"), 100 * done, ceil(left))
+                          : g_strdup(_("reflected light: 0 %"));
+    gtk_label_set_text(GTK_LABEL(self->progress_label), text);
+    g_free(text);
+}
+
 static gboolean show_progress(gpointer data)
 {
     AppWindow *self = data;
     double done, seconds;
-    gboolean busy = app_painter_progress(self->painter, &done, &seconds);
-    gtk_widget_set_visible(self->progress, busy && seconds > PATIENCE_SECONDS);
+    const gboolean busy = app_painter_progress(self->painter, &done, &seconds),
+                   shown = busy && seconds > PATIENCE_SECONDS;
+    const gboolean reflects = self->picture && self->picture->shot->moment->is_direct && !self->is_stale;
+    gtk_widget_set_visible(self->progress, shown);
+    gtk_widget_set_visible(self->progress_label, shown && reflects);
+    gtk_widget_set_visible(self->stop_button, (shown || self->is_direct) && reflects);
     if (busy)
         gtk_progress_bar_set_fraction(GTK_PROGRESS_BAR(self->progress), done);
+    if (shown && reflects)
+        tell_reflected(self, done, seconds);
     if (busy || app_painter_is_busy(self->painter))
         return G_SOURCE_CONTINUE;
     self->progress_timer = 0;
@@ -41,15 +57,34 @@ gboolean app_window_is_open(AppWindow *self)
     return self->painter != NULL;
 }
 
+/* A number for what the document, the light that alone is seen and the quantity are now. */
+static void count_version(AppWindow *self)
+{
+    const guint64 serial = app_document_serial(self->document), origin = app_document_origin(self->document);
+    if (serial == self->serial && self->solo == self->asked_solo && self->quantity == self->asked_quantity)
+        return;
+    self->version++;
+    self->serial = serial;
+    self->asked_solo = self->solo;
+    self->asked_quantity = self->quantity;
+    if (origin != self->origin)
+        app_window_forget(self);
+    self->origin = origin;
+}
+
 void app_window_ask_picture(AppWindow *self)
 {
+    static const AppFrame none = {.width = 0}; /* the view is not fitted to the first picture yet */
+    count_version(self);
+    app_window_judge(self);
     const AppWish wish = {
         .scene = app_document_copy_scene(self->document),
-        .serial = app_document_serial(self->document),
+        .serial = self->version,
         .solo = self->solo,
         .quantity = self->quantity,
+        .is_direct = self->is_direct,
         .display = *app_display_form_get(APP_DISPLAY_FORM(self->display_form)),
-        .frame = app_view_frame(self->view),
+        .frame = self->picture ? app_view_frame(self->view) : none,
         .side = self->side,
         .pinned = self->pinned,
     };
@@ -74,10 +109,9 @@ AppShot *app_window_minus(const AppWindow *self)
     return self->picture && self->picture->side == APP_SIDE_DIFFERENCE ? self->picture->pinned : NULL;
 }
 
-/* Numbers of direct light alone are not told: they would be taken for those of the scene. */
 void app_window_ask_numbers(AppWindow *self)
 {
-    if (!app_window_shot(self) || app_window_shot(self)->moment->is_direct)
+    if (!app_window_shot(self))
         return;
     const AppPage page = app_numbers_page(APP_NUMBERS(self->numbers));
     const AppDisplay *display = &self->picture->display;
@@ -180,6 +214,7 @@ static void view_pointed(AppView *view, double x_mm, double y_mm, gboolean insid
         app_stage_set_reading(APP_STAGE(self->stage), NULL);
     }
     app_window_ask_pointer(self);
+    app_window_judge(self);
 }
 
 static void view_selected(AppView *view, int kind, guint index, AppWindow *self)
@@ -257,6 +292,7 @@ static void page_turned(AppWindow *self)
     app_view_set_section(self->view, app_numbers_page(APP_NUMBERS(self->numbers)) == APP_PAGE_SECTION,
                          self->section_mm);
     app_window_ask_numbers(self);
+    app_window_judge(self);
 }
 
 static void source_chosen(AppSources *sources, guint index, AppWindow *self)
@@ -450,6 +486,7 @@ static void app_window_dispose(GObject *object)
     g_clear_handle_id(&self->progress_timer, g_source_remove);
     g_clear_handle_id(&self->pulse_timer, g_source_remove);
     g_clear_handle_id(&self->say_timer, g_source_remove);
+    g_clear_handle_id(&self->late_timer, g_source_remove);
     for (int i = 0; i < 2; i++)
         g_clear_pointer(&self->status_tabs[i], pango_tab_array_free);
     g_clear_pointer(&self->painter, app_painter_free);
@@ -507,6 +544,8 @@ static void app_window_class_init(AppWindowClass *class)
     BIND(message_label);
     BIND(zoom_label);
     BIND(progress);
+    BIND(progress_label);
+    BIND(stop_button);
     BIND(builtin_menu);
     BIND(recent_menu);
     BIND(export_menu);

@@ -107,6 +107,16 @@ static void change_quantity(GSimpleAction *action, GVariant *state, gpointer dat
     app_window_ask_picture(self);
 }
 
+/* Reflected light is given up, or taken up again. */
+static void stop(GSimpleAction *action, GVariant *argument, gpointer data)
+{
+    AppWindow *self = data;
+    (void)action;
+    (void)argument;
+    self->is_direct = !self->is_direct;
+    app_window_ask_picture(self);
+}
+
 static void repair(GSimpleAction *action, GVariant *argument, gpointer data)
 {
     (void)action;
@@ -343,6 +353,7 @@ void app_window_add_actions(AppWindow *self)
         {.name = "undo", .activate = undo},
         {.name = "redo", .activate = redo},
         {.name = "repair", .activate = repair},
+        {.name = "stop", .activate = stop},
         {.name = "fit", .activate = view_action},
         {.name = "one-to-one", .activate = view_action},
         {.name = "zoom-in", .activate = view_action},

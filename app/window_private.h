@@ -25,10 +25,19 @@ struct _AppWindow {
     AppMeter *meter;
     AppPointer *pointer;
 
-    AppPicture *picture; /* the last good one */
-    gboolean is_stale;   /* the document was refused: what is shown is of a scene of before */
-    AppRepair *repair;   /* that is offered then; NULL: none */
-    GHashTable *report;  /* what a report says of who hands it in, by the keys of the settings */
+    AppPicture *picture; /* the last good one; NULL: none of this scene yet */
+    guint64 version; /* of the document, the light that alone is seen and the quantity: what a picture is asked of */
+    guint64 first;   /* the first one since another scene was opened */
+    guint64 origin, serial; /* of the document in that version */
+    gssize asked_solo;
+    luxel_quantity asked_quantity;
+    AppVersion reading; /* that the line at the edge is of */
+    double reading_mm[2];
+    guint late;         /* of enum Behind: what has not followed for a while */
+    gboolean is_direct; /* the light that surfaces reflect is not wanted: it was stopped */
+    gboolean is_stale;  /* the document was refused: what is shown is of a scene of before */
+    AppRepair *repair;  /* that is offered then; NULL: none */
+    GHashTable *report; /* what a report says of who hands it in, by the keys of the settings */
     AppShot *pinned;
     AppSide side;
     gssize solo;
@@ -38,7 +47,7 @@ struct _AppWindow {
     gboolean pointer_inside;
     GPtrArray *unsaved;    /* AppUnsaved's that are still to be offered */
     gboolean is_discarded; /* the first of them, which can be taken back until the bar is closed */
-    guint progress_timer, pulse_timer, say_timer;
+    guint progress_timer, pulse_timer, say_timer, late_timer;
     int left_width, right_width; /* of the panes, as a hand left them */
     gboolean is_placed;          /* they are where they belong */
     gboolean is_pressed;         /* a button of the mouse, in this window */
@@ -51,6 +60,7 @@ struct _AppWindow {
     GtkWidget *pages, *left_pane, *right_pane, *left_scroll, *left_box, *right_box, *compare_box, *compare_label, *bar;
     GtkWidget *unsaved_bar, *unsaved_label, *discard_button, *fault_bar, *fault_label;
     GtkWidget *direct_label; /* what the picture is, before reflected light has come */
+    GtkWidget *progress_label, *stop_button;
     GtkWidget *stale_box, *stale_label, *repair_button, *repair_label;
     GtkWidget *status_label, *message_label, *zoom_label, *progress;
     PangoTabArray *status_tabs[2]; /* of its columns: all, and without the normal, where there is no room for it */
@@ -90,10 +100,17 @@ void app_window_reveal_bar(AppWindow *self, GtkWidget *bar, gboolean revealed);
 AppShot *app_window_shot(const AppWindow *self);
 AppShot *app_window_minus(const AppWindow *self);
 
+/* window_version.c: which version of the scene is shown, and what belongs to it: every part is asked, or told, there. */
+AppVersion app_window_version(const AppWindow *self);
+/* Something has come, or the document has changed: what is not of the version that is shown is dimmed. */
+void app_window_judge(AppWindow *self);
+/* Another scene was opened: nothing is left of the one before. */
+void app_window_forget(AppWindow *self);
+/* The pointer is elsewhere, and what is there has not come for a while. */
+void app_window_await_reading(AppWindow *self);
+
 /* window_stale.c: a document that cannot be computed; `faults` NULL: it can. */
 void app_window_set_stale(AppWindow *self, const luxel_diagnostics *faults);
-/* The picture is that of direct light; what surfaces reflect is still to come. */
-void app_window_set_direct(AppWindow *self, gboolean is_direct);
 void app_window_make_repair(AppWindow *self);
 
 /* window_panes.c: the widths of the panes, in whatever window they stand. */

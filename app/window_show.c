@@ -95,7 +95,8 @@ static void show_zoom(AppWindow *self)
 
 void app_window_rest(AppWindow *self)
 {
-    const luxel_statistics *statistics = self->picture ? luxel_field_statistics(self->picture->shot->field) : NULL;
+    const luxel_statistics *statistics =
+        self->picture && !self->is_stale ? luxel_field_statistics(self->picture->shot->field) : NULL;
     if (!statistics || !statistics->has_reflected || statistics->reflected_reached) {
         gtk_label_set_text(GTK_LABEL(self->status_label), "");
         return;
@@ -107,16 +108,32 @@ void app_window_rest(AppWindow *self)
     g_free(text);
 }
 
+/* What the picture lacks stands on it. */
+static void show_direct(AppWindow *self, const AppPicture *picture)
+{
+    const gboolean is_direct = !picture->faults && picture->shot->moment->is_direct;
+    gtk_label_set_text(GTK_LABEL(self->direct_label), self->is_direct
+                                                          ? _("Direct light alone; what surfaces reflect was stopped")
+                                                          : _("Direct light; what surfaces reflect is being computed"));
+    gtk_widget_set_visible(self->direct_label, is_direct);
+    gtk_button_set_label(GTK_BUTTON(self->stop_button), self->is_direct ? _("Go on") : _("Stop"));
+}
+
 void app_window_show_picture(AppPicture *picture, gpointer owner)
 {
     AppWindow *self = owner;
-    app_window_set_stale(self, picture->faults);
-    app_window_set_direct(self, !picture->faults && picture->shot->moment->is_direct);
-    if (picture->faults)
+    if (picture->serial < self->first) /* of a scene that is no longer there */
         return;
+    app_window_set_stale(self, picture->faults);
+    show_direct(self, picture);
+    if (picture->faults) {
+        app_window_judge(self);
+        return;
+    }
     app_picture_ref(picture);
     app_picture_unref(self->picture);
     self->picture = picture;
+    self->late &= ~1u;
     if (!self->pointer_inside)
         app_window_rest(self);
     app_view_set_picture(self->view, picture);
@@ -128,6 +145,8 @@ void app_window_show_picture(AppPicture *picture, gpointer owner)
     app_dial_set_picture(APP_DIAL(self->bar), picture);
     show_zoom(self);
     show_comparison(self, picture);
+    app_why_follow(APP_WHY(self->why), app_window_shot(self));
+    app_window_judge(self);
     app_window_ask_numbers(self);
     app_window_ask_pointer(self);
     app_pulse_picture();
@@ -138,13 +157,16 @@ void app_window_show_picture(AppPicture *picture, gpointer owner)
 void app_window_show_numbers(AppMeasures *measures, gpointer owner)
 {
     AppWindow *self = owner;
+    if (measures->live->moment->serial < self->first)
+        return;
     app_numbers_show(APP_NUMBERS(self->numbers), measures);
-    if (measures->has_points)
+    if (measures->has_sources)
         app_sources_show(APP_SOURCES(self->sources), measures, is_photometric(self));
     if (measures->has_isophotes)
         app_dial_set_isophotes(APP_DIAL(self->bar), measures->isophotes);
     if (measures->has_isophotes)
-        app_view_set_isophotes(self->view, g_steal_pointer(&measures->isophotes));
+        app_view_set_isophotes(self->view, g_steal_pointer(&measures->isophotes), measures->version.shot);
+    app_window_judge(self);
 }
 
 static int by_share(gconstpointer a, gconstpointer b, gpointer shares)
@@ -261,14 +283,17 @@ void app_window_show_reading(const AppReading *reading, gpointer owner)
 {
     AppWindow *self = owner;
     char n[2][APP_NUMBER_SIZE];
-    if (!self->pointer_inside || self->is_stale)
+    const AppVersion version = app_window_version(self);
+    if (!self->pointer_inside || !app_version_equal(&reading->version, &version))
         return;
+    self->reading = reading->version;
+    self->reading_mm[0] = reading->x_mm;
+    self->reading_mm[1] = reading->y_mm;
     GString *text = g_string_new(NULL);
     const luxel_value *value = &reading->value;
     const gboolean pinned = self->picture && self->picture->side == APP_SIDE_PINNED;
     /* The shares of several sources are worth more than the normal, which Why? tells. */
-    const gboolean is_short =
-        reading->share_count > 1 && gtk_widget_get_width(self->status_label) < self->status_width;
+    const gboolean is_short = reading->share_count > 1 && gtk_widget_get_width(self->status_label) < self->status_width;
     app_view_set_surface(self->view, value->on_surface ? (gssize)value->surface : -1);
     g_string_append_printf(text, "x %s  y %s %s%s", app_number_round(reading->x_mm, 5, n[0]),
                            app_number_round(reading->y_mm, 5, n[1]), _("mm"), pinned ? "   A:" : "");
@@ -292,5 +317,6 @@ void app_window_show_reading(const AppReading *reading, gpointer owner)
     app_stage_set_reading(APP_STAGE(self->stage), reading);
     if (value->on_surface && value->has_value)
         app_why_point(APP_WHY(self->why), app_window_shot(self), reading->x_mm, reading->y_mm);
+    app_window_judge(self);
     g_string_free(text, TRUE);
 }

@@ -1,37 +1,11 @@
 /* SPDX-License-Identifier: MIT */
 /*
  * A document that cannot be computed.  The picture of before stays to be worked on, but it is dimmed, as are the
- * numbers, and over it stands that it is not of this scene, why, and what would mend it.  One whose reflected light is
- * not computed yet: the picture is that of the direct light, which stands on it, and the numbers are dimmed.
+ * numbers, and over it stands that it is not of this scene, why, and what would mend it.
  */
 #include "../front/language.h"
 #include "../front/words.h"
 #include "window_private.h"
-
-static const char *const dimmed = "stale";
-
-static void set_class(GtkWidget *widget, gboolean is_dimmed)
-{
-    if (is_dimmed)
-        gtk_widget_add_css_class(widget, dimmed);
-    else
-        gtk_widget_remove_css_class(widget, dimmed);
-}
-
-static void dim(AppWindow *self, gboolean stale)
-{
-    set_class(self->numbers, stale);
-    set_class(self->bar, stale);
-    app_sources_set_stale(APP_SOURCES(self->sources), stale);
-    app_view_set_stale(self->view, stale);
-    app_stage_set_stale(APP_STAGE(self->stage), stale);
-}
-
-void app_window_set_direct(AppWindow *self, gboolean is_direct)
-{
-    gtk_widget_set_visible(self->direct_label, is_direct);
-    app_numbers_set_waiting(APP_NUMBERS(self->numbers), is_direct);
-}
 
 /* Marks the rows that the faults name, in whichever form they stand. */
 static void mark_faults(AppWindow *self, const luxel_diagnostics *faults)
@@ -83,7 +57,6 @@ void app_window_set_stale(AppWindow *self, const luxel_diagnostics *faults)
         return;
     self->is_stale = faults != NULL;
     mark_faults(self, faults);
-    dim(self, self->is_stale);
     if (faults) {
         char *fault = first_fault(faults), *text = g_strdup_printf(_("Not this scene: %s"), fault ? fault : "");
         gtk_label_set_text(GTK_LABEL(self->stale_label), text);

@@ -10,7 +10,7 @@
 typedef struct Desk {
     AppMeter *meter;
     AppPointer *pointer;
-    AppMeasures points, section, statistics, isophotes, balance; /* of which the members are stolen */
+    AppMeasures sources, points, section, statistics, isophotes, balance; /* of which the members are stolen */
     int answers, readings, empty_sections;
     AppReading reading;
     double shares[16];
@@ -20,10 +20,11 @@ static void tell_measures(AppMeasures *measures, gpointer owner)
 {
     Desk *desk = owner;
     desk->answers++;
-    assert_int_equal(measures->has_points + measures->has_section + measures->has_statistics +
+    assert_int_equal(measures->has_sources + measures->has_points + measures->has_section + measures->has_statistics +
                          measures->has_isophotes + measures->has_balance,
                      1);
-    AppMeasures *place = measures->has_points       ? &desk->points
+    AppMeasures *place = measures->has_sources      ? &desk->sources
+                         : measures->has_points     ? &desk->points
                          : measures->has_section    ? &desk->section
                          : measures->has_statistics ? &desk->statistics
                          : measures->has_balance    ? &desk->balance
@@ -181,14 +182,14 @@ static void reads_sources(void **state)
     Desk *desk = open_desk();
     app_meter_ask(desk->meter, &(AppQuestion){.shot = shot});
     wait_until(has_points, desk);
-    assert_int_equal(desk->points.source_count, 9);
+    assert_int_equal(desk->sources.source_count, 9);
     luxel_settings settings = settings_of(shot);
     luxel_probe *probe;
     settings.quantity = LUXEL_IRRADIANCE;
     assert_int_equal(luxel_probe_screen(shot->moment->scene, &settings, 0, 0, NULL, &probe), LUXEL_OK);
     gsize share = 0;
     for (gsize i = 0; i < 9; i++) {
-        const AppSource *source = &desk->points.sources[i];
+        const AppSource *source = &desk->sources.sources[i];
         double flux;
         assert_int_equal(luxel_scene_light_flux(shot->moment->scene, i, &flux), LUXEL_OK);
         assert_true(isnan(flux) ? isnan(source->flux) : source->flux == flux);
@@ -338,8 +339,8 @@ static void answers_for_quick_looks(void **state)
     wait_until(has_section, desk);
     wait_until(has_reading, desk);
     run_for(300);
-    assert_int_equal(desk->answers, 2);
-    assert_true(desk->points.has_points);
+    assert_int_equal(desk->answers, 3);
+    assert_true(desk->sources.has_sources && desk->points.has_points);
     assert_int_equal(desk->points.points[0].grey, 0);
     assert_false(desk->reading.has_pixel);
     assert_true(desk->reading.value.has_value);

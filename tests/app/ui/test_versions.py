@@ -1,0 +1,179 @@
+# SPDX-License-Identifier: MIT
+"""All that is shown and copied belongs to one version of the scene: a scene whose reflected light takes long stands
+beside a quick one and is changed in all ways, and what is not dimmed is at each moment what luxel says of the text."""
+import json
+import re
+import time
+
+from accessible import Rejected
+from desk import luxel, trial
+from waiting import wait
+from window import VALUE
+
+SLOW = b"""\
+luxel: 1
+units: photometric
+reflections: all
+screen: {width: 3000, height: 2000, resolution: [90, 60]}
+observer: {position: [0, 0, 3800], target: [0, 0, 0], projection: perspective}
+surfaces:
+  - {type: room, name: hall, center: [0, 0, 2000], size: [4000, 2600, 4400],
+     material: {model: lambert, diffuse: 0.6, over_pi: true}}
+  - {type: sphere, name: ball, center: [500, -400, 900], radius: 400,
+     material: {model: lambert, diffuse: 0.5, over_pi: true}}
+lights:
+  - {type: point, name: lamp, position: [-600, 700, 1800], power: 3000}
+points: [[300, 200], [-500, -300]]
+"""
+FLUX = re.compile(r"Φ (\S+) (\S+)")
+FOLLOWS = 4  # seconds within which a changed scene may still show what it was
+LONG = 420   # that reflected light may take on a busy machine
+
+
+class Truth:
+    """What luxel says of a text."""
+
+    def __init__(self, desk, text):
+        path = desk.path("truth.yaml")
+        with open(path, "wb") as file:
+            file.write(text)
+        found = json.loads(luxel("probe", path, "-s", "reflections=none", "--json"))
+        self.direct = [point["value"] for point in found["points"]]
+        self.reflects = b"reflections: all" in text
+        self.values = self.direct
+        if self.reflects:  # to a hundredth; the app's own bound is smaller
+            found = json.loads(luxel("probe", path, "--reflected-error", "0.01", "--json"))
+            self.values = [point["value"] for point in found["points"]]
+        self.fluxes = ["%.4g" % light["flux"] for light in found["lights"]]
+        self.unit = "lm" if found["unit"].startswith("cd") else "W"
+
+    def has_value(self, i, text):
+        wanted = self.values[i] if i < len(self.values) else None
+        return wanted is not None and abs(float(text) - wanted) <= (0.02 if self.reflects else 1e-5) * abs(wanted)
+
+    def has_flux(self, i, number, unit):
+        return i < len(self.fluxes) and (number, unit) == (self.fluxes[i], self.unit)
+
+
+def texts(widget, is_dim=False):
+    """All labels, and whether they or what they stand in are dimmed."""
+    for child in widget.children():
+        try:
+            dims = is_dim or child.has("busy")
+            if child.role == "label":
+                yield child.name, dims
+            else:
+                yield from texts(child, dims)
+        except Rejected:  # gone while it was looked at
+            continue
+
+
+def wrong(window, *truths):
+    """What is shown bright and belongs to none of these."""
+    found, row = [], 0
+    for text, is_dim in list(texts(window.panes()[2])):
+        match = VALUE.fullmatch(text)
+        number = match and re.fullmatch(r"[-+.e0-9]+", match.group(2))
+        if number and not is_dim and not any(truth.has_value(int(match.group(1)) - 1, match.group(2))
+                                             for truth in truths):
+            found.append(text)
+    for text, is_dim in list(texts(window.widget.find("list"))):
+        match = FLUX.match(text)
+        if match:
+            if not is_dim and not any(truth.has_flux(row, *match.groups()) for truth in truths):
+                found.append(text)
+            row += 1
+    return found
+
+
+def copies(window):
+    return window.control("button", "Copy results").has("sensitive")
+
+
+def copied_values(desk, window):
+    window.press("Copy results")
+    text = wait("the results", lambda: "P1\t" in desk.copied() and desk.copied())
+    return text, [line.split("\t")[1] for line in text.split("\n") if re.match(r"P\d", line)]
+
+
+def watch(window, seconds, truth, before=None):
+    """Looks again and again; what was wrong.  For a while after a change what was before it is right, too."""
+    start, found, looks = time.monotonic(), [], 0
+    while time.monotonic() < start + seconds or looks < 2:
+        truths = [truth] + ([before] if before and time.monotonic() < start + FOLLOWS else [])
+        seen = wrong(window, *truths)
+        if seen and wrong(window, *truths) == seen:  # no change came between the looks at its parts
+            found.append(seen)
+        looks += 1
+    return found
+
+
+def open_slow(tap, desk):
+    """A slow scene in the place of a quick one, and its whole way to the reflected light."""
+    slow = desk.path("slow.yaml")
+    with open(slow, "wb") as file:
+        file.write(SLOW)
+    truth = Truth(desk, SLOW)
+    app = desk.start("builtin:sphere")
+    window = app.window()
+    window.act("open-path", slow)
+    tap.equal(wrong(window, truth), [], "nothing of the quick scene is left when the slow one is opened")
+    tap.ok("slow.yaml" in window.title and not copies(window), "nor can it be copied under the name of the slow one")
+    tap.equal(watch(window, 6, truth), [], "nor does it come back")
+    wait("the flux", lambda: window.says("Φ 3000 lm"))
+    tap.ok(True, "what the lamps give is there before reflected light is")
+    wait("the direct light", lambda: window.says("Direct light; "))
+    tap.ok(not window.values() and not copies(window) and window.says("being computed…"),
+           "the points say that they are being computed")
+    wait("the progress", lambda: window.says("reflected light: "), LONG)
+    window.press("Stop")
+    wait("the end of it", lambda: window.says("Direct light alone; "))
+    tap.ok(not copies(window), "it can be stopped, and then direct light is not copied for the whole")
+    window.act("zoom-in")
+    window.act("source-duplicate")
+    two = Truth(desk, window.save())
+    tap.equal(watch(window, 6, two, truth), [], "a second lamp, while it is stopped")
+    window.act("undo")
+    tap.equal(watch(window, 6, truth, two), [], "and without it again")
+    window.press("Go on")
+    window.act("zoom-out")
+    wait("all of the light", lambda: copies(window), LONG)
+    tap.ok(not window.says("Direct light"), "it goes on where it is wanted, however the picture is looked at meanwhile")
+    tap.equal(watch(window, 2, truth), [], "the points agree with luxel probe")
+    text, values = copied_values(desk, window)
+    tap.ok(len(values) == 2 and all(truth.has_value(i, values[i]) for i in range(2)), "as does what is copied", text)
+    window.act("source-duplicate")
+    tap.equal(watch(window, 6, two, truth), [], "a change of the whole scene")
+    tap.ok(not copies(window), "is not copied before it is computed")
+    start = time.monotonic()
+    tap.equal(app.quit(), 0, "closing meanwhile")
+    tap.ok(time.monotonic() - start < 30, "waits for nothing", time.monotonic() - start)
+
+
+def beside(tap, desk):
+    """A quick window beside a slow one, each with its own, through changes of every kind."""
+    slow = desk.path("slow.yaml")
+    with open(slow, "wb") as file:
+        file.write(SLOW)
+    truth = Truth(desk, SLOW)
+    app = desk.start("report")
+    quick = app.window()
+    quick.act("open-path", slow)
+    window = wait("the slow one", lambda: next((widget for widget in app.windows() if "slow.yaml" in widget.name), None))
+    now = Truth(desk, quick.save())
+    tap.equal(watch(quick, 2, now), [], "the quick one has its own numbers")
+    for name, words in (("source-add", ["spot"]), ("undo", []), ("redo", []), ("source-delete", []), ("undo", [])):
+        before = now
+        quick.act(name, *words)
+        now = Truth(desk, quick.save())
+        tap.equal(watch(quick, FOLLOWS + 2, now, before), [], "so it has after " + name)
+    wait("all of it", lambda: copies(quick))
+    text, values = copied_values(desk, quick)
+    tap.ok(all(now.has_value(i, value) for i, value in enumerate(values)) and len(values) == 3,
+           "and that is what it copies", text)
+    quick.root, kept = window, quick.root
+    tap.equal([text for text in wrong(quick, truth)], [], "the slow one has its own meanwhile")
+    quick.root = kept
+
+
+trial(open_slow, beside)
