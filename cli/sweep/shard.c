@@ -188,7 +188,11 @@ static luxel_status add_geometry(struct making *making, const luxel_scene *scene
 {
     struct sweep_worker *worker = making->worker;
     const size_t pixels = (size_t)worker->sweep->columns * worker->sweep->rows;
-    const luxel_status status = luxel_scene_geometry(scene, worker->diagnostics, worker->depth, worker->normals);
+    const luxel_geometry wanted = {.depth_mm = worker->depth, .normals = worker->normals};
+    luxel_settings settings;
+    luxel_settings_init(&settings);
+    settings.threads = 1;
+    const luxel_status status = luxel_find_geometry(scene, &settings, worker->diagnostics, &wanted);
 
     if (status == LUXEL_OK && worker->depth)
         *failed = array_add_doubles(&making->arrays[LUXEL_STUDY_DEPTH], worker->depth, pixels);
