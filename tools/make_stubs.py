@@ -10,8 +10,8 @@ import sys
 
 ALIASES = {
     "_Field": '_Field = TypeVar("_Field", bound="FieldHandle")',
-    "_Settings": "_Settings = Tuple[int, int, int, Optional[str], float, float, float, int, bool, "
-                 "Optional[Callable[[float], Any]]]",
+    "_Settings": "_Settings = Tuple[int, int, int, Optional[str], float, float, float, int, bool, Optional[bytes],\n"
+                 "                  Optional[Callable[[float], Any]]]",
 }
 TYPING = ("Any", "Callable", "List", "Optional", "Tuple", "Type", "TypeVar")
 TEXT = r'"(?:[^"\\]|\\.)*"'
@@ -31,12 +31,18 @@ def definition(name, parameters, result):
     return line if len(line) <= 120 else "def %s(\n    %s\n) -> %s: ..." % (name, parameters, result)
 
 
+def class_of(name, rest, source):
+    """A type of a stub; one whose numbers are a buffer says so by the method of PEP 688."""
+    slots = re.search(r"PyType_Slot %s\[\] = \{(.*?)\};" % re.search(r"\.slots = (\w+)", rest).group(1), source, re.S)
+    body = "\n    def __buffer__(self, flags: int, /) -> memoryview: ..." if "Py_bf_getbuffer" in slots.group(1) else " ..."
+    return ("" if "Py_TPFLAGS_BASETYPE" in rest else "@final\n") + "class %s:%s" % (name, body)
+
+
 def stub_of(title, sources):
     constants, types, functions = [], [], []
     for text in sources:
         constants += ["%s: str" % name for name in CONSTANT.findall(text)]
-        types += [("" if "Py_TPFLAGS_BASETYPE" in rest else "@final\n") + "class %s: ..." % name
-                  for name, rest in TYPE.findall(text)]
+        types += [class_of(name, rest, text) for name, rest in TYPE.findall(text)]
         found = FUNCTION.findall(text)
         if len(found) != text.count(" FUNCTION(\""):
             raise SystemExit("a FUNCTION() has another form than FUNCTION(\"name\", name, METH_..., \"...\", \"...\")")

@@ -113,7 +113,8 @@ int array_open(struct array *array, int folder, const char *name, luxel_study_ty
     *array = (struct array){.type = type};
     snprintf(array->name, sizeof array->name, "%s.%s", name, type == LUXEL_STUDY_LP ? "lp" : "npy");
     sha256_begin(&array->sum, by_instructions);
-    array->file = openat(folder, array->name, O_CREAT | O_TRUNC | O_WRONLY | O_CLOEXEC, 0666);
+    array->file = folder < 0 ? open("/dev/null", O_WRONLY | O_CLOEXEC)
+                             : openat(folder, array->name, O_CREAT | O_TRUNC | O_WRONLY | O_CLOEXEC, 0666);
     if (array->file < 0)
         return errno;
     return type == LUXEL_STUDY_LP ? 0 : write_header(array, shape);

@@ -60,21 +60,52 @@ int sweep_merge_array(const struct sweep *sweep, size_t output, struct merge_arr
     return merged->type != LUXEL_STUDY_NONE && merged->type != LUXEL_STUDY_LP && merged->shape[0] > 0;
 }
 
+/* Whether the bytes of a file are those of its sum in SHA256SUMS of its shard. */
+static bool has_its_sum(const struct sweep *sweep, const char *folder, const char *name, const char *bytes,
+                        size_t length)
+{
+    char path[FOLDER_NAME + ARRAY_NAME], line[SHA256_HEX + ARRAY_NAME + 4], hex[SHA256_HEX];
+    struct sha256 sum;
+    size_t sums_length;
+
+    snprintf(path, sizeof path, "%s/SHA256SUMS", folder);
+    sha256_begin(&sum, sweep->by_instructions);
+    sha256_add(&sum, bytes, length);
+    sha256_end(&sum, hex);
+    snprintf(line, sizeof line, "%s  %s\n", hex, name);
+
+    char *sums = folder_read(&sweep->folder, path, &sums_length);
+    const bool is_good = sums && strstr(sums, line);
+
+    free(sums);
+    return is_good;
+}
+
 void *sweep_read_shard(const struct sweep *sweep, const struct merge_array *merged, uint64_t shard)
 {
-    char name[FOLDER_NAME], path[2 * FOLDER_NAME + ARRAY_NAME];
+    char name[FOLDER_NAME], file[ARRAY_NAME], path[2 * FOLDER_NAME + ARRAY_NAME];
     size_t length;
 
-    snprintf(path, sizeof path, "%s/%s.npy", folder_shard_name(shard, name), merged->name);
+    folder_shard_name(shard, name);
+    snprintf(file, sizeof file, "%s.npy", merged->name);
+    snprintf(path, sizeof path, "%s/%s", name, file);
 
     char *text = folder_read(&sweep->folder, path, &length);
+    const bool is_whole = text && length == ARRAY_HEADER + sweep_scenes_of(sweep, shard) * merged->bytes_of_scene;
 
-    if (text && length == ARRAY_HEADER + sweep_scenes_of(sweep, shard) * merged->bytes_of_scene) {
+    if (is_whole && has_its_sum(sweep, name, file, text, length)) {
         memmove(text, text + ARRAY_HEADER, length - ARRAY_HEADER);
         return text;
     }
-    message_error(_("%s/%s cannot be read: %s"), sweep->folder.path, path,
-                  language_reason(text || !errno ? EIO : errno));
+    if (is_whole) {
+        message_error(_("%s/%s is damaged: its SHA-256 is not the one in SHA256SUMS beside it"), sweep->folder.path,
+                      path);
+        message_hint(_("remove the folder %s/%s; luxel sweep %s -o %s computes it again"), sweep->folder.path, name,
+                     sweep->study_name, sweep->folder.path);
+    } else {
+        message_error(_("%s/%s cannot be read: %s"), sweep->folder.path, path,
+                      language_reason(text || !errno ? EIO : errno));
+    }
     free(text);
     return NULL;
 }
@@ -129,17 +160,21 @@ static int write_npy(struct sweep *sweep, const struct merge_array *merged, cons
     char staged[ARRAY_NAME + 8], hex[SHA256_HEX];
     struct array array;
     int failed = array_open(&array, sweep->folder.work, merged->name, merged->type, shape, sweep->by_instructions);
+    bool is_read = true;
 
     snprintf(staged, sizeof staged, "%s", array.name);
-    for (uint64_t shard = 0; shard < sweep->shards && failed == 0; shard++) {
+    for (uint64_t shard = 0; shard < sweep->shards && failed == 0 && is_read; shard++) {
         void *numbers = sweep_read_shard(sweep, merged, shard);
 
-        failed =
-            numbers ? array_add_bytes(&array, numbers, sweep_scenes_of(sweep, shard) * merged->bytes_of_scene) : EIO;
+        is_read = numbers != NULL;
+        if (is_read)
+            failed = array_add_bytes(&array, numbers, sweep_scenes_of(sweep, shard) * merged->bytes_of_scene);
         free(numbers);
     }
-    const int closed = array_close(&array, failed == 0 ? hex : NULL);
+    const int closed = array_close(&array, failed == 0 && is_read ? hex : NULL);
 
+    if (!is_read) /* which has been reported */
+        return EXIT_FILE;
     failed = failed ? failed : closed;
     if (failed == 0)
         failed = sweep_put(sweep, staged, path);

@@ -188,7 +188,11 @@ static luxel_status add_geometry(struct making *making, const luxel_scene *scene
 {
     struct sweep_worker *worker = making->worker;
     const size_t pixels = (size_t)worker->sweep->columns * worker->sweep->rows;
-    const luxel_status status = luxel_scene_geometry(scene, worker->diagnostics, worker->depth, worker->normals);
+    const luxel_geometry wanted = {.depth_mm = worker->depth, .normals = worker->normals};
+    luxel_settings settings;
+    luxel_settings_init(&settings);
+    settings.threads = 1;
+    const luxel_status status = luxel_find_geometry(scene, &settings, worker->diagnostics, &wanted);
 
     if (status == LUXEL_OK && worker->depth)
         *failed = array_add_doubles(&making->arrays[LUXEL_STUDY_DEPTH], worker->depth, pixels);
@@ -419,29 +423,23 @@ double sweep_time_of_scene(struct sweep_worker *worker, double seconds)
     const struct sweep *sweep = worker->sweep;
     const double start = machine_seconds();
     const uint64_t step = sweep->scenes > 997 ? sweep->scenes / 997 : 1;
+    struct making making = {.worker = worker, .folder = -1};
+    luxel_status status = LUXEL_OK;
     uint64_t scenes = 0, i = 0;
     double now = start;
+    int failed = open_arrays(&making);
 
-    while (now - start < seconds) {
-        const luxel_scene *scene;
-        luxel_field *field = NULL;
-        luxel_settings settings;
-        luxel_status status;
-
-        luxel_settings_init(&settings);
-        settings.threads = 1;
-        status = luxel_study_make(worker->maker, i, worker->diagnostics, &scene);
-        if (status == LUXEL_OK)
-            status = luxel_render(scene, &settings, worker->diagnostics, &field);
-        if (status != LUXEL_OK) {
-            message_error(_("scene %llu of the study cannot be computed:"), (unsigned long long)i);
-            message_failure(status, worker->diagnostics);
-            return -1.0;
-        }
-        luxel_field_free(field);
+    while (now - start < seconds && failed == 0 && status == LUXEL_OK) {
+        status = add_scene(&making, i, &failed);
+        if (failed != 0 || status != LUXEL_OK)
+            break;
         i = (i + step) % sweep->scenes;
         scenes++;
         now = machine_seconds();
     }
-    return (now - start) / (double)scenes;
+    close_arrays(&making, false);
+    if (failed == 0 && status == LUXEL_OK)
+        return (now - start) / (double)scenes;
+    fail_scene(&making, i, status, failed);
+    return -1.0;
 }

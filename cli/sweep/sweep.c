@@ -40,7 +40,7 @@ void sweep_init(struct sweep *sweep, const luxel_study *study, const char *study
         .study = study,
         .study_name = study_name,
         .folder = {.folder = -1, .lock = -1, .work = -1, .parts = 1},
-        .instruction_set = set ? set : "", /* none: the first scene says so */
+        .instruction_set = set ? set : "", /* none: sweep_check() says so */
         .scenes = luxel_study_count(study),
         .points = luxel_scene_point_count(base),
         .lights = luxel_scene_light_count(base),
@@ -88,9 +88,16 @@ void sweep_shape(const struct sweep *sweep, luxel_study_output output, size_t sh
     }
 }
 
-/* Whether what is wanted of places is there to be had. */
+/* Whether there are kernels, and what is wanted of places is there to be had. */
 int sweep_check(const struct sweep *sweep)
 {
+    if (!*sweep->instruction_set) {
+        const char *forced = getenv("LUXEL_ISA");
+
+        message_error(_("LUXEL_ISA=%s: this machine has no such instruction set"), forced ? forced : "");
+        message_hint(_("luxel --version tells the set that is taken without LUXEL_ISA"));
+        return EXIT_USAGE;
+    }
     if (luxel_study_wanted(sweep->study, LUXEL_STUDY_PROBES) != LUXEL_STUDY_NONE && sweep->points == 0) {
         message_error(_("%s wants probes, and its scene has no points"), sweep->study_name);
         message_hint(_("add points to the scene: set: ['points=[[0, 0]]']"));

@@ -68,8 +68,8 @@ void sweep_worker_clear(struct sweep_worker *worker);
 /* Tells of scenes that missed the bound of their reflected light; returns an enum exit_code. */
 int sweep_tell_missed(const struct sweep *sweep);
 
-/* Renders scenes of the study for about `seconds`, and returns how long one takes in seconds; below 0: one is wrong,
- * which is reported. */
+/* Makes all outputs of scenes of the study for about `seconds`, keeps none, and returns how long one takes in seconds;
+ * below 0: one is wrong, which is reported. */
 double sweep_time_of_scene(struct sweep_worker *worker, double seconds);
 
 /* Whether a shard is whole. */

@@ -77,6 +77,16 @@ LUXEL_API luxel_status luxel_evaluate_places(const luxel_evaluator *evaluator, c
                                              luxel_value *values, double *shares);
 
 /*
+ * Puts places back that rounding took off a surface.  A place that was computed in float32, or from a depth map, lies
+ * some of its last digits above or below the surface it is meant for, and below it nothing lights it.  Each element
+ * (is_element) that is no farther from a surface than its number of `tolerances_mm` is moved onto it along its normal,
+ * and has its material from then on; what lies on a surface as far as float64 tells is left, as are screen points.
+ * `moved_mm` NULL, or room for how far each was moved.  By threads and progress as luxel_evaluate_places().
+ */
+LUXEL_API luxel_status luxel_evaluator_settle_places(const luxel_evaluator *evaluator, luxel_place *places,
+                                                     size_t count, const double *tolerances_mm, double *moved_mm);
+
+/*
  * The value at a point of the scene's surface with this index: the point that a line from its centre along `normal`
  * meets, whether it is seen from the observer or not.  Only spheres: on_surface is false for another surface.
  */

@@ -10,7 +10,10 @@
 #ifndef LUXEL_VIEW_H
 #define LUXEL_VIEW_H
 
+#include <stdint.h>
+
 #include <luxel/scene.h>
+#include <luxel/settings.h>
 
 #ifdef __cplusplus
 extern "C" {
@@ -37,13 +40,27 @@ LUXEL_API bool luxel_scene_unproject(const luxel_scene *scene, const double scre
  */
 LUXEL_API bool luxel_scene_height(const luxel_scene *scene, const double position_mm[3], double *z_mm);
 
+/* What pixels show, row by row from the top: arrays with room for rows x columns elements each, of the caller's; NULL:
+ * not wanted. */
+typedef struct luxel_geometry {
+    double *depth_mm;     /* how far it is from the observer along the observer's line of view; 0: nothing is seen */
+    double (*normals)[3]; /* the unit normal of the surface, as the scene has it, towards the observer's side; or 0 */
+    double (*positions_mm)[3]; /* the place, in the scene's frame; or 0 */
+    int32_t *surfaces;         /* the surface's index in the scene's list; -1: nothing is seen */
+    unsigned *parts;           /* the part of it that is seen, of a room a wall (luxel_part_name()); else 0 */
+    void *reserved[4];         /* for later versions: NULL */
+} luxel_geometry;
+
 /*
- * What every pixel of a committed scene shows, row by row from the top: how far it is from the observer along the
- * observer's line of view, in mm, and the unit normal of the surface there, as the scene has it, towards the
- * observer's side.  Where nothing
- * is seen all of them are 0.  Each array has room for rows x columns elements, or is NULL: not wanted.
- * LUXEL_ERROR_ARGUMENT: not committed.  LUXEL_ERROR_MEMORY.
+ * What every pixel of a committed scene's picture shows.  It is found in float64 by the kernels that the picture is
+ * made with, so it is the surface whose light the picture has; in parallel and to be cancelled by the settings
+ * (NULL: the defaults), of which threads, instruction set and progress count.
+ * Errors as luxel_render() lists them; LUXEL_CANCELLED: not all is there.
  */
+LUXEL_API luxel_status luxel_find_geometry(const luxel_scene *scene, const luxel_settings *settings,
+                                           luxel_diagnostics *diagnostics, const luxel_geometry *geometry);
+
+/* Depths and normals alone, each unless it is NULL, by the defaults. */
 LUXEL_API luxel_status luxel_scene_geometry(const luxel_scene *scene, luxel_diagnostics *diagnostics, double *depth_mm,
                                             double (*normals)[3]);
 

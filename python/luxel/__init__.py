@@ -14,8 +14,10 @@ thread computes with it goes on there as it was.
 """
 from ._balance import Amount, Balance, LitSide
 from ._document import Document
-from ._errors import Diagnostic, LuxelError, LuxelKeyError, LuxelValueError, LuxelWarning
+from ._errors import (Diagnostic, LuxelError, LuxelFileError, LuxelKeyError, LuxelMemoryError, LuxelNotFoundError,
+                      LuxelValueError, LuxelWarning)
 from ._field import Field, compare, read
+from ._geometry import Geometry
 from ._glare import Glare, GlareSource, UgrReflectances, UgrRoom, UgrTable
 from ._grid import Grid
 from ._language import set_language
@@ -31,10 +33,10 @@ __version__ = _version()
 
 __all__ = [
     "Alternative", "Amount", "Balance", "Comparison", "Diagnostic", "Diagram", "Document", "Extrema", "Extremum",
-    "Field", "Figure", "Glare", "GlareSource", "Greatest", "Grid", "GridExtrema", "GridExtremum", "GridPeak",
-    "Histogram", "Isophote", "Judgement", "LampSet", "Light", "LitSide", "LuxelError", "LuxelKeyError",
-    "LuxelValueError", "LuxelWarning", "Mesh", "Opening", "Peak", "Photometry", "PhotometryFigures", "Probe",
-    "Probes", "Profile", "Scene", "Share", "Statistics", "Summary", "UgrReflectances", "UgrRoom", "UgrTable",
-    "builtin_scenes", "compare", "instruction_sets", "palettes", "read", "schema", "set_language", "variant",
-    "__version__",
+    "Field", "Figure", "Geometry", "Glare", "GlareSource", "Greatest", "Grid", "GridExtrema", "GridExtremum",
+    "GridPeak", "Histogram", "Isophote", "Judgement", "LampSet", "Light", "LitSide", "LuxelError", "LuxelFileError",
+    "LuxelKeyError", "LuxelMemoryError", "LuxelNotFoundError", "LuxelValueError", "LuxelWarning", "Mesh", "Opening",
+    "Peak", "Photometry", "PhotometryFigures", "Probe", "Probes", "Profile", "Scene", "Share", "Statistics", "Summary",
+    "UgrReflectances", "UgrRoom", "UgrTable", "builtin_scenes", "compare", "instruction_sets", "palettes", "read",
+    "schema", "set_language", "variant", "__version__",
 ]

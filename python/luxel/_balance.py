@@ -71,6 +71,7 @@ def balance(found: Any) -> Optional[Balance]:
     if found is None:
         return None
     unit, flux_unit, sides, *fluxes, closes, reached = found
+    lit: Any = [(*side[:-2], Amount(*side[-2]), Amount(*side[-1])) for side in sides]
     amounts: Any = [None if flux is None else Amount(*flux) for flux in fluxes]
-    return Balance(unit, flux_unit, tuple(LitSide(*side[:-2], Amount(*side[-2]), Amount(*side[-1])) for side in sides),
-                   *amounts, closes, reached)
+    fields: Any = (unit, flux_unit, tuple(LitSide(*side) for side in lit), *amounts, closes, reached)
+    return Balance(*fields)

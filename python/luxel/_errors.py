@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import sys
 import warnings
-from typing import List, NamedTuple, Optional, Sequence, Tuple
+from typing import Any, List, NamedTuple, Optional, Sequence, Tuple
 
 
 class Diagnostic(NamedTuple):
@@ -33,14 +33,18 @@ class Diagnostic(NamedTuple):
 
 
 class LuxelError(Exception):
-    """What was asked for cannot be done.  `str()` of it shows every message with its place."""
+    """What was asked for cannot be done.  `str()` of it shows every message with its place.
+
+    A scene, a setting or a value that is wrong is a LuxelValueError, which is a ValueError; a file that cannot be read
+    or written a LuxelFileError, which is an OSError; a lack of memory a LuxelMemoryError, which is a MemoryError.
+    """
 
     status: str  #: "argument", "path", "scene", "file", "memory", "range" or "cancelled"
     diagnostics: Tuple[Diagnostic, ...]  #: the messages, of which the library keeps 20
     total: int  #: how many errors there were, those not kept included
 
     def __init__(self, status: str, diagnostics: Sequence[Diagnostic] = (), total: int = 0) -> None:
-        super().__init__(status, tuple(diagnostics), total)
+        Exception.__init__(self, status, tuple(diagnostics), total)  # a subclass that is an OSError has another
         self.status = status
         self.diagnostics = tuple(diagnostics)
         self.total = total
@@ -56,12 +60,34 @@ class LuxelError(Exception):
                                     "range": "a value is too large for float64"}.get(self.status, self.status)
 
 
+    def __reduce__(self) -> Tuple[Any, ...]:
+        return type(self), (self.status, self.diagnostics, self.total)
+
+
 class LuxelKeyError(LuxelError, KeyError):
     """A path that names no key or element of the scene; a KeyError too."""
 
 
 class LuxelValueError(LuxelError, ValueError):
-    """A call that is wrong in itself: a setting out of its range, a place that is no number; a ValueError too."""
+    """A scene that is wrong, a setting out of its range, a place that is no number; a ValueError too."""
+
+
+class LuxelFileError(LuxelError, OSError):
+    """A file that cannot be read or written, or is not what it should be; an OSError too."""
+
+    def __init__(self, status: str, diagnostics: Sequence[Diagnostic] = (), total: int = 0) -> None:
+        super().__init__(status, diagnostics, total)
+        first = self.diagnostics[0] if self.diagnostics else None
+        self.strerror = first.message if first else status
+        self.filename = first.file if first else None
+
+
+class LuxelNotFoundError(LuxelFileError, FileNotFoundError):
+    """A name that is neither a file nor a built-in scene; a FileNotFoundError too."""
+
+
+class LuxelMemoryError(LuxelError, MemoryError):
+    """Memory ran out, or would; a MemoryError too."""
 
 
 class LuxelWarning(UserWarning):
@@ -80,5 +106,6 @@ def warn(message: str) -> None:
 def make_error(status: str, entries: List[Tuple[str, str, str, str, Optional[str], Optional[str], int, int,
                                                 Optional[str], int, int]], total: int) -> LuxelError:
     """The exception of a failure of the library."""
-    kind = {"path": LuxelKeyError, "argument": LuxelValueError}.get(status, LuxelError)
+    kind = {"path": LuxelKeyError, "argument": LuxelValueError, "scene": LuxelValueError, "range": LuxelValueError,
+            "file": LuxelFileError, "memory": LuxelMemoryError}.get(status, LuxelError)
     return kind(status, [Diagnostic(*entry) for entry in entries], total)

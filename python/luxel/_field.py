@@ -6,7 +6,7 @@ import os
 from typing import TYPE_CHECKING, Any, Dict, List, Optional, Sequence, Tuple, Union
 
 from . import _luxel
-from ._arrays import shared
+from ._arrays import Arithmetic, shared
 from ._results import Comparison, Extrema, Histogram, Isophote, Peak, Profile, Statistics, Summary, extremum, statistics
 from ._settings import PRECISIONS, QUANTITIES, Progress, Settings, choice, point, real, settings
 
@@ -20,11 +20,12 @@ Region = Union[Tuple[float, float, float], Tuple[float, float, float, float]]
 BOUNDS = {"single": 2e-6, "double": 1e-11}
 
 
-class Field(_luxel.FieldHandle):
+class Field(Arithmetic, _luxel.FieldHandle):
     """A picture: rows x columns values, row 0 on top, float32 or float64 by its precision.
 
     `numpy.asarray(field)` and `memoryview(field)` share its memory, which is never written; they keep it alive.  Off
     the surfaces the value is 0 and `mask` False.  Fields are made by Scene.render(), luxel.read() and Field.of().
+    Indices, arithmetic and comparisons (but ==) are those of the array `values`: `field[0, :10]`, `a - b`, `field > 1`.
     """
 
     __slots__ = ("_made",)
@@ -135,6 +136,37 @@ class Field(_luxel.FieldHandle):
         """The extrema of the pixels, their mean, and how many show a surface."""
         return statistics(_luxel.field_statistics(self))
 
+    def __len__(self) -> int:
+        return self.rows
+
+    def __bytes__(self) -> bytes:
+        """The values as they lie in memory."""
+        return memoryview(self.values).tobytes()
+
+    def __getitem__(self, index: Any) -> Any:
+        return self.values[index]
+
+    def max(self, axis: Any = None, **how: Any) -> Any:
+        """The greatest of all values, as of the array; `statistics` has those of surfaces alone."""
+        return self.values.max(axis, **how)
+
+    def min(self, axis: Any = None, **how: Any) -> Any:
+        """The least of all values, as of the array: 0 where a pixel shows no surface."""
+        return self.values.min(axis, **how)
+
+    def mean(self, axis: Any = None, **how: Any) -> Any:
+        """The mean of all values, as of the array; `statistics.mean` is that of the pixels that show a surface."""
+        return self.values.mean(axis, **how)
+
+    def __dlpack__(self, *, stream: Any = None, **how: Any) -> Any:
+        """The values for another library of arrays, such as torch.from_dlpack(field): a copy, which may be written."""
+        if how.get("copy") is False:
+            raise BufferError("a field cannot be written, so what is handed over is a copy")
+        return self.values.copy().__dlpack__(stream=stream)
+
+    def __dlpack_device__(self) -> Tuple[int, int]:
+        return 1, 0  # the memory of the processor
+
     def summary(self, region: Optional[Region] = None) -> Summary:
         """Mean, median, deviation, extrema and evenness of the pixels of a region, or of all."""
         found = _luxel.field_summary(self, region)
@@ -210,9 +242,11 @@ class Field(_luxel.FieldHandle):
 
         Off the surfaces it holds NaN, so it is a copy.  Raises ValueError where the places are not known.
         """
-        import numpy
-        import xarray
+        import importlib
 
+        import numpy
+
+        xarray: Any = importlib.import_module("xarray")
         if self.x_mm is None or self.y_mm is None:
             raise ValueError("this field does not know its places")
         values = numpy.where(self.mask, self.values, self.values.dtype.type(numpy.nan))
@@ -244,9 +278,9 @@ class Field(_luxel.FieldHandle):
         if self.scene_text is not None:
             return _of_bytes, (self.to_bytes(".exr"),)
         columns, rows, quantity, precision, word, unit = self._about()[:6]
-        places = [None if view is None else bytes(view) for view in _luxel.field_places(self)]
+        places = [None if view is None else shared(view).tobytes() for view in _luxel.field_places(self)]
         return _of_parts, (columns, rows, precision, -1 if word == "values" else quantity, unit or None,
-                           memoryview(self).tobytes(), bytes(_luxel.field_mask(self)), *places)
+                           self.values.tobytes(), self.mask.tobytes(), *places)
 
     @classmethod
     def of(cls, values: Any, *, mask: Any = None, x_mm: Any = None, y_mm: Any = None, unit: Optional[str] = None,

@@ -136,8 +136,8 @@ def sight(eye_mm: Any, view: Any, up: Any) -> Tuple[Tuple[float, ...], ...]:
 def glare(found: Any) -> Glare:
     """The rating of a tuple of the library."""
     ugr, error, background, sources, reached = found
-    return Glare(ugr, error, Amount(*background),
-                 tuple(GlareSource(*source[:3], STATUSES[source[3]], *source[4:]) for source in sources), reached)
+    seen: Any = [(*source[:3], STATUSES[source[3]], *source[4:]) for source in sources]
+    return Glare(ugr, error, Amount(*background), tuple(GlareSource(*source) for source in seen), reached)
 
 
 def ugr_table(found: Any) -> Optional[UgrTable]:

@@ -5,22 +5,23 @@ from __future__ import annotations
 import json
 import os
 from _thread import allocate_lock
-from typing import TYPE_CHECKING, Any, Dict, Iterable, List, Mapping, Optional, Sequence, Tuple, Union, overload
+from typing import TYPE_CHECKING, Any, Dict, Iterable, Iterator, List, Mapping, Optional, Sequence, Tuple, Union, overload
 
 from . import _flow, _luxel
-from ._arrays import floats
+from ._arrays import floats, spacing
 from ._balance import Balance, balance
 from ._document import Document
-from ._errors import Diagnostic, LuxelError
+from ._errors import Diagnostic, LuxelError, LuxelNotFoundError
 from ._field import Field, made, profile
+from ._geometry import Geometry, geometry
 from ._glare import Glare, glare, sight
 from ._grid import Grid
 from ._language import translate
 from ._pictures import Figure, drawing, look
 from ._probe import Probe, Probes, probes
 from ._results import Alternative, Judgement, Light, Mesh, Profile, Statistics, Vector, alternatives, statistics
-from ._settings import (QUANTITIES, Carried, Lights, Progress, choice, group, point as _point, real, reals, settings,
-                        surface_index)
+from ._settings import (QUANTITIES, Carried, Lights, Progress, choice, group, index_of, point as _point, real, reals,
+                        settings)
 
 if TYPE_CHECKING:
     import numpy
@@ -50,12 +51,22 @@ def schema() -> Dict[str, Any]:
     return found
 
 
+def _keys() -> List[str]:
+    """The keys of the first level of scenes."""
+    if not _known_keys:
+        _known_keys.extend(schema()["properties"])
+    return _known_keys
+
+
+_known_keys: List[str] = []
+
+
 def variant(number: int) -> "Scene":
     """The variant of the exercise with this number, from 1 to 1 000 000: always the same scene for the same number."""
     return Scene.from_text(_luxel.variant_text(number), "variant %d" % number)
 
 
-def _missing(path: str) -> LuxelError:
+def _missing(path: str) -> LuxelNotFoundError:
     """What the tool says of a name that is neither a file nor a built-in scene."""
     from difflib import get_close_matches
 
@@ -63,7 +74,7 @@ def _missing(path: str) -> LuxelError:
     near = get_close_matches(path, list(builtin_scenes()), 1)
     hint = translate("did you mean %s?") % near[0] if near else ""
     entry = Diagnostic("error", "no-such-scene", message, hint, None, None, 0, 0, None, 0, 0)
-    return LuxelError("file", [entry], 1)
+    return LuxelNotFoundError("file", [entry], 1)
 
 
 class Scene:
@@ -71,7 +82,7 @@ class Scene:
 
     `Scene(source)` takes the name of a built-in scene or a file ("report" without an argument), a path, the text of a
     scene (anything with a line break, or that begins with "{"), bytes of such a text or of a PNG or EXR picture that
-    carries its scene, a dictionary, or another scene, which it copies.
+    carries its scene, a dictionary, or another scene, which it copies.  list(scene) are the keys of its first level.
 
     `scene["lights[0].intensity"]` is the value of a key, by the paths of `luxel -s`: numbers, texts, lists,
     dictionaries, None where there is neither a value nor a default.  Setting one checks the whole scene.  Several that
@@ -155,6 +166,13 @@ class Scene:
     def __delitem__(self, key: str) -> None:
         """Takes out an element of a list or a key with its value."""
         self._change([("remove", key, 0, 0, None)])
+
+    def keys(self) -> List[str]:
+        """The keys of the scene's first level that it writes itself, such as "screen" and "lights"."""
+        return [key for key in _keys() if key in self]
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(self.keys())
 
     def __contains__(self, key: str) -> bool:
         """Whether the scene itself writes this key."""
@@ -279,7 +297,8 @@ class Scene:
         """Computes the picture, with the interpreter's lock released; Ctrl-C ends it.
 
         `quantity`: "brightness" or "irradiance".  `precision`: "single" (float32, within 2e-6 of the maximum) or
-        "double" (float64, 1e-11).  `threads` 0: as many as pay.  `stride` n: a quick look at each n-th pixel.
+        "double" (float64, 1e-11); where values of scenes are subtracted, as finite differences are by SciPy's optimizers,
+        "double" is needed: a step of 1e-8 changes nothing in float32.  `threads` 0: as many as pay.  `stride` n: a quick look at each n-th pixel.
         `light_error` E: many points may be taken together, within E of the value.  `reflected_error`: the bound wanted
         of what surfaces reflect, as a share of the maximum, 0.01 unless it is given; `statistics` tell which was
         reached.  `progress` is called with the share done; where it returns False, the work ends with a LuxelError.
@@ -303,6 +322,15 @@ class Scene:
         how = settings(self._carried, quantity, precision, threads, instruction_set, None, light_error,
                        progress=progress, reflected_error=reflected_error, lights=self._group(lights))
         return statistics(_luxel.render_files(self._handle, [os.fsencode(path) for path in paths], bits, how))
+
+    def geometry(self, *, threads: int = 0, instruction_set: Optional[str] = None,
+                 progress: Optional[Progress] = None) -> Geometry:
+        """What each pixel of the picture shows: depths, normals, places and surfaces as arrays, as quick as a picture.
+
+        `scene.evaluate(found.positions_mm, found.normals)` are the exact values of the pixels; NaN off the surfaces.
+        """
+        return geometry(self._handle, settings(None, threads=threads, instruction_set=instruction_set,
+                                               progress=progress))
 
     # ---- exact values ----
 
@@ -334,14 +362,16 @@ class Scene:
         return found[0] if is_one else Probes(found)
 
     def probe_element(self, position_mm: Sequence[float], normal: Sequence[float], *,
-                      view: Optional[Sequence[float]] = None, surface: int = 0, quantity: Optional[str] = None,
-                      tolerance: Optional[float] = None, reflected_error: Optional[float] = None,
-                      threads: int = 0, lights: Optional[Lights] = None) -> Probe:
+                      view: Optional[Sequence[float]] = None, surface: Union[str, int] = 0,
+                      quantity: Optional[str] = None, tolerance: Optional[float] = None,
+                      reflected_error: Optional[float] = None, threads: int = 0,
+                      lights: Optional[Lights] = None) -> Probe:
         """The exact value of a free surface element, with all that evaluate() leaves out.
 
-        An element on a surface has its material, else that of the surface named; the view is the scene's or its own.
+        An element on a surface has its material, else that of `surface`, a name or an index; the view is the scene's
+        or its own.
         """
-        surface_index(surface, self.size("surfaces"))
+        surface = self._surface(surface)
         triple = "three numbers are expected, x, y and z"
         place = reals("position_mm", position_mm, 3, triple) + reals("normal", normal, 3, triple)
         direction = None if view is None else reals("view", view, 3, triple)
@@ -355,19 +385,30 @@ class Scene:
                        reflected_error=reflected_error, lights=lights)
         return probes(_luxel.probe(self._handle, places, how), _luxel.scene_unit(self._handle, how[0], lights)[0])
 
+    def _surface(self, surface: Union[str, int]) -> int:
+        names = range(self.size("surfaces"))
+        return index_of("surface", surface, [self["surfaces[%d].name" % i] if isinstance(surface, str) else None
+                                             for i in names])
+
     def evaluate(self, places: "npt.ArrayLike", normals: "npt.ArrayLike", view: "Optional[npt.ArrayLike]" = None, *,
-                 surface: int = 0, per_light: bool = False, quantity: Optional[str] = None,
-                 tolerance: Optional[float] = None, threads: int = 0, lights: Optional[Lights] = None,
-                 out: "Optional[npt.NDArray[numpy.void]]" = None,
+                 surface: Union[str, int] = 0, per_light: bool = False, quantity: Optional[str] = None,
+                 tolerance: Optional[float] = None, surface_tolerance: "Optional[npt.ArrayLike]" = None,
+                 threads: int = 0, lights: Optional[Lights] = None, out: "Optional[npt.NDArray[numpy.void]]" = None,
                  progress: Optional[Progress] = None) -> "npt.NDArray[numpy.void]":
         """The exact values of free surface elements: arrays (..., 3) of places in mm and of normals of any length.
 
         Returns a structured array of the shape (...) with the fields `value` and `error`, which bounds |value - truth|,
         and, `per_light`, `shares` (..., lights).  Places and normals are broadcast against each other.  float64 arrays
         are read where they lie, whatever their strides.  `view` is the direction to the observer, else the scene's.
-        `surface` is the index of the one whose material elements have that lie on no surface.  Where a number is not
-        finite, a normal is 0, or a source lies on the element, value and error are NaN.  `out`: an array of this kind
-        that an earlier call returned.
+        `surface` is the one, by name or index, whose material elements have that lie on no surface.  Where a number is
+        not finite, a normal is 0, or a source lies on the element, value and error are NaN.  `out`: an array of this
+        kind that an earlier call returned.
+
+        `surface_tolerance`, in mm, one or for each place: so far may a place lie off the surface that it is meant for.
+        It is put onto it along its normal, and the field `moved_mm` tells how far; without, a place that rounding took
+        into a body is dark.  Of places in float32 or float16 it is the spacing of these numbers there unless it is
+        given; of float64 it is 0, and the field is missing.  Places that were computed from a float32 depth map need
+        one, such as numpy.spacing(depth).
         """
         import numpy
 
@@ -377,10 +418,12 @@ class Scene:
             if array.ndim < 1 or array.shape[-1] != 3:
                 raise ValueError("places, normals and view are arrays (..., 3)")
         shape = numpy.broadcast_shapes(*(array.shape for array in ((p, n) if v is None else (p, n, v))))[:-1]
-        surface_index(surface, self.size("surfaces"))
+        near = spacing(places) if surface_tolerance is None else floats(surface_tolerance)
         fields: List[Any] = [("value", "f8"), ("error", "f8")]
         if per_light:
             fields.append(("shares", "f8", (self.size("lights"),)))
+        if near is not None:
+            fields.append(("moved_mm", "f8"))
         result = numpy.empty(shape, fields) if out is None else out
         if result.shape != shape or result.dtype != numpy.dtype(fields):
             raise ValueError("out: the shape %r and the fields %r are expected" % (shape, fields))
@@ -394,8 +437,10 @@ class Scene:
         how = settings(self._carried, quantity, None, threads, None, tolerance, progress=progress,
                        lights=self._group(lights))
         arrays = (rows(p), rows(n), None if v is None else rows(v), flat["value"], flat["error"],
-                  flat["shares"] if per_light else None)
-        _luxel.evaluate(self._handle, arrays, surface, how)
+                  flat["shares"] if per_light else None,
+                  None if near is None else numpy.broadcast_to(near, shape).reshape(-1),
+                  None if near is None else flat["moved_mm"])
+        _luxel.evaluate(self._handle, arrays, self._surface(surface), how)
         return result
 
     def grid(self, name: Union[str, int] = 0, *, tolerance: Optional[float] = None,

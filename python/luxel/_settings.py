@@ -48,16 +48,7 @@ def group(lights: Optional[Lights], names: Sequence[Optional[str]]) -> Optional[
     """A group of lights as the library takes it, native numbers in a row; `names` are those of all lights."""
     if lights is None:
         return None
-    found = []
-    for light in [lights] if isinstance(lights, (str, int)) else lights:
-        if isinstance(light, str):
-            if light not in names:
-                raise KeyError("lights: %r: %s" % (light, ", ".join(name for name in names if name)))
-            found.append(names.index(light))
-        elif 0 <= light < len(names):
-            found.append(int(light))
-        else:
-            raise IndexError("lights: %r: an index from 0 to below %d, or a name" % (light, len(names)))
+    found = [index_of("lights", light, names) for light in ([lights] if isinstance(lights, (str, int)) else lights)]
     return struct.pack("%dN" % len(found), *found)
 
 
@@ -99,8 +90,14 @@ def type_or_value(thing: Any) -> Type[Exception]:
     return ValueError if hasattr(thing, "__len__") or isinstance(thing, SupportsFloat) else TypeError
 
 
-def surface_index(surface: int, count: int) -> int:
-    """The index of one of so many surfaces."""
-    if not 0 <= surface < count:
-        raise IndexError("surface: %r: the scene has %d, counted from 0" % (surface, count))
-    return surface
+def index_of(what: str, thing: Union[str, int], names: Sequence[Optional[str]]) -> int:
+    """The index of one of several things, by its name or index."""
+    if isinstance(thing, str):
+        if thing not in names:
+            raise KeyError("%s: %r: %s" % (what, thing, ", ".join(name for name in names if name)))
+        return names.index(thing)
+    if not isinstance(thing, SupportsIndex):
+        raise TypeError("%s: %r: a name or an index is expected" % (what, thing))
+    if not 0 <= thing.__index__() < len(names):
+        raise IndexError("%s: %r: the scene has %d, counted from 0; or a name" % (what, thing, len(names)))
+    return thing.__index__()

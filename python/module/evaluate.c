@@ -18,6 +18,7 @@ struct arrays {
     struct strided places, normals, views; /* n x 3; views may be missing */
     struct strided values, errors;         /* n */
     struct strided shares;                 /* n x lights; may be missing */
+    struct strided tolerances, moved;      /* n, of places that may lie off their surface; may both be missing */
 };
 
 struct evaluating {
@@ -28,6 +29,7 @@ struct evaluating {
     luxel_place *places; /* so many of each */
     luxel_value *found;
     double *shares;
+    double *tolerances, *moved;
     bool is_too_large;
 };
 
@@ -42,32 +44,39 @@ static bool has_rows(const struct strided *array, const char *name, Py_ssize_t r
 
 static void arrays_release(struct arrays *arrays)
 {
-    struct strided *const all[] = {&arrays->places, &arrays->normals, &arrays->views,
-                                   &arrays->values, &arrays->errors,  &arrays->shares};
+    struct strided *const all[] = {&arrays->places, &arrays->normals, &arrays->views,      &arrays->values,
+                                   &arrays->errors, &arrays->shares,  &arrays->tolerances, &arrays->moved};
 
     for (size_t i = 0; i < sizeof all / sizeof *all; i++)
         strided_release(all[i]);
 }
 
-/* From a tuple of six, where views and shares may be None.  False: an exception is set. */
+/* From a tuple of six or eight, where views, shares, and tolerances with what was moved may be None.  False: an
+ * exception is set. */
 static bool arrays_take(PyObject *tuple, size_t lights, struct arrays *arrays)
 {
-    PyObject *places, *normals, *views, *values, *errors, *shares;
+    PyObject *places, *normals, *views, *values, *errors, *shares, *tolerances = Py_None, *moved = Py_None;
 
     *arrays = (struct arrays){0};
-    if (!is_tuple(tuple) || !PyArg_ParseTuple(tuple, "OOOOOO", &places, &normals, &views, &values, &errors, &shares))
+    if (!is_tuple(tuple) ||
+        !PyArg_ParseTuple(tuple, "OOOOOO|OO", &places, &normals, &views, &values, &errors, &shares, &tolerances, &moved))
         return false;
-    bool good = strided_take(places, "places", 2, false, &arrays->places) &&
-                strided_take(normals, "normals", 2, false, &arrays->normals) &&
-                (views == Py_None || strided_take(views, "views", 2, false, &arrays->views)) &&
-                strided_take(values, "value", 1, true, &arrays->values) &&
-                strided_take(errors, "error", 1, true, &arrays->errors) &&
-                (shares == Py_None || strided_take(shares, "shares", 2, true, &arrays->shares));
+    bool good =
+        strided_take(places, "places", 2, false, &arrays->places) &&
+        strided_take(normals, "normals", 2, false, &arrays->normals) &&
+        (views == Py_None || strided_take(views, "views", 2, false, &arrays->views)) &&
+        strided_take(values, "value", 1, true, &arrays->values) &&
+        strided_take(errors, "error", 1, true, &arrays->errors) &&
+        (shares == Py_None || strided_take(shares, "shares", 2, true, &arrays->shares)) &&
+        (tolerances == Py_None || (strided_take(tolerances, "surface_tolerance", 1, false, &arrays->tolerances) &&
+                                   strided_take(moved, "moved_mm", 1, true, &arrays->moved)));
     const Py_ssize_t rows = arrays->places.shape[0];
 
     good = good && has_rows(&arrays->places, "places", rows, 3) && has_rows(&arrays->normals, "normals", rows, 3) &&
            has_rows(&arrays->views, "views", rows, 3) && has_rows(&arrays->values, "value", rows, 1) &&
-           has_rows(&arrays->errors, "error", rows, 1) && has_rows(&arrays->shares, "shares", rows, (Py_ssize_t)lights);
+           has_rows(&arrays->errors, "error", rows, 1) &&
+           has_rows(&arrays->shares, "shares", rows, (Py_ssize_t)lights) &&
+           has_rows(&arrays->tolerances, "surface_tolerance", rows, 1) && has_rows(&arrays->moved, "moved_mm", rows, 1);
     if (!good)
         arrays_release(arrays);
     return good;
@@ -88,6 +97,8 @@ static void read_part(const struct evaluating *work, Py_ssize_t first, size_t co
             if (place->has_view)
                 place->view[k] = strided_get(&arrays->views, row, k);
         }
+        if (work->tolerances)
+            work->tolerances[i] = strided_get(&arrays->tolerances, row, 0);
     }
 }
 
@@ -103,6 +114,8 @@ static void write_part(struct evaluating *work, Py_ssize_t first, size_t count)
 
         strided_set(&arrays->values, row, 0, found->has_value ? found->value : (double)NAN);
         strided_set(&arrays->errors, row, 0, found->has_value ? found->error : (double)NAN);
+        if (work->moved)
+            strided_set(&arrays->moved, row, 0, work->moved[i]);
         work->is_too_large = work->is_too_large || (found->has_value && !isfinite(found->value));
         for (size_t k = 0; work->shares && k < lights; k++)
             strided_set(&arrays->shares, row, (Py_ssize_t)k,
@@ -122,6 +135,11 @@ static luxel_status evaluate_all(struct evaluating *evaluating, struct work *wor
         work->before = (double)first / (double)rows;
         work->share = (double)count / (double)rows;
         read_part(evaluating, first, count);
+        if (evaluating->tolerances)
+            status = luxel_evaluator_settle_places(evaluating->evaluator, evaluating->places, count,
+                                                   evaluating->tolerances, evaluating->moved);
+        if (status != LUXEL_OK)
+            break;
         status = luxel_evaluate_places(evaluating->evaluator, evaluating->places, count, evaluating->found,
                                        evaluating->shares);
         if (status == LUXEL_OK)
@@ -140,7 +158,7 @@ static Py_ssize_t part_for(unsigned threads)
 /* Room for a part.  False: an exception is set. */
 static bool make_room(struct evaluating *work)
 {
-    const bool wants_shares = work->arrays.shares.is_held;
+    const bool wants_shares = work->arrays.shares.is_held, may_be_off = work->arrays.tolerances.is_held;
     const Py_ssize_t rows = work->arrays.places.shape[0];
     const size_t most = (size_t)(rows < work->part ? rows + 1 : work->part);
     const size_t lights = luxel_evaluator_light_count(work->evaluator);
@@ -148,7 +166,9 @@ static bool make_room(struct evaluating *work)
     work->places = PyMem_Malloc(most * sizeof *work->places);
     work->found = PyMem_Malloc(most * sizeof *work->found);
     work->shares = wants_shares ? PyMem_Calloc(most * lights + 1, sizeof *work->shares) : NULL;
-    if (work->places && work->found && (work->shares || !wants_shares))
+    work->tolerances = may_be_off ? PyMem_Malloc(2 * most * sizeof *work->tolerances) : NULL;
+    work->moved = work->tolerances ? work->tolerances + most : NULL;
+    if (work->places && work->found && (work->shares || !wants_shares) && (work->tolerances || !may_be_off))
         return true;
     PyErr_NoMemory();
     return false;
@@ -184,6 +204,7 @@ static PyObject *evaluate(PyObject *module, PyObject *arguments)
     PyMem_Free(evaluating.places);
     PyMem_Free(evaluating.found);
     PyMem_Free(evaluating.shares);
+    PyMem_Free(evaluating.tolerances);
     return diagnostics_end(&module_state(module)->language, status, diagnostics) ? none() : NULL;
 }
 

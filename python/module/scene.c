@@ -408,7 +408,7 @@ const PyMethodDef scene_functions[] = {
     FUNCTION("scene_unit", scene_unit, METH_VARARGS, "scene: SceneHandle, quantity: int, lights: Optional[bytes], /",
              "Tuple[str, str]"),
     FUNCTION("scene_carried", scene_carried, METH_O, "scene: SceneHandle, /",
-             "Optional[Tuple[int, int, float, float]]"),
+             "Optional[Tuple[int, int, float, float, float]]"),
     FUNCTION("scene_advice", scene_advice, METH_O, "scene: SceneHandle, /", "List[Tuple[Any, ...]]"),
     FUNCTION("scene_lights", scene_lights, METH_O, "scene: SceneHandle, /", "List[Tuple[Any, ...]]"),
     FUNCTION("scene_meshes", scene_meshes, METH_O, "scene: SceneHandle, /", "List[Tuple[Any, ...]]"),

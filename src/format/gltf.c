@@ -42,13 +42,26 @@ static bool find_lists(struct lx_gltf *gltf)
     return true;
 }
 
-/* Whether an extension that a file needs leaves the geometry as it is. */
+static const char QUANTIZATION[] = "KHR_mesh_quantization";
+
+/* Whether an extension that a file needs leaves the geometry as it is, or is read. */
 static bool is_harmless(const char *name)
 {
-    static const char *const starts[] = {"KHR_materials_", "KHR_texture_", "EXT_texture_",   "MSFT_texture_",
-                                         "KHR_lights_",    "KHR_xmp",      "KHR_animation_", NULL};
+    static const char *const starts[] = {"KHR_materials_", "KHR_texture_", "EXT_texture_",
+                                         "MSFT_texture_",  "KHR_lights_",  "KHR_xmp",
+                                         "KHR_animation_", QUANTIZATION,   NULL};
     for (size_t i = 0; starts[i]; i++)
         if (strncmp(name, starts[i], strlen(starts[i])) == 0)
+            return true;
+    return false;
+}
+
+/* Whether a list of the file, of extensions, has a name. */
+static bool has_extension(const struct lx_gltf *gltf, const char *list, const char *name)
+{
+    const struct lx_json_value *values = gltf->json.values;
+    for (uint32_t i = values[lx_json_find(&gltf->json, 1, list)].child; i; i = values[i].next)
+        if (values[i].type == LX_JSON_STRING && lx_word_is(values[i].text, values[i].length, name))
             return true;
     return false;
 }
@@ -69,6 +82,8 @@ static bool check_head(struct lx_gltf *gltf)
         if (!is_good)
             return false;
     }
+    gltf->is_quantized =
+        has_extension(gltf, "extensionsUsed", QUANTIZATION) || has_extension(gltf, "extensionsRequired", QUANTIZATION);
     return true;
 }
 

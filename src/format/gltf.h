@@ -31,6 +31,7 @@ struct lx_gltf {
     struct lx_gltf_buffer *buffers;
     const char *chunk; /* of a GLB file; NULL: none */
     size_t chunk_length, total;
+    bool is_quantized; /* by KHR_mesh_quantization: places and normals may be whole numbers */
     struct lx_mesh_report report; /* what went wrong */
 };
 

@@ -177,6 +177,7 @@ struct array {
     const char *bytes;
     size_t stride;
     enum lx_binary_type type;
+    double most; /* the whole number that stands for 1; 0: numbers are what they are */
 };
 
 /* The array that an object with bufferView, byteOffset and componentType tells, its name in the file being `name`. */
@@ -212,13 +213,14 @@ static bool find_array(struct lx_gltf *gltf, uint32_t object, const char *name, 
 
 static double number_at(const struct array *array, size_t item, size_t component)
 {
-    return lx_binary_number(array->bytes + item * array->stride + component * lx_binary_size(array->type), array->type,
-                            false);
+    const char *at = array->bytes + item * array->stride + component * lx_binary_size(array->type);
+    const double number = lx_binary_number(at, array->type, false);
+    return array->most > 0 ? fmax(number / array->most, -1) : number;
 }
 
 /* Puts the values of a sparse accessor where they belong. */
 static bool add_sparse(struct lx_gltf *gltf, uint32_t sparse, const char *name, size_t type_code, size_t components,
-                       size_t count, double *numbers)
+                       size_t count, double most, double *numbers)
 {
     char part[64];
     size_t few, index_code;
@@ -233,6 +235,7 @@ static bool add_sparse(struct lx_gltf *gltf, uint32_t sparse, const char *name, 
     snprintf(part, sizeof part, "%s.sparse.values", name);
     if (!find_array(gltf, lx_json_find(&gltf->json, sparse, "values"), part, type_code, components, few, true, &values))
         return false;
+    values.most = most;
     for (size_t i = 0; i < few; i++) {
         const double index = number_at(&indices, i, 0);
         if (!(index >= 0 && index < (double)count && index == floor(index)))
@@ -251,7 +254,16 @@ static bool fits(const struct lx_gltf *gltf, uint32_t object, size_t components,
     const struct lx_json_value *value = &gltf->json.values[type];
     return value->type == LX_JSON_STRING && value->length == strlen(wanted) &&
            memcmp(value->text, wanted, value->length) == 0 &&
-           (is_index ? code == 5121 || code == 5123 || code == 5125 : code == 5126);
+           (is_index ? code == 5121 || code == 5123 || code == 5125
+                     : code == 5126 || (gltf->is_quantized && code >= 5120 && code <= 5123));
+}
+
+/* The whole number that stands for 1; 0: the numbers of an accessor are what they are. */
+static double most_of(const struct lx_gltf *gltf, uint32_t object, size_t code)
+{
+    static const double most[] = {127, 255, 32767, 65535};
+    const uint32_t normalized = lx_json_find(&gltf->json, object, "normalized");
+    return gltf->json.values[normalized].type == LX_JSON_TRUE && code <= 5123 ? most[code - 5120] : 0;
 }
 
 double *lx_gltf_numbers(struct lx_gltf *gltf, size_t accessor, size_t components, bool is_index, size_t *count,
@@ -273,6 +285,7 @@ double *lx_gltf_numbers(struct lx_gltf *gltf, size_t accessor, size_t components
         lx_gltf_fail(gltf, LX_MSG_GLTF_VALUE, "%s", name);
         return NULL;
     }
+    const double most = most_of(gltf, object, code);
     struct array array = {.bytes = NULL};
     if (has_view ? !find_array(gltf, object, name, code, components, *count, false, &array) : *count > gltf->total) {
         if (!has_view) /* zeros, more of them than there are bytes */
@@ -284,11 +297,12 @@ double *lx_gltf_numbers(struct lx_gltf *gltf, size_t accessor, size_t components
         lx_gltf_fail(gltf, LX_MSG_OUT_OF_MEMORY, "%s", "");
         return NULL;
     }
+    array.most = most;
     for (size_t i = 0; has_view && i < *count; i++)
         for (size_t k = 0; k < components; k++)
             numbers[i * components + k] = number_at(&array, i, k);
     *restart = code == 5121 ? 255 : code == 5123 ? 65535 : UINT32_MAX;
-    if (sparse && !add_sparse(gltf, sparse, name, code, components, *count, numbers)) {
+    if (sparse && !add_sparse(gltf, sparse, name, code, components, *count, most, numbers)) {
         free(numbers);
         return NULL;
     }

@@ -60,6 +60,9 @@ struct lx_mesh {
     struct lx_mesh_note thin, doubled; /* faces of fewer than 3 corners, and those that were there before */
     struct lx_mesh_note others;        /* points and lines of OBJ files */
     struct lx_mesh_note lost_normals;  /* normals that faces name but that are not there */
+    struct lx_mesh_note uncounted;     /* triangles of STL files that announce another number */
+    struct lx_mesh_note bytes_behind;  /* behind all triangles of STL files */
+    struct lx_mesh_note unended;       /* solids of STL files without an end */
     unsigned joined;                   /* corners that lay within the rounding of others */
     double scale;                      /* with which the body was made */
     struct lx_kept *body; /* what was made of it (light/facets.h): set before it is shared; NULL: nothing */

@@ -174,9 +174,9 @@ char *lx_photometry_plain_text(char *text, size_t *length)
     } else {
         memset(text, ' ', mark);
     }
-    if (*length > 0 && text[*length - 1] == 0x1a) /* the end of a file as DOS marks it */
-        text[*length - 1] = ' ';
     char *end = text + *length;
+    for (char *at = end; at > text && (at[-1] == 0x1a || at[-1] == 0); at--) /* the end as DOS marks it, and padding */
+        at[-1] = ' ';
     for (char *at = text; (at = memchr(at, '\r', (size_t)(end - at))) != NULL;) {
         char *behind = at;
         while (behind < end && *behind == '\r')

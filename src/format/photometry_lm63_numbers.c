@@ -349,7 +349,7 @@ static void judge_turn(struct lx_lm63 *lm63, const struct lx_token *tokens, size
     } else if (is_near(first, 90) && is_near(last, 270)) {
         shown->symmetry = LUXEL_SYMMETRY_BILATERAL_90;
         if (lm63->year != 1995 && !lm63->is_odd_tag)
-            report_planes(lm63, tokens, count, true, LX_MSG_LM63_PLANES_90);
+            report_planes(lm63, tokens, count, false, LX_MSG_LM63_PLANES_90);
     } else if (is_near(first, 0) && last > 180 && is_near(last + (last - table->planes[count - 2]), 360)) {
         report_planes(lm63, tokens, count, false, LX_MSG_LM63_OPEN_TURN);
     } else {

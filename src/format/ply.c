@@ -1,12 +1,13 @@
 /* SPDX-License-Identifier: MIT */
 /*
  * Reading PLY: a header that says which elements follow, each with which properties, then their values, as text or as
- * binary numbers of either byte order.  Corners are the elements "vertex", faces the lists of "face"; all else is
- * passed over, value by value.
+ * binary numbers of either byte order.  Corners are the elements "vertex", faces the lists of "face", or the strips of
+ * triangles of "tristrips", which -1 begins anew; all else is passed over, value by value.
  */
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
+#include <strings.h>
 
 #include "../base/memory.h"
 #include "binary.h"
@@ -14,7 +15,7 @@
 
 enum { MOST_ELEMENTS = 64, MOST_PROPERTIES = 512 };
 
-enum role { OTHER, PLACE, NORMAL = PLACE + 3, LOOP = NORMAL + 3 };
+enum role { OTHER, PLACE, NORMAL = PLACE + 3, LOOP = NORMAL + 3, STRIPS };
 
 struct property {
     enum lx_binary_type type, counted_by;
@@ -23,7 +24,7 @@ struct property {
 };
 
 struct element {
-    enum { OTHERS, VERTEX, FACE } kind;
+    enum { OTHERS, VERTEX, FACE, STRIP } kind;
     size_t count, first, properties;
 };
 
@@ -64,14 +65,19 @@ static bool read_type(const char *word, size_t length, enum lx_binary_type *type
     return false;
 }
 
+/* Names are written in capitals by some programs. */
+static bool is_name(const char *word, size_t length, const char *wanted)
+{
+    return strlen(wanted) == length && strncasecmp(word, wanted, length) == 0;
+}
+
 static int role_of(const struct element *element, const char *word, size_t length, bool is_list)
 {
     static const char *const names[] = {"x", "y", "z", "nx", "ny", "nz"};
-    if (element->kind == FACE && is_list &&
-        (lx_word_is(word, length, "vertex_indices") || lx_word_is(word, length, "vertex_index")))
-        return LOOP;
+    if (is_list && (is_name(word, length, "vertex_indices") || is_name(word, length, "vertex_index")))
+        return element->kind == FACE ? LOOP : element->kind == STRIP ? STRIPS : OTHER;
     for (int i = 0; element->kind == VERTEX && !is_list && i < 6; i++)
-        if (lx_word_is(word, length, names[i]))
+        if (is_name(word, length, names[i]))
             return PLACE + i;
     return OTHER;
 }
@@ -110,10 +116,12 @@ static bool read_element(struct ply *ply)
     if (ply->element_count == MOST_ELEMENTS || !next_word(ply, &word, &length))
         return false;
     struct element element = {.first = ply->property_count};
-    if (lx_word_is(word, length, "vertex"))
+    if (is_name(word, length, "vertex"))
         element.kind = VERTEX;
-    else if (lx_word_is(word, length, "face"))
+    else if (is_name(word, length, "face"))
         element.kind = FACE;
+    else if (is_name(word, length, "tristrips"))
+        element.kind = STRIP;
     if (!next_word(ply, &word, &length) || !lx_read_number(word, length, &count) || !(count >= 0 && count < 1e15) ||
         count != floor(count))
         return false;
@@ -179,28 +187,59 @@ static struct lx_mesh_report read_value(struct ply *ply, enum lx_binary_type typ
     return say(ply, LX_MSG_COUNT);
 }
 
+static struct lx_mesh_report add_to_loop(struct ply *ply, double index, size_t line)
+{
+    if (!(index >= 0 && index < LX_MOST_CORNERS && index == floor(index)))
+        return lx_mesh_fault(LX_MSG_MESH_INDEX, line);
+    return lx_add_to_loop(ply->raw, (unsigned)index, ply->has_normals ? (unsigned)index : LX_NO_NORMAL, line);
+}
+
+/* A strip of triangles: each corner makes one with the two before it, every second one turned round.  Triangles that
+ * name a corner twice lead from one part of the strip to another. */
+struct strip {
+    double last[2];
+    size_t length; /* since its beginning */
+};
+
+static struct lx_mesh_report add_to_strip(struct ply *ply, struct strip *strip, double index, size_t line)
+{
+    struct lx_mesh_report report = lx_mesh_fault(LX_MSG_COUNT, line);
+    const bool is_odd = strip->length % 2 == 1;
+    const double corners[3] = {strip->last[is_odd], strip->last[!is_odd], index};
+    if (index == -1) {
+        strip->length = 0;
+        return report;
+    }
+    const bool is_face = strip->length >= 2 && corners[0] != corners[1] && index != corners[0] && index != corners[1];
+    for (int k = 0; is_face && k < 3 && report.message == LX_MSG_COUNT; k++)
+        report = add_to_loop(ply, corners[k], line);
+    if (is_face && report.message == LX_MSG_COUNT)
+        report = lx_add_face(ply->raw, 3, line);
+    *strip = (struct strip){{strip->last[1], index}, strip->length + 1};
+    return report;
+}
+
 static struct lx_mesh_report read_list(struct ply *ply, const struct property *property)
 {
     double count, index;
+    struct strip strip = {.length = 0};
     struct lx_mesh_report report = read_value(ply, property->counted_by, &count);
     if (report.message != LX_MSG_COUNT)
         return report;
     const size_t line = ply->lines.line;
     if (!(count >= 0 && count <= LX_LARGEST_MESH && count == floor(count)))
         return say(ply, LX_MSG_MESH_LIST);
-    for (size_t i = 0; i < (size_t)count; i++) {
+    for (size_t i = 0; i < (size_t)count && report.message == LX_MSG_COUNT; i++) {
         report = read_value(ply, property->type, &index);
         if (report.message != LX_MSG_COUNT)
             return report;
-        if (property->role != LOOP)
-            continue;
-        if (!(index >= 0 && index < LX_MOST_CORNERS && index == floor(index)))
-            return lx_mesh_fault(LX_MSG_MESH_INDEX, line);
-        report = lx_add_to_loop(ply->raw, (unsigned)index, ply->has_normals ? (unsigned)index : LX_NO_NORMAL, line);
-        if (report.message != LX_MSG_COUNT)
-            return report;
+        if (property->role == LOOP)
+            report = add_to_loop(ply, index, line);
+        else if (property->role == STRIPS)
+            report = add_to_strip(ply, &strip, index, line);
     }
-    return property->role == LOOP ? lx_add_face(ply->raw, (unsigned)count, line) : report;
+    return property->role == LOOP && report.message == LX_MSG_COUNT ? lx_add_face(ply->raw, (unsigned)count, line)
+                                                                    : report;
 }
 
 /* One element, whatever it is. */

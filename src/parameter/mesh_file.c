@@ -86,6 +86,9 @@ void lx_check_advise_mesh(const struct lx_check *check, const char *key, const c
     note(check, key, file, &mesh->doubled, LX_MSG_MESH_DOUBLED);
     note(check, key, file, &mesh->others, LX_MSG_MESH_OTHERS);
     note(check, key, file, &mesh->lost_normals, LX_MSG_MESH_LOST_NORMALS);
+    note(check, key, file, &mesh->uncounted, LX_MSG_STL_COUNT);
+    note(check, key, file, &mesh->bytes_behind, LX_MSG_STL_BEHIND);
+    note(check, key, file, &mesh->unended, LX_MSG_STL_UNENDED);
 }
 
 void lx_check_advise_mesh_size(const struct lx_check *check, const char *key, const struct lx_mesh *mesh,

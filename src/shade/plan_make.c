@@ -500,27 +500,23 @@ static luxel_status plan_panels(struct lx_plan *plan, struct lx_control *control
     return status;
 }
 
-luxel_status lx_plan_make(const struct lx_prepared *prepared, const struct lx_kernels *kernels,
-                          const luxel_settings *settings, struct lx_plan *plan)
+luxel_status lx_plan_sight(const struct lx_prepared *prepared, const struct lx_kernels *kernels,
+                           const luxel_settings *settings, struct lx_plan *plan)
 {
     static const double ORIGIN[3] = {0, 0, 0};
     struct lx_control control = {.rows = 1, .progress = settings->progress, .data = settings->progress_data};
+    const struct lx_asking asking = {.control = &control, .is_caller = true};
     *plan = (struct lx_plan){
         .kernels = kernels,
         .precision = settings->precision,
-        .tolerance = settings->tolerance > 0 ? settings->tolerance : USUAL_TOLERANCE,
-        .light_error = settings->light_error,
         .surfaces = lx_new_array(prepared->surface_count, sizeof *plan->surfaces),
         .balls = lx_new_array(prepared->surface_count, sizeof *plan->balls),
         .surface_count = prepared->surface_count,
         .every = 1,
-        .part_tolerance = settings->precision == LUXEL_DOUBLE ? 1e-12 : 3e-7,
     };
-    const struct lx_asking asking = {.control = &control, .is_caller = true};
     plan->prepared = prepared = lx_prepared_on_screen(prepared, &asking, &plan->carried);
     if (!plan->surfaces || !plan->balls || !prepared)
         return atomic_load(&control.stop) ? LUXEL_CANCELLED : LUXEL_ERROR_MEMORY;
-    luxel_status status = LUXEL_OK;
     for (size_t s = 0; s < plan->surface_count; s++) {
         const struct lx_prepared_surface *surface = &prepared->surfaces[s];
         struct lx_planned_surface *planned = &plan->surfaces[s];
@@ -531,8 +527,20 @@ luxel_status lx_plan_make(const struct lx_prepared *prepared, const struct lx_ke
         }
         plan->balls[s] = lx_shape_ball(&planned->shape, planned->low_mm, planned->high_mm, ORIGIN);
     }
-    if (lx_seen_plan(plan))
-        return LUXEL_ERROR_MEMORY;
+    return lx_seen_plan(plan) ? LUXEL_ERROR_MEMORY : LUXEL_OK;
+}
+
+luxel_status lx_plan_make(const struct lx_prepared *prepared, const struct lx_kernels *kernels,
+                          const luxel_settings *settings, struct lx_plan *plan)
+{
+    struct lx_control control = {.rows = 1, .progress = settings->progress, .data = settings->progress_data};
+    luxel_status status = lx_plan_sight(prepared, kernels, settings, plan);
+    if (status != LUXEL_OK)
+        return status;
+    prepared = plan->prepared;
+    plan->tolerance = settings->tolerance > 0 ? settings->tolerance : USUAL_TOLERANCE;
+    plan->light_error = settings->light_error;
+    plan->part_tolerance = settings->precision == LUXEL_DOUBLE ? 1e-12 : 3e-7;
     if (settings->light_error > 0)
         status = lx_forest_plant(&prepared->emitters, &control, &plan->forest);
     struct lx_lobe irradiance = lx_lobe_irradiance();

@@ -28,6 +28,8 @@ ODD = [
     ("planes 0 and 360 that differ", HEAD + AXIAL.replace("3 1 1", "3 3 1").replace("0\n1000 500 0", "0 180 360\n" +
      "9 5 0 9 5 0 9 6 0"), "differ by up to 11.1 %"),
     ("a single plane at 45", HEAD + AXIAL.replace("\n0\n", "\n45\n"), "not 0; it is taken as axial"),
+    ("90 to 270 outside 1995", HEAD.replace("1995", "2002") + AXIAL.replace("3 1 1", "3 2 1").replace(
+        "\n0\n", "\n90 270\n") + "1 2 3", "in files of IESNA:LM-63-1995 alone; they are taken as there"),
     ("angles that end early", HEAD + AXIAL.replace("0 45 90", "0 45 80"), "taken as dark"),
     ("numbers too many", HEAD + AXIAL + "7 8\n", "line 14, column 1: from here on"),
     ("no lamps", HEAD + AXIAL.replace("1 -1", "0 -1"), "number of lamps is 0"),
@@ -68,8 +70,6 @@ WRONG = [
     ("counts beyond the file", HEAD + AXIAL.replace("3 1 1", "999999999 999999999 1"), "9:8", "in the file: 7"),
     ("planes to 120", HEAD + AXIAL.replace("3 1 1", "3 2 1").replace("\n0\n", "\n0 120\n") + "1 2 3", "12:1",
      "no symmetry that LM-63 knows"),
-    ("90 to 270 outside 1995", HEAD.replace("1995", "2002") + AXIAL.replace("3 1 1", "3 2 1").replace(
-        "\n0\n", "\n90 270\n") + "1 2 3", "12:1", "IESNA:LM-63-1995"),
     ("EULUMDAT: a word", eulumdat(line_29="many"), "29:1", 'the flux of the lamps, not "many"'),
     ("EULUMDAT: no flux", eulumdat(line_29=""), "29:1", "cd/klm"),
     ("EULUMDAT: symmetry 5", eulumdat(line_3="5").replace("\n5\n", "\n4.5\n"), "1:1", "no luminaire"),

@@ -84,6 +84,23 @@ def encodings(tap, tool):
     tap.ok(about["opening"]["width_mm"] == 100 and "decimal commas" in about["warnings"][0], "decimal commas", about)
 
 
+def padded(tap, tool):
+    """Zero bytes behind a file are padding; and planes from 90 to 270 are what they are in files of any version."""
+    plain = tool.run("photometry", "-", "--json", stdin=lambert(5)).json()
+    for behind in b"\0", b"\0" * 512, b"\x1a" + b"\0" * 7:
+        found = tool.run("photometry", "-", "--json", stdin=lambert(5).encode() + behind)
+        tap.ok(found.code == 0 and found.json() == plain, "zero bytes behind the end", found)
+    rows = "1 2 3 4 5 6 7 8 9 10 11 12 13 14 15\n"
+    halves = HEAD + "1 -1 1 3 5 1 2 .1 .2 0\n1 1 10\n0 45 90\n90 135 180 225 270\n" + rows
+    whole = HEAD + "1 -1 1 3 9 1 2 .1 .2 0\n1 1 10\n0 45 90\n0 45 90 135 180 225 270 315 360\n" + (
+        "7 8 9 4 5 6 1 2 3 4 5 6 7 8 9 10 11 12 13 14 15 10 11 12 7 8 9\n")
+    right = tool.run("photometry", "-", "--json", stdin=whole).json()
+    for version in "1995", "2002", "1991":
+        found = tool.run("photometry", "-", "--json", stdin=halves.replace("1995", version)).json()
+        tap.ok(found["symmetry"] == "bilateral 90-270" and found["flux"] == right["flux"] and
+               len(found["warnings"]) == (version != "1995"), "planes from 90 to 270, " + version, found["warnings"])
+
+
 def odd(tap, tool):
     for title, text, words in ODD:
         result = tool.run("photometry", "-", "--json", stdin=text)
@@ -234,7 +251,7 @@ def sections(tap, tool):
 
 
 def main():
-    run_tests(Tap(), told, eulumdat_files, encodings, odd, wrong, tilt_files, conversion, diagrams, sections)
+    run_tests(Tap(), told, eulumdat_files, encodings, padded, odd, wrong, tilt_files, conversion, diagrams, sections)
 
 
 main()

@@ -336,6 +336,10 @@ def kills(tap, tool):
     tap.ok(contents(tool, "killed") == expected, "the same bytes after the kills")
 
 
+def has_hdf5(tool):
+    return os.path.exists(os.path.join(os.path.dirname(tool.path), "luxel-hdf5"))
+
+
 def merging(tap, tool):
     tool.write("s.yaml", STUDY)
     os.mkdir(tool.file("empty"))
@@ -354,9 +358,25 @@ def merging(tap, tool):
         parts = [numpy.load(tool.file("data/shard-%06d/%s.npy" % (k, name))) for k in range(12)]
         tap.ok(numpy.array_equal(numpy.load(tool.file(name + ".npy")), numpy.concatenate(parts)), "its numbers")
     tap.ok(contents(tool, "data") == before, "the folder stays as it is")
+    damaged = tool.file("data/shard-000002/brightness.npy")
+    for at in 128 + 4 * 24 * 24, -1:
+        data = bytearray(tool.read(damaged))
+        data[at] ^= 1
+        tool.write(damaged, bytes(data))
+        for name in ["brightness.npy"] + ["damaged.h5"] * has_hdf5(tool):
+            os.path.exists(tool.file(name)) and os.remove(tool.file(name))
+            result = tool.run("sweep", "s.yaml", "-o", "data", "--merge", name)
+            tap.ok(result.code == 4 and "shard-000002/brightness.npy is damaged" in result.err and
+                   result.err.count("error") == 1 and not os.path.exists(tool.file(name)), "a flipped bit: " + name,
+                   result.err)
+        tap.equal(tool.run("sweep", "s.yaml", "-o", "data", "--merge", "parameters.npy").code, 0, "it is not in others")
+        data[at] ^= 1
+        tool.write(damaged, bytes(data))
+    tap.ok(contents(tool, "data") == before and
+           tool.run("sweep", "s.yaml", "-o", "data", "--merge", "brightness.npy").code == 0, "put right")
     result = tool.run("sweep", "s.yaml", "-o", "data", "--merge", "depth.npy")
     tap.ok(result.code == 2 and "depth.npy" in result.err, "an output that is not there", result.err)
-    if not os.path.exists(os.path.join(os.path.dirname(tool.path), "luxel-hdf5")):
+    if not has_hdf5(tool):
         result = tool.run("sweep", "s.yaml", "-o", "data", "--merge", "d.h5")
         tap.ok(result.code in (0, 4), "HDF5 is not built in", result.err)
         return
@@ -383,6 +403,21 @@ def merging(tap, tool):
         tap.ok((file.brightness == numpy.load(tool.file("brightness.npy"))).all(), "its numbers, by xarray")
         tap.equal((file.brightness.dims, file.parameters.dims), (("scene", "row", "column"), ("scene", "parameter")),
                   "its axes, by xarray")
+
+
+def instruction_sets(tap, tool):
+    """A set that there is not spoils no folder."""
+    tool.write("s.yaml", STUDY)
+    for folder in "new", "data":
+        if folder == "data":
+            tool.run("sweep", "s.yaml", "-o", "data", "-q")
+        before = contents(tool, folder)
+        for more in ((), ("--merge", "brightness.npy"), ("--shard", "0/2")):
+            result = tool.run("sweep", "s.yaml", "-o", folder, *more, environment={"LUXEL_ISA": "z80"})
+            tap.ok(result.code == 2 and "LUXEL_ISA=z80" in result.err and contents(tool, folder) == before,
+                   "LUXEL_ISA=z80, %s %s" % (folder, more), result.err)
+    tap.ok(not os.path.exists(tool.file("new")), "no folder is begun")
+    tap.equal(tool.run("sweep", "s.yaml", "-o", "new", "-q").code, 0, "and it works without")
 
 
 def words(tap, tool):
@@ -442,5 +477,6 @@ def missed_bounds(tap, tool):
 
 
 tap = Tap()
-run_tests(tap, workers, scenes, grids, outputs, wrong, folders, kills, merging, words, missed_bounds)
+run_tests(tap, workers, scenes, grids, outputs, wrong, folders, kills, merging, instruction_sets, words,
+          missed_bounds)
 tap.finish()

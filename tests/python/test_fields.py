@@ -248,6 +248,47 @@ def test_compare(tap, tool):
     tap.ok(raises(ValueError, luxel.compare, a, luxel.Scene(SCENE).render()), "pictures of different sizes")
 
 
+def test_array_like(tap, tool):
+    """A field counts as its array: indices, arithmetic, comparisons, reductions, bytes, other libraries."""
+    field, other = luxel.Scene(SCENE).render(precision="double"), luxel.Scene("report").render()
+    values = field.values
+    tap.ok(len(field) == 36 and field[18, 20] == values[18, 20] and (field[3:5, ::2] == values[3:5, ::2]).all() and
+           field[field > 0].shape == values[values > 0].shape, "indices")
+    for name, found, expected in (
+            ("+", field + 1, values + 1), ("r+", 1 + field, values + 1), ("-", field - field, values * 0),
+            ("r-", 1 - field, 1 - values), ("*", 2 * field, 2 * values), ("/", field / 3, values / 3),
+            ("r/", 3 / (field + 1), 3 / (values + 1)), ("**", field ** 2, values ** 2), ("-x", -field, -values),
+            ("abs", abs(-1 * field), values), ("<", field < 1, values < 1), (">=", field >= 1, values >= 1),
+            ("<=", field <= field, values <= values), ("array -", values - field, values * 0),
+            ("other type", other * 2, numpy.asarray(other) * 2)):
+        tap.ok(isinstance(found, numpy.ndarray) and found.dtype == expected.dtype and (found == expected).all(), name)
+    tap.equal([float(number) for number in (field.max(), field.min(), field.mean(), numpy.max(field), numpy.mean(field),
+                                            numpy.sum(field))],
+              [float(number) for number in (values.max(), values.min(), values.mean(), values.max(), values.mean(),
+                                            values.sum())], "reductions")
+    tap.ok((field.max(axis=0) == values.max(axis=0)).all(), "along an axis")
+    tap.ok(bytes(field) == memoryview(field).tobytes() == values.tobytes(), "bytes")
+    taken = numpy.from_dlpack(field)
+    tap.ok((taken == values).all() and taken.base is not values and not numpy.shares_memory(taken, values), "DLPack")
+    tap.equal((field.__dlpack_device__(), bool(raises(BufferError, field.__dlpack__, copy=False))), ((1, 0), True),
+              "DLPack hands over copies alone")
+    tap.ok(field == field and field != other and len({field, other}) == 2, "== stays that of objects")
+
+
+def test_precision(tap, tool):
+    """Finite differences of the size that SciPy takes: float32 sees none, "double" the derivative."""
+    step = 1.5e-8
+    slopes = {}
+    for precision in "single", "double":
+        one, two = [luxel.Scene(SCENE).changed({"lights[0].position": [2000 * (1 + change), 0, 2000]})
+                    .render(precision=precision) for change in (0, step)]
+        slopes[precision] = (numpy.asarray(two, "f8") - numpy.asarray(one, "f8"))[18, 22] / step
+    one, two = [luxel.Scene(SCENE).changed({"lights[0].position": [2000 * (1 + change), 0, 2000]})
+                .render(precision="double")[18, 22] for change in (-1e-4, 1e-4)]
+    tap.ok(slopes["single"] == 0 and abs(slopes["double"] / ((two - one) / 2e-4) - 1) < 1e-5 and
+           '"double" is needed' in luxel.Scene.render.__doc__.replace("\n", " "), "differences of pictures", slopes)
+
+
 def test_xarray(tap, tool):
     field = luxel.Scene(SCENE).render()
     try:
@@ -299,5 +340,5 @@ def test_text(tap, tool):
     tap.equal(field.scene_text, expected, "the text is that of the scene as it was rendered")
 
 
-run_tests(Tap(), test_text, test_lights, test_tables, test_files, test_read, test_of, test_statistics,
+run_tests(Tap(), test_array_like, test_precision, test_text, test_lights, test_tables, test_files, test_read, test_of, test_statistics,
           test_missed_bound, test_extrema, test_lines, test_profiles, test_compare, test_xarray)

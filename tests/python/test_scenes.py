@@ -119,7 +119,7 @@ def test_refused(tap, tool):
         tap.ok("wrong.yaml:%d:%d: error: %s" % (entry.line, entry.column, entry.message) in told and
                (entry.text or "") in told and entry.hint in told, "as the tool tells it: " + entry.message, told)
     again = pickle.loads(pickle.dumps(error))
-    tap.equal((type(again), again.diagnostics, str(again)), (luxel.LuxelError, error.diagnostics, str(error)),
+    tap.equal((type(again), again.diagnostics, str(again)), (luxel.LuxelValueError, error.diagnostics, str(error)),
               "an error can be pickled")
     error = raises(luxel.LuxelError, luxel.Scene, "repport")
     tap.ok("no built-in scene" in str(error) and "did you mean report?" in str(error), "a name that is not there",
@@ -132,6 +132,25 @@ def test_refused(tap, tool):
     error = raises(luxel.LuxelError, many.set, *["nonsense%d=1" % i for i in range(25)])
     tap.equal((len(error.diagnostics), error.total), (20, 25), "of many errors 20 are kept")
     tap.ok(str(error).endswith("and 5 more errors"), "and the others are counted", str(error)[-60:])
+    tool.write("no-mesh.yaml", SCENE.replace("- type: sphere", "- {type: mesh, file: gone.obj}\n  - type: sphere"))
+    for kind, builtin, run in (
+            (luxel.LuxelValueError, ValueError, lambda: luxel.Scene({"luxel": 1, "nonsense": 2, "lights": 3})),
+            (luxel.LuxelNotFoundError, FileNotFoundError, lambda: luxel.Scene("gone.yaml")),
+            (luxel.LuxelFileError, OSError, lambda: luxel.Scene(tool.file("no-mesh.yaml"))),
+            (luxel.LuxelFileError, OSError, lambda: luxel.read(tool.file("gone.npy"))),
+            (luxel.LuxelFileError, OSError, lambda: scene.render().write(tool.file("gone/a.png"))),
+            (luxel.LuxelMemoryError, MemoryError,
+             lambda: scene.changed({"screen.resolution": [65536, 65536]}).render())):
+        error = raises(builtin, run)
+        again = pickle.loads(pickle.dumps(error))
+        tap.ok(type(error) is kind and isinstance(error, luxel.LuxelError) and
+               (type(again), str(again), again.status) == (kind, str(error), error.status),
+               "%s is a %s" % (kind.__name__, builtin.__name__), type(error), error)
+    tap.equal(list(scene), list(luxel._flow.load(json.dumps(
+        {key: 0 for key in ("luxel", "units", "screen", "observer", "surfaces", "lights", "points", "picture")}))),
+        "a scene iterates over the keys that it writes")
+    tap.equal(dict(luxel.Scene({key: value for key, value in dict(scene).items()}))["lights"], scene["lights"],
+              "dict(scene) makes the same scene")
 
 
 def test_arguments(tap, tool):

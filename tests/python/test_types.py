@@ -17,7 +17,7 @@ import numpy.typing as npt
 import luxel
 
 scene = luxel.Scene("report")
-scene["lights[0].intensity"] = 20
+scene.update({"lights[0].intensity": 20, "surfaces[0].name": "ball"})
 scene.update({"screen.resolution": [90, 90]})
 field: luxel.Field = scene.render(threads=2, precision="double", progress=lambda done: done < 1)
 values: npt.NDArray[np.float64] = np.asarray(field, dtype=np.float64)
@@ -35,6 +35,16 @@ own_field: luxel.Field = luxel.Field.of(values, mask=lit, unit="W/sr")
 lines: list[luxel.Isophote] = field.isophotes([1.0, 2.0])
 peak = field.extrema().maximum
 place: str = peak.place if peak else ""
+seen: luxel.Geometry = scene.geometry(threads=1)
+exact = scene.evaluate(seen.positions_mm, seen.normals, surface="ball", surface_tolerance=1e-4)
+content: bytes = bytes(field)
+brightest: float = float(field.max()) + float(field[0, 0]) + len(field)
+difference: npt.NDArray[np.float64] = field - 2 * field
+names_of_keys: list[str] = list(scene)
+try:
+    luxel.Scene("nothing.yaml")
+except OSError as missing:
+    reason: str = str(missing)
 grid: luxel.Grid = luxel.Scene("desk").grid("desk")
 cells: npt.NDArray[np.float64] = grid.values
 greatest: luxel.GridPeak | None = grid.extrema().maximum
@@ -52,7 +62,8 @@ except luxel.LuxelError as error:
 WRONG = ['luxel.Scene(5)', 'luxel.Scene().render(thread=2)', 'luxel.Scene().render(threads="2")',
          'luxel.Scene().probe((0, 0)).valeu', 'luxel.Scene().grid(1.5)', 'luxel.Scene().explain("a").text',
          'luxel.Scene().render().shape.upper()', 'luxel.Scene("desk").figure(grid=1.5)',
-         'luxel.Scene().balance().sides']
+         'luxel.Scene().balance().sides', 'luxel.Scene().geometry().depth', 'luxel.Scene().render().maximum()',
+         'luxel.Scene().evaluate([0], [0], surface=1.5)']
 
 
 FOLDER = os.path.dirname(os.path.dirname(luxel.__file__))
@@ -63,6 +74,23 @@ def mypy(tool, path, *arguments):
     """Runs a program of mypy over the sources in a folder; what it knows of NumPy is kept in the build folder."""
     return subprocess.run([sys.executable, "-m", *arguments], capture_output=True, text=True, cwd=tool.folder,
                           env={**os.environ, "MYPYPATH": path, "MYPY_CACHE_DIR": os.path.join(FOLDER, "types")})
+
+
+def knows_buffers():
+    """Whether mypy takes a type with the method of PEP 688 for a buffer."""
+    from mypy.version import __version__ as version
+    return tuple(int(part) for part in re.findall(r"\d+", version)[:2]) >= (1, 5)
+
+
+def installed(tool):
+    """The interpreter of an environment of its own, in which the package lies as a wheel installs it."""
+    made = tool.file("environment")
+    subprocess.run([sys.executable, "-m", "venv", "--without-pip", "--system-site-packages", made], check=True)
+    python = os.path.join(made, "bin", "python")
+    where = subprocess.run([python, "-c", "import sysconfig; print(sysconfig.get_path('purelib'))"], check=True,
+                           capture_output=True, text=True).stdout.strip()
+    shutil.copytree(os.path.dirname(luxel.__file__), os.path.join(where, "luxel"))
+    return python
 
 
 def test_stubs(tap, tool):
@@ -77,7 +105,10 @@ def test_stubs(tap, tool):
     names = ["_luxel"] + (["_figure"] if has_figures() else [])
     for name in names:
         shutil.copy(os.path.join(FOLDER, "luxel", name + ".pyi"), tool.file("luxel"))
-    done = mypy(tool, tool.folder, "mypy.stubtest", *["luxel." + name for name in names])
+    # Until Python 3.12 a type of C has its buffer without a method that says so.
+    tool.write("allowed", "".join("luxel._luxel.%s.__buffer__\n" % name for name in ("FieldHandle", "View")))
+    allowed = ["--allowlist", "allowed"] if sys.version_info < (3, 12) else []
+    done = mypy(tool, tool.folder, "mypy.stubtest", *allowed, *["luxel." + name for name in names])
     tap.equal(done.returncode, 0, "the stubs agree with the modules") or tap.note(done.stdout, done.stderr)
 
 
@@ -124,15 +155,26 @@ def test_types(tap, tool):
     except ImportError as error:
         tap.skip("types", error)
         return
-    tool.write("good.py", GOOD)
+    tool.write("good.py", GOOD + "view: memoryview = memoryview(field)\n" * knows_buffers())
     tool.write("wrong.py", "import luxel\n" + "\n".join(WRONG) + "\n")
-    done = mypy(tool, FOLDER, "mypy", "--strict", "good.py", "wrong.py")
-    told = done.stdout.splitlines()
-    tap.equal([line for line in told if line.startswith("good.py")], [], "a user's program passes mypy --strict")
-    lines = {int(line.split(":")[1]) for line in told if line.startswith("wrong.py") and ": error:" in line}
-    tap.equal(sorted(lines), list(range(2, 2 + len(WRONG))), "and each wrong line is found")
-    tap.ok(not any("good.py" not in line and "wrong.py" not in line and ": error:" in line for line in told),
-           "the package passes mypy --strict itself", done.stdout, done.stderr)
+    python = installed(tool)
+    # A package on PYTHONPATH counts as installed, and of such mypy tells nothing: here it is source, there it is not.
+    del os.environ["PYTHONPATH"]
+    for title, path, more in ("its source", FOLDER, []), ("installed", "", ["--python-executable", python]):
+        done = mypy(tool, path, "mypy", "--strict", *more, "good.py", "wrong.py")
+        told = done.stdout.splitlines()
+        tap.equal([line for line in told if line.startswith("good.py")], [],
+                  "a user's program passes mypy --strict: " + title)
+        lines = {int(line.split(":")[1]) for line in told if line.startswith("wrong.py") and ": error:" in line}
+        tap.equal(sorted(lines), list(range(2, 2 + len(WRONG))), "and each wrong line is found: " + title)
+        tap.ok(not any("good.py" not in line and "wrong.py" not in line and ": error:" in line for line in told),
+               "the package passes mypy --strict itself: " + title, done.stdout, done.stderr)
+    shutil.copytree(os.path.dirname(luxel.__file__), tool.file("broken/luxel"))
+    with open(tool.file("broken/luxel/_html.py"), "a", encoding="utf-8") as file:
+        file.write("\n\ndef wrong(number: int) -> str:\n    return number\n")
+    done = mypy(tool, tool.file("broken"), "mypy", "--strict", "-c", "import luxel")
+    tap.ok(done.returncode == 1 and "_html.py" in done.stdout, "what is wrong in the package is told", done.stdout)
+    os.environ["PYTHONPATH"] = os.pathsep.join(path for path in sys.path if path)
     done = subprocess.run([sys.executable, tool.write("run.py", GOOD)], cwd=tool.folder, capture_output=True, text=True)
     tap.equal((done.returncode, done.stderr), (0, ""), "the program runs")
 

@@ -291,6 +291,70 @@ static void test_ambient(void **state)
     }
 }
 
+/* Places of a sphere in float32: half of them lie inside, and are dark until they are put back; nothing else moves. */
+static void test_settled(void **state)
+{
+    (void)state;
+    enum { COUNT = 500 };
+    luxel_scene *scene = NULL;
+    luxel_place exact[COUNT], rounded[COUNT];
+    luxel_value truth[COUNT], found[COUNT];
+    double tolerances[COUNT], moved[COUNT];
+    assert_int_equal(luxel_scene_open_builtin("report", NULL, &scene), LUXEL_OK);
+    assert_int_equal(luxel_scene_commit(scene, NULL), LUXEL_OK);
+    luxel_evaluator *evaluator = evaluator_of(scene, LUXEL_BRIGHTNESS);
+    double center[3], radius;
+    size_t dark = 0;
+    luxel_scene_surface_place(scene, 0, center);
+    assert_int_equal(luxel_scene_surface_radius(scene, 0, &radius), LUXEL_OK);
+    for (size_t i = 0; i < COUNT; i++) {
+        const double z = 1 - (i + 0.5) / COUNT, turn = 2.399963 * (double)i, across = sqrt(1 - z * z);
+        const double normal[3] = {across * cos(turn), across * sin(turn), z};
+        exact[i] = (luxel_place){.is_element = true};
+        tolerances[i] = 1e-4;
+        for (int k = 0; k < 3; k++) {
+            exact[i].normal[k] = normal[k];
+            exact[i].position_mm[k] = center[k] + radius * normal[k];
+        }
+        rounded[i] = exact[i];
+        for (int k = 0; k < 3; k++)
+            rounded[i].position_mm[k] = (double)(float)exact[i].position_mm[k];
+    }
+    assert_int_equal(luxel_evaluate_places(evaluator, exact, COUNT, truth, NULL), LUXEL_OK);
+    assert_int_equal(luxel_evaluate_places(evaluator, rounded, COUNT, found, NULL), LUXEL_OK);
+    for (size_t i = 0; i < COUNT; i++)
+        dark += truth[i].value > 0 && found[i].value == 0;
+    assert_true(dark > COUNT / 10);
+    luxel_place before[COUNT];
+    memcpy(before, rounded, sizeof before);
+    assert_int_equal(luxel_evaluator_settle_places(evaluator, rounded, COUNT, tolerances, moved), LUXEL_OK);
+    assert_int_equal(luxel_evaluate_places(evaluator, rounded, COUNT, found, NULL), LUXEL_OK);
+    for (size_t i = 0; i < COUNT; i++) {
+        double off = 0, far = 0;
+        for (int k = 0; k < 3; k++) {
+            off += (rounded[i].position_mm[k] - center[k]) * (rounded[i].position_mm[k] - center[k]);
+            far += (rounded[i].position_mm[k] - before[i].position_mm[k]) *
+                   (rounded[i].position_mm[k] - before[i].position_mm[k]);
+        }
+        assert_true(fabs(sqrt(off) - radius) < 1e-10 && fabs(sqrt(far) - moved[i]) < 1e-12 && moved[i] <= 1e-4);
+        assert_true(fabs(found[i].value - truth[i].value) <= 1e-5 * 12 && found[i].surface == 0);
+    }
+    /* what is farther away, not an element, without a tolerance or no place stays */
+    luxel_place others[4] = {exact[0], {.screen_mm = {1, 2}}, exact[0], exact[0]};
+    others[0].position_mm[2] -= 1e-3, others[2].position_mm[2] -= 1e-5, others[3].normal[0] = NAN;
+    luxel_place kept[4];
+    memcpy(kept, others, sizeof kept);
+    assert_int_equal(luxel_evaluator_settle_places(evaluator, others, 4, (const double[]){1e-4, 1, 0, 1}, NULL),
+                     LUXEL_OK);
+    assert_memory_equal(kept, others, sizeof kept);
+    assert_int_equal(luxel_evaluator_settle_places(NULL, others, 4, tolerances, NULL), LUXEL_ERROR_ARGUMENT);
+    assert_int_equal(luxel_evaluator_settle_places(evaluator, NULL, 4, tolerances, NULL), LUXEL_ERROR_ARGUMENT);
+    assert_int_equal(luxel_evaluator_settle_places(evaluator, others, 4, NULL, NULL), LUXEL_ERROR_ARGUMENT);
+    assert_int_equal(luxel_evaluator_settle_places(evaluator, NULL, 0, NULL, NULL), LUXEL_OK);
+    luxel_evaluator_free(evaluator);
+    luxel_scene_free(scene);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -298,6 +362,7 @@ int main(void)
         cmocka_unit_test(test_light_on_element), cmocka_unit_test(test_trace),
         cmocka_unit_test(test_sphere),           cmocka_unit_test(test_places),
         cmocka_unit_test(test_places_cancelled), cmocka_unit_test(test_refused),
+        cmocka_unit_test(test_settled),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

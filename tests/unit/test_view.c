@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Where places are seen on the screen, against the places that probes find there; where surfaces stand. */
 #include <math.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "scenes.h"
@@ -169,11 +170,70 @@ static void files_of_another(void **state)
     luxel_text_free(text);
 }
 
+static bool stop_at_once(double done, void *data)
+{
+    (void)done;
+    ++*(size_t *)data;
+    return false;
+}
+
+/* What a picture shows, each array for itself and together; cancelled, and refused. */
+static void geometry(void **state)
+{
+    (void)state;
+    enum { SIDE = 360, COUNT = SIDE * SIDE };
+    luxel_scene *scene = NULL;
+    assert_int_equal(luxel_scene_open_builtin("two-spheres", NULL, &scene), LUXEL_OK);
+    const luxel_geometry nothing = {.depth_mm = NULL};
+    assert_int_equal(luxel_find_geometry(scene, NULL, NULL, &nothing), LUXEL_ERROR_ARGUMENT);
+    assert_int_equal(luxel_scene_commit(scene, NULL), LUXEL_OK);
+    unsigned columns, rows;
+    luxel_scene_resolution(scene, &columns, &rows);
+    assert_true(columns == SIDE && rows == SIDE);
+    luxel_field *field = NULL;
+    assert_int_equal(luxel_render(scene, NULL, NULL, &field), LUXEL_OK);
+    luxel_geometry all = {.depth_mm = calloc(COUNT, sizeof(double)),
+                          .normals = calloc(COUNT, sizeof(double[3])),
+                          .positions_mm = calloc(COUNT, sizeof(double[3])),
+                          .surfaces = calloc(COUNT, sizeof(int32_t)),
+                          .parts = calloc(COUNT, sizeof(unsigned))};
+    double *depth = calloc(COUNT, sizeof *depth);
+    assert_true(all.depth_mm && all.normals && all.positions_mm && all.surfaces && all.parts && depth);
+    assert_int_equal(luxel_find_geometry(scene, NULL, NULL, &all), LUXEL_OK);
+    assert_int_equal(luxel_find_geometry(scene, NULL, NULL, &(luxel_geometry){.depth_mm = depth}), LUXEL_OK);
+    assert_int_equal(luxel_find_geometry(scene, NULL, NULL, &nothing), LUXEL_OK);
+    assert_memory_equal(depth, all.depth_mm, COUNT * sizeof *depth);
+    for (size_t i = 0; i < COUNT; i++) {
+        double screen[2], height;
+        assert_int_equal(all.surfaces[i] >= 0, luxel_field_mask(field)[i]);
+        if (all.surfaces[i] < 0)
+            continue;
+        assert_true(luxel_scene_project(scene, all.positions_mm[i], screen) &&
+                    luxel_scene_height(scene, all.positions_mm[i], &height));
+        assert_true(fabs(screen[0] - luxel_field_x_mm(field)[i % SIDE]) < 1e-10 &&
+                    fabs(screen[1] - luxel_field_y_mm(field)[i / SIDE]) < 1e-10 && all.parts[i] == 0);
+    }
+    luxel_settings settings;
+    size_t asked = 0;
+    luxel_settings_init(&settings);
+    settings.progress = stop_at_once;
+    settings.progress_data = &asked;
+    assert_int_equal(luxel_find_geometry(scene, &settings, NULL, &all), LUXEL_CANCELLED);
+    assert_true(asked > 0);
+    assert_int_equal(luxel_find_geometry(scene, NULL, NULL, NULL), LUXEL_ERROR_ARGUMENT);
+    all.reserved[1] = &all;
+    assert_int_equal(luxel_find_geometry(scene, NULL, NULL, &all), LUXEL_ERROR_ARGUMENT);
+    free(all.depth_mm), free(all.normals), free(all.positions_mm), free(all.surfaces), free(all.parts), free(depth);
+    luxel_field_free(field);
+    luxel_scene_free(scene);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(orthographic), cmocka_unit_test(perspective), cmocka_unit_test(placed),
         cmocka_unit_test(refusals),     cmocka_unit_test(surfaces),    cmocka_unit_test(files_of_another),
+        cmocka_unit_test(geometry),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
