@@ -255,9 +255,9 @@ static bool take_digits(struct options *options, const char *argument)
 {
     unsigned digits;
 
-    (void)options;
     if (!argument_whole("--digits", argument, 1, 17, &digits))
         return false;
+    options->drawing.digits = digits;
     text_set_digits(digits);
     return true;
 }
@@ -456,7 +456,7 @@ static const struct option_row rows[] = {
      .help = N_("the angle of that line from the x axis: 0 (the default) is horizontal, 90 vertical")},
     {"arc", 0, NULL, COMMAND_PROFILE, SETS(analysis.arc),
      .help = N_("go along the great circle of the sphere through the two places seen at --from and --to, in degrees")},
-    {"digits", 0, N_("N"), MEASURING, TAKES(take_digits),
+    {"digits", 0, N_("N"), MEASURING | COMMAND_REPORT, TAKES(take_digits),
      .help = N_("print values in N significant digits, 1 to 17; JSON, CSV and other files keep all of them")},
     {"samples", 0, N_("N"), COMMAND_PROFILE, TAKES(take_samples),
      .help = N_("how many values, 2 to 10000000; the default is one for each pixel of the longer side, or 181 on an "
