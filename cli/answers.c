@@ -111,23 +111,29 @@ static bool take_whole(struct table *table, enum column column, const char *text
     return false;
 }
 
-/* An answer may say that there is nothing to be seen. */
+static bool is_one_of(const char *text, const char *const *words, size_t count)
+{
+    for (size_t i = 0; i < count; i++)
+        if (strcasecmp(text, words[i]) == 0)
+            return true;
+    return false;
+}
+
+/* An answer may say that there is nothing to be seen, and a cell that there is no answer. */
 static bool take_value(struct table *table, struct answer *answer)
 {
-    static const char *const off[] = {"off", "-", "nan", "none"};
+    static const char *const off[] = {"off", "nan", "none"};
+    static const char *const blank[] = {"", "-", "–", "—", "?", "n/a", "нет", "Нет", "НЕТ"};
     const char *text = text_of(table, VALUE);
 
-    for (size_t i = 0; i < COUNT_OF(off); i++)
-        if (strcasecmp(text, off[i]) == 0) {
-            answer->value = (double)NAN;
-            return true;
-        }
+    answer->is_blank = is_one_of(text, blank, COUNT_OF(blank));
+    if (answer->is_blank || is_one_of(text, off, COUNT_OF(off))) {
+        answer->value = (double)NAN;
+        return true;
+    }
     if (luxel_table_number(text, &answer->value, &answer->rounding))
         return true;
-    if (*text != '\0')
-        report(table, VALUE, _("expected a number, not \"%s\""), text);
-    else
-        report(table, VALUE, _("a value is missing; \"off\" stands for a place off the surface"));
+    report(table, VALUE, _("expected a number, not \"%s\""), text);
     return false;
 }
 
@@ -215,11 +221,16 @@ static void read_table(const char *path, struct answers *answers)
     luxel_diagnostics_free(diagnostics);
 }
 
-static int is_table(const struct dirent *entry)
+static bool is_table(const char *name)
 {
-    const size_t length = strlen(entry->d_name);
+    const char *ending = strrchr(name, '.');
 
-    return length > 4 && entry->d_name[0] != '.' && strcasecmp(entry->d_name + length - 4, ".csv") == 0;
+    return ending && ending > name && (strcasecmp(ending, ".csv") == 0 || strcasecmp(ending, ".tsv") == 0);
+}
+
+static int is_shown(const struct dirent *entry)
+{
+    return entry->d_name[0] != '.';
 }
 
 static int by_name(const struct dirent **one, const struct dirent **other)
@@ -230,23 +241,28 @@ static int by_name(const struct dirent **one, const struct dirent **other)
 static void read_folder(const char *path, struct answers *answers)
 {
     struct dirent **entries = NULL;
-    const int count = scandir(path, &entries, is_table, by_name);
+    const int count = scandir(path, &entries, is_shown, by_name);
+    int tables = 0;
 
-    if (count <= 0) {
-        answers->mistakes++;
-        message_error(count < 0 ? _("the folder %s could not be read: %s")
-                                : _("there is no .csv file in the folder %s"),
-                      path, language_reason(errno));
-    }
+    if (count < 0)
+        message_error(_("the folder %s could not be read: %s"), path, language_reason(errno));
     for (int i = 0; i < count; i++) {
         char *file = message_allocate(strlen(path) + strlen(entries[i]->d_name) + 2, 1);
 
         stpcpy(stpcpy(stpcpy(file, path), path[strlen(path) - 1] == '/' ? "" : "/"), entries[i]->d_name);
-        read_table(file, answers);
+        if (is_table(file)) {
+            read_table(file, answers);
+            tables++;
+        } else if (!answers->is_quiet) {
+            message_note(_("skipped: %s is no .csv or .tsv file"), file);
+        }
         free(file);
         free(entries[i]);
     }
     free(entries);
+    if (count >= 0 && tables == 0)
+        message_error(_("there is no .csv or .tsv file in the folder %s"), path);
+    answers->mistakes += tables == 0;
 }
 
 void answers_read(const char *path, struct answers *answers)

@@ -18,6 +18,7 @@ struct answer {
     unsigned variant;
     unsigned point; /* from 1; 0: it has x and y instead */
     double x_mm, y_mm;
+    bool is_blank;   /* its cell says that there is no answer: the point is missing */
     double value;    /* NaN: "off the surface" */
     double rounding; /* half a unit of the value's last digit */
 };
@@ -28,13 +29,13 @@ struct answers {
     size_t count, capacity;
     char **files; /* the tables' names */
     size_t file_count, file_capacity;
-    bool is_quiet;   /* columns that are passed over are not told */
+    bool is_quiet;   /* columns and files that are passed over are not told */
     size_t mistakes; /* lines, or whole tables, that could not be understood; each was reported */
 };
 
 /*
- * Appends the answers of a table, or of every .csv file of a folder, in the order of their names.  What is wrong is
- * reported with its place, and the rest is read all the same.
+ * Appends the answers of a table, or of every .csv and .tsv file of a folder, in the order of their names; other files
+ * of a folder are told as skipped.  What is wrong is reported with its place, and the rest is read all the same.
  */
 void answers_read(const char *path, struct answers *answers);
 /* Reports a mistake in an answer, at the line where it stands. */

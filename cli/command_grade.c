@@ -12,6 +12,7 @@
 #include "json.h"
 #include "message.h"
 #include "options.h"
+#include "sheets.h"
 #include "text.h"
 
 /* "place: pixel; division by π: true", in the user's language or in English; "" where there is none. */
@@ -24,6 +25,9 @@ static char *explanation_of(const struct graded *graded, bool translated)
 
     if (grade != GRADE_CONVENTION) {
         text = message_allocate(size, 1);
+        if (graded->is_of_pixel)
+            snprintf(text, size, "%s: %s", translated ? _("place") : N_("place"),
+                     translated ? _("pixel") : N_("pixel"));
         if (grade == GRADE_COARSE)
             snprintf(text, size, "%s", translated ? _("too few digits") : N_("too few digits"));
         if (grade == GRADE_REPEATED)
@@ -73,6 +77,7 @@ static void print_number(const char *key, bool exists, double value)
 /* The block of YAML under what is not right.  Its texts are ours, and quotes are doubled in them. */
 static void print_block(const struct graded *graded)
 {
+    const double factor = grading_factor(graded);
     char *explanation;
 
     fputs("  ---\n", stdout);
@@ -81,6 +86,8 @@ static void print_block(const struct graded *graded)
         explanation = explanation_of(graded, true);
         print_number("answer", !isnan(graded->answer->value), graded->answer->value);
         print_number("value", graded->judgement->has_value, graded->judgement->value);
+        if (isfinite(factor))
+            printf("  factor: %.6g\n  relative: %.6g\n", factor, factor - 1.0);
         if (*explanation) {
             fputs("  explanation: '", stdout);
             for (const char *at = explanation; *at; at++)
@@ -207,6 +214,9 @@ static void write_answer(struct json *json, const struct grading *grading, const
         json_whole(json, "first_line", graded->first->line);
     json_number(json, "value", judgement->has_value ? judgement->value : (double)NAN);
     json_number(json, "error", judgement->has_value ? judgement->error : (double)NAN);
+    json_number(json, "factor", grading_factor(graded));
+    json_number(json, "relative", grading_factor(graded) - 1.0);
+    json_text(json, "accepted", graded->is_of_pixel ? "pixel" : NULL);
     json_open(json, "explanations", '[');
     for (size_t i = 0; i < judgement->explanation_count; i++)
         write_explanation(json, &judgement->explanations[i]);
@@ -291,14 +301,15 @@ static void write_row(struct csv *csv, const struct grading *grading, const stru
     csv_number(csv, judgement && judgement->has_value ? judgement->value : (double)NAN);
     csv_text(csv, grade_words[grading_grade(graded)]);
     csv_text(csv, explanation ? explanation : "");
+    csv_number(csv, grading_factor(graded));
     csv_end_line(csv);
     free(explanation);
 }
 
 static void write_csv(struct csv *csv, const void *data)
 {
-    static const char *const names[] = {"file", "line",   "student", "variant", "point",      "x_mm",
-                                        "y_mm", "answer", "value",   "verdict", "explanation"};
+    static const char *const names[] = {"file", "line",   "student", "variant", "point",       "x_mm",
+                                        "y_mm", "answer", "value",   "verdict", "explanation", "factor"};
     const struct grading *grading = data;
 
     for (size_t i = 0; i < COUNT_OF(names); i++)
@@ -307,6 +318,47 @@ static void write_csv(struct csv *csv, const void *data)
     for (size_t i = 0; i < grading->count; i++)
         if (grading_tells(&grading->list[i]))
             write_row(csv, grading, &grading->list[i]);
+}
+
+/* ---- one line a student ---- */
+
+/* The name of a submission, of its student or else of its file. */
+static char *name_of(const struct grading *grading, const struct submission *submission)
+{
+    const char *path = grading->answers.files[submission->file], *slash = strrchr(path, '/');
+    char *name = strdup(submission->student ? submission->student : slash ? slash + 1 : path);
+    char *dot = name && !submission->student ? strrchr(name, '.') : NULL;
+
+    if (dot && dot > name)
+        *dot = '\0';
+    return name;
+}
+
+static void write_students(struct csv *csv, const void *data)
+{
+    static const char *const names[] = {"file", "student", "variants", "asked", "answered"};
+    const struct grading *grading = data;
+
+    for (size_t i = 0; i < COUNT_OF(names); i++)
+        csv_text(csv, names[i]);
+    for (size_t i = 0; i < GRADE_COUNT; i++)
+        csv_text(csv, grade_words[i]);
+    csv_end_line(csv);
+    for (size_t i = 0; i < grading->submission_count; i++) {
+        const struct submission *submission = &grading->submissions[i];
+        char *name = name_of(grading, submission), *variants = sheets_variants(grading, i);
+
+        csv_text(csv, grading->answers.files[submission->file]);
+        csv_text(csv, name ? name : "");
+        csv_text(csv, variants);
+        csv_whole(csv, submission->asked);
+        csv_whole(csv, submission->answered);
+        for (size_t k = 0; k < GRADE_COUNT; k++)
+            csv_whole(csv, submission->counts[k]);
+        csv_end_line(csv);
+        free(variants);
+        free(name);
+    }
 }
 
 /* ---- the command ---- */
@@ -318,7 +370,7 @@ static int print(const struct options *options, const struct grading *grading)
     if (options->json)
         print_json(grading);
     else if (options->csv != CSV_NONE)
-        code = csv_write(options, write_csv, grading);
+        code = csv_write(options, options->by_student ? write_students : write_csv, grading);
     else
         print_tap(grading);
     return code;
@@ -333,8 +385,10 @@ static int run(const struct options *options)
         message_error(_("luxel grade needs a table of answers, or a folder of them"));
         return EXIT_USAGE;
     }
-    if (options->json && options->csv != CSV_NONE) {
-        message_error(_("--json and --csv are mutually exclusive"));
+    if (options->json && (options->csv != CSV_NONE || options->by_student)) {
+        message_error(options->by_student ? _("--json and --students are mutually exclusive; its \"submissions\" are "
+                                              "the students")
+                                          : _("--json and --csv are mutually exclusive"));
         return EXIT_USAGE;
     }
     code = grading_make(options, &grading);
@@ -360,19 +414,23 @@ const struct command command_grade = {
     .more_kind = OPERAND_FILE,
     .summary = N_("judge tables of answers to variants of the exercise"),
     .description = N_(
-        "Each ANSWERS is a table of comma-separated values, or a folder of them, whose first line names the columns: "
-        "variant,point,value or variant,x,y,value, and student where there are several. Semicolons and decimal "
-        "commas are understood; \"off\" is the answer for a place off the surface. An answer is right if it agrees "
+        "Each ANSWERS is a table of values separated by commas, semicolons or tabs, or a folder of such .csv and .tsv "
+        "files, whose first line names the columns: variant,point,value or variant,x,y,value, and student where there "
+        "are several. Decimal commas are understood; \"off\" is the answer for a place off the surface, and an empty "
+        "cell, \"-\", \"?\" or \"n/a\" is none. An answer is right if it agrees "
         "with the exact value to --tolerance (default 0.001) and the rounding of its digits, of which three are "
         "asked for; the exact value correctly rounded to fewer has too few digits. Of a wrong one it is said which "
-        "convention, or which two, would give it. Each point of a variant is to be answered once: points without an "
+        "convention, or which two, would give it, and how many times the right value it is. Each point of a variant is "
+        "to be answered once: points without an "
         "answer are listed, and a second answer to a point does not count. The exit code is 0 where all is right, "
         "else 1. The result is TAP, with a summary of each submission. --json has answers (file, line, student, "
         "variant, point, screen, answer, verdict: right, convention, wrong, too_few_digits or repeated, first_line, "
-        "value, error, explanations), missing_points, submissions (with asked and answered), the totals and the number "
+        "value, error, factor, relative, accepted, explanations), missing_points, submissions (with asked and "
+        "answered), the totals and the number "
         "of mistakes in the tables. With -s all variants are changed alike."),
     .examples = "luxel grade answers.csv\n"
-                "luxel grade submissions/ --csv=excel-ru > marks.csv\n"
+                "luxel grade submissions/ --students --csv=excel-ru > marks.csv\n"
+                "luxel grade answers.csv --accept pixel\n"
                 "luxel grade answers.csv --tolerance 0.01 -s 'lights[0].attenuation=inverse-square'",
     .run = run,
 };

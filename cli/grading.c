@@ -64,6 +64,29 @@ static luxel_status find_variant(struct judging *judging, unsigned number, const
     return status;
 }
 
+/* By the value at the point, and where that is accepted by that of its pixel. */
+static luxel_status judge_as(const struct judging *judging, const struct grading *grading, struct graded *graded,
+                             const luxel_scene *scene)
+{
+    const double value = graded->answer->value, rounding = isnan(value) ? 0.0 : graded->answer->rounding;
+    luxel_judgement *of_pixel = NULL;
+    luxel_status status = luxel_judge_answer(scene, &judging->settings, graded->x_mm, graded->y_mm, value,
+                                             grading->tolerance, rounding, judging->diagnostics, &graded->judgement);
+
+    if (status != LUXEL_OK || !judging->options->accepts_pixel || graded->judgement->verdict == LUXEL_ANSWER_RIGHT)
+        return status;
+    status = luxel_judge_pixel_answer(scene, &judging->settings, graded->x_mm, graded->y_mm, value, grading->tolerance,
+                                      rounding, judging->diagnostics, &of_pixel);
+    if (status != LUXEL_OK || of_pixel->verdict != LUXEL_ANSWER_RIGHT) {
+        luxel_judgement_free(of_pixel);
+        return status;
+    }
+    luxel_judgement_free(graded->judgement);
+    graded->judgement = of_pixel;
+    graded->is_of_pixel = true;
+    return LUXEL_OK;
+}
+
 static luxel_status judge(struct judging *judging, struct grading *grading, struct graded *graded)
 {
     const struct answer *answer = graded->answer;
@@ -81,8 +104,7 @@ static luxel_status judge(struct judging *judging, struct grading *grading, stru
         return LUXEL_OK;
     }
     sheets_enter(grading, graded, scene);
-    return luxel_judge_answer(scene, &judging->settings, graded->x_mm, graded->y_mm, answer->value, grading->tolerance,
-                              isnan(answer->value) ? 0.0 : answer->rounding, judging->diagnostics, &graded->judgement);
+    return answer->is_blank ? LUXEL_OK : judge_as(judging, grading, graded, scene);
 }
 
 static luxel_status judge_all(struct judging *judging, struct grading *grading, struct progress *progress)
@@ -98,6 +120,14 @@ static luxel_status judge_all(struct judging *judging, struct grading *grading, 
             break;
     }
     return status;
+}
+
+double grading_factor(const struct graded *graded)
+{
+    const luxel_judgement *judgement = graded->judgement;
+
+    return judgement && judgement->has_value && judgement->value != 0.0 ? graded->answer->value / judgement->value
+                                                                        : (double)NAN;
 }
 
 bool grading_tells(const struct graded *graded)

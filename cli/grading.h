@@ -30,7 +30,8 @@ struct graded {
     unsigned variant;
     unsigned point; /* of the variant, from 1, also where x and y tell it; 0: none of them */
     double x_mm, y_mm;
-    luxel_judgement *judgement; /* NULL: missing, or not judged, since its point is none; that was reported */
+    luxel_judgement *judgement; /* NULL: missing, blank, or its point is none, which was reported */
+    bool is_of_pixel;           /* right as the value of the pixel that the point falls in, which was accepted */
 };
 
 /* A file, or what one student has in it. */
@@ -67,6 +68,9 @@ void grading_clear(struct grading *grading);
 
 /* What was judged, and what is missing. */
 size_t grading_total(const struct grading *grading);
+
+/* How many times the right value an answer is; NaN where there is none, or it is 0. */
+double grading_factor(const struct graded *graded);
 
 /* Whether it is one of these. */
 bool grading_tells(const struct graded *graded);

@@ -140,10 +140,12 @@ static bool read_dashed(int argc, char **argv, struct options *options)
         }
         row = options_row(row_of_value(value));
         options->given[row_of_value(value) / 64] |= UINT64_C(1) << row_of_value(value) % 64;
-        if (!row->take)
-            *(bool *)((char *)options + row->flag) = true;
-        else if (!row->take(options, optarg))
+        if (row->take && !row->take(options, optarg))
             return false;
+        if (!row->take && row->argument)
+            *(const char **)((char *)options + row->member) = optarg;
+        else if (!row->take)
+            *(bool *)((char *)options + row->member) = true;
     }
     return true;
 }

@@ -52,6 +52,7 @@ struct option_drawing {
     const char *institution, *faculty, *course, *teacher, *place, *aim;
     bool palettes, contours, bands, lines, plain, no_extrema, no_points, stacked, dark;
     double width_mm, dots_per_inch; /* 0: the default */
+    unsigned digits;                /* of the values of a report; 0: the default */
     size_t diagram;                 /* of luxel photometry, a luxel_diagram */
     double spacing;                 /* of the luminaires of its UGR table; 0: the default */
     size_t room;                    /* of that table, to be rated with reflected light; 0: none, else 1 more */
@@ -86,6 +87,7 @@ struct options {
     struct option_drawing drawing;
     struct option_sweep sweep;
     enum option_csv csv;
+    bool accepts_pixel, by_student;    /* of luxel grade */
     size_t format;                     /* index in option_formats */
     const char *format_word;           /* of --format; NULL: it was not given */
     bool prints_document;              /* luxel explain: whether the explanation goes to standard output */
@@ -110,7 +112,7 @@ struct option_row {
     const char *argument;                                        /* as the help shows it; NULL: a flag */
     unsigned commands;                                           /* those that take it */
     bool (*take)(struct options *options, const char *argument); /* reports what is wrong itself */
-    size_t flag; /* of a flag: the offset of its bool in struct options */
+    size_t member; /* without `take`: where in struct options the bool of a flag, or the text of an argument, is */
     enum option_value value;
     const char *const *words; /* of VALUE_WORD, NULL-terminated */
     bool is_shared;           /* by many commands, whose help therefore only names it */

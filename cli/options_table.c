@@ -2,7 +2,7 @@
 /*
  * The table of options, with the functions that take their arguments.  getopt_long's own tables, the check that a
  * command takes an option, the help, the man page and the completions are made from it; a new option is one row and, if
- * it is no plain flag, one function that takes its argument.
+ * it is neither a plain flag nor a text that is kept as it is, one function that takes its argument.
  */
 #include <math.h>
 #include <stdlib.h>
@@ -18,6 +18,7 @@
 static const char *const quantity_words[] = {"brightness", "irradiance", "luminance", "illuminance", NULL};
 static const char *const precision_words[] = {"single", "double", NULL};
 static const char *const csv_words[] = {"rfc4180", "excel-ru", NULL};
+static const char *const accept_words[] = {"pixel", NULL};
 static const char *const bits_words[] = {"8", "16", NULL};
 static const char *const format_words[] = {"png", "npy",  "pfm",      "csv",   "exr",  "svg", "pdf", "md",
                                            "tex", "text", "markdown", "latex", "html", "ies", "ldt", NULL};
@@ -132,6 +133,14 @@ static bool take_precision(struct options *options, const char *argument)
     return true;
 }
 
+static bool take_accept(struct options *options, const char *argument)
+{
+    size_t found;
+
+    options->accepts_pixel = take_word("--accept", argument, accept_words, &found);
+    return options->accepts_pixel;
+}
+
 static bool take_bits(struct options *options, const char *argument)
 {
     size_t found;
@@ -177,12 +186,6 @@ static bool take_reflected_error(struct options *options, const char *argument)
     return take_share("--reflected-error", argument, &options->settings.reflected_error);
 }
 
-static bool take_lights(struct options *options, const char *argument)
-{
-    options->lights = argument;
-    return true;
-}
-
 static bool take_workers(struct options *options, const char *argument)
 {
     return argument_whole("--workers", argument, 1, 1024, &options->sweep.workers);
@@ -215,12 +218,6 @@ static bool take_shard(struct options *options, const char *argument)
     if (good)
         options->sweep.part %= options->sweep.parts;
     return good;
-}
-
-static bool take_merge(struct options *options, const char *argument)
-{
-    options->sweep.merge = argument;
-    return true;
 }
 
 static bool take_threads(struct options *options, const char *argument)
@@ -258,9 +255,9 @@ static bool take_digits(struct options *options, const char *argument)
 {
     unsigned digits;
 
-    (void)options;
     if (!argument_whole("--digits", argument, 1, 17, &digits))
         return false;
+    options->drawing.digits = digits;
     text_set_digits(digits);
     return true;
 }
@@ -341,6 +338,16 @@ static bool take_csv(struct options *options, const char *argument)
     return true;
 }
 
+/* As a table, whatever its variant. */
+static bool take_students(struct options *options, const char *argument)
+{
+    (void)argument;
+    options->by_student = true;
+    if (options->csv == CSV_NONE)
+        options->csv = CSV_RFC4180;
+    return true;
+}
+
 static bool take_format(struct options *options, const char *argument)
 {
     options->format_word = argument;
@@ -379,28 +386,9 @@ static bool take_section(struct options *options, const char *argument)
     return true;
 }
 
-#define TAKES_TEXT(member)                                                                                             \
-    static bool take_##member(struct options *options, const char *argument)                                           \
-    {                                                                                                                  \
-        options->drawing.member = argument;                                                                            \
-        return true;                                                                                                   \
-    }
-TAKES_TEXT(palette)
-TAKES_TEXT(grid)
-TAKES_TEXT(label)
-TAKES_TEXT(title)
-TAKES_TEXT(author)
-TAKES_TEXT(group)
-TAKES_TEXT(date)
-TAKES_TEXT(institution)
-TAKES_TEXT(faculty)
-TAKES_TEXT(course)
-TAKES_TEXT(teacher)
-TAKES_TEXT(place)
-TAKES_TEXT(aim)
-
 #define TAKES(function) .take = (function)
-#define SETS(member) .flag = offsetof(struct options, member)
+#define SETS(name) .member = offsetof(struct options, name)
+#define KEEPS(name) .member = offsetof(struct options, name)
 #define SHARED .is_shared = true
 #define WORDS(list) .value = VALUE_WORD, .words = (list)
 
@@ -435,7 +423,7 @@ static const struct option_row rows[] = {
      .help = N_("compute part I of N, the shards whose number is I modulo N, as one of the N jobs of an array")},
     {"workers", 0, N_("N"), COMMAND_SWEEP, TAKES(take_workers),
      .help = N_("how many threads compute a shard each; the default is one per processor")},
-    {"merge", 0, N_("FILE"), COMMAND_SWEEP, TAKES(take_merge), .value = VALUE_FILE,
+    {"merge", 0, N_("FILE"), COMMAND_SWEEP, KEEPS(sweep.merge), .value = VALUE_FILE,
      .help =
          N_("compute nothing, and put all shards of the folder into one file: .h5, or .npy of the output that it is "
             "called as")},
@@ -468,7 +456,7 @@ static const struct option_row rows[] = {
      .help = N_("the angle of that line from the x axis: 0 (the default) is horizontal, 90 vertical")},
     {"arc", 0, NULL, COMMAND_PROFILE, SETS(analysis.arc),
      .help = N_("go along the great circle of the sphere through the two places seen at --from and --to, in degrees")},
-    {"digits", 0, N_("N"), MEASURING, TAKES(take_digits),
+    {"digits", 0, N_("N"), MEASURING | COMMAND_REPORT, TAKES(take_digits),
      .help = N_("print values in N significant digits, 1 to 17; JSON, CSV and other files keep all of them")},
     {"samples", 0, N_("N"), COMMAND_PROFILE, TAKES(take_samples),
      .help = N_("how many values, 2 to 10000000; the default is one for each pixel of the longer side, or 181 on an "
@@ -486,7 +474,7 @@ static const struct option_row rows[] = {
      .help = N_("the range of values of the histogram, the levels or the colours")},
     {"log", 0, NULL, COMMAND_STATS | COMMAND_ISOPHOTES | COMMAND_FIGURE, SETS(analysis.logarithmic),
      .help = N_("in steps of the logarithm")},
-    {"label", 0, N_("TEXT"), COMMAND_FIGURE, TAKES(take_label),
+    {"label", 0, N_("TEXT"), COMMAND_FIGURE, KEEPS(drawing.label),
      .help = N_("the label of the colour bar, instead of the quantity with its unit")},
     {"contour", 0, NULL, COMMAND_FIGURE, SETS(drawing.contours),
      .help = N_("draw labelled isophotes over smooth colours (the default)")},
@@ -496,10 +484,10 @@ static const struct option_row rows[] = {
     {"no-extrema", 0, NULL, COMMAND_FIGURE, SETS(drawing.no_extrema), .help = N_("do not mark the maximum")},
     {"no-points", 0, NULL, COMMAND_FIGURE, SETS(drawing.no_points),
      .help = N_("do not mark the scene's points; of a grid, do not write its values")},
-    {"palette", 0, N_("NAME"), COMMAND_FIGURE | COMMAND_REPORT, TAKES(take_palette),
+    {"palette", 0, N_("NAME"), COMMAND_FIGURE | COMMAND_REPORT, KEEPS(drawing.palette),
      .help = N_("the colours: viridis (default) or another of --palettes")},
     {"palettes", 0, NULL, COMMAND_FIGURE, SETS(drawing.palettes), .help = N_("list the palettes")},
-    {"grid", 0, N_("NAME"), COMMAND_FIGURE, TAKES(take_grid),
+    {"grid", 0, N_("NAME"), COMMAND_FIGURE, KEEPS(drawing.grid),
      .help = N_("draw the plane of a measuring grid, by its name or number, from 1 on: its irradiance with the values "
                 "at its points, where lights stand before it, average, minimum, maximum and U0")},
     {"section", 0, N_("PLACE"), COMMAND_FIGURE, TAKES(take_section), .value = VALUE_OPTIONAL, .words = section_words,
@@ -523,20 +511,21 @@ static const struct option_row rows[] = {
      .help = N_("the width of the figure on paper, 40 to 1000 mm; the default is 160")},
     {"dpi", 0, N_("N"), COMMAND_FIGURE | COMMAND_PHOTOMETRY, TAKES(take_dpi),
      .help = N_("dots per inch of a .png, 30 to 2400; the default is 200")},
-    {"title", 0, N_("TEXT"), COMMAND_FIGURE | COMMAND_REPORT | COMMAND_PHOTOMETRY, TAKES(take_title),
+    {"title", 0, N_("TEXT"), COMMAND_FIGURE | COMMAND_REPORT | COMMAND_PHOTOMETRY, KEEPS(drawing.title),
      .help = N_("the title")},
-    {"author", 0, N_("TEXT"), COMMAND_REPORT, TAKES(take_author), .help = N_("who hands the report in")},
-    {"group", 0, N_("TEXT"), COMMAND_REPORT, TAKES(take_group), .help = N_("the author's group")},
-    {"date", 0, N_("TEXT"), COMMAND_REPORT, TAKES(take_date),
+    {"author", 0, N_("TEXT"), COMMAND_REPORT, KEEPS(drawing.author), .help = N_("who hands the report in")},
+    {"group", 0, N_("TEXT"), COMMAND_REPORT, KEEPS(drawing.group), .help = N_("the author's group")},
+    {"date", 0, N_("TEXT"), COMMAND_REPORT, KEEPS(drawing.date),
      .help = N_("the date as it is to stand in the report; the default is none, so that it can be repeated byte for "
                 "byte")},
-    {"institution", 0, N_("TEXT"), COMMAND_REPORT, TAKES(take_institution),
+    {"institution", 0, N_("TEXT"), COMMAND_REPORT, KEEPS(drawing.institution),
      .help = N_("the university or school, which heads a title page; so do the next four")},
-    {"faculty", 0, N_("TEXT"), COMMAND_REPORT, TAKES(take_faculty), .help = N_("its faculty or department")},
-    {"course", 0, N_("TEXT"), COMMAND_REPORT, TAKES(take_course), .help = N_("the course that the report is for")},
-    {"teacher", 0, N_("TEXT"), COMMAND_REPORT, TAKES(take_teacher), .help = N_("who checks the report")},
-    {"place", 0, N_("TEXT"), COMMAND_REPORT, TAKES(take_place), .help = N_("the town, at the foot of the title page")},
-    {"aim", 0, N_("TEXT"), COMMAND_REPORT, TAKES(take_aim),
+    {"faculty", 0, N_("TEXT"), COMMAND_REPORT, KEEPS(drawing.faculty), .help = N_("its faculty or department")},
+    {"course", 0, N_("TEXT"), COMMAND_REPORT, KEEPS(drawing.course), .help = N_("the course that the report is for")},
+    {"teacher", 0, N_("TEXT"), COMMAND_REPORT, KEEPS(drawing.teacher), .help = N_("who checks the report")},
+    {"place", 0, N_("TEXT"), COMMAND_REPORT, KEEPS(drawing.place),
+     .help = N_("the town, at the foot of the title page")},
+    {"aim", 0, N_("TEXT"), COMMAND_REPORT, KEEPS(drawing.aim),
      .help = N_("the aim of the work, instead of one made from what is computed")},
     {"format", 0, N_("NAME"), WRITING & ~COMMAND_SET, TAKES(take_format), WORDS(format_words),
      .help = N_("the format of -o -, standard output: an extension without its dot, such as png; luxel explain prints "
@@ -544,6 +533,12 @@ static const struct option_row rows[] = {
     {"csv", 0, N_("VARIANT"), TABLES, TAKES(take_csv), .value = VALUE_OPTIONAL, .words = csv_words,
      .help = N_("print as comma-separated values (RFC 4180), or with --csv=excel-ru as spreadsheets in Russia read "
                 "them: semicolons, decimal commas")},
+    {"accept", 0, N_("CONVENTION"), COMMAND_GRADE, TAKES(take_accept), WORDS(accept_words),
+     .help = N_("take answers by another convention for right, too: pixel, the value of the pixel that the point falls "
+                "in, as published answers have it")},
+    {"students", 0, NULL, COMMAND_GRADE, TAKES(take_students),
+     .help = N_("print one line for each student, as comma-separated values: variants, how many points were asked for "
+                "and answered, and how many answers are right, of another convention, wrong and so on")},
     {"list", 0, NULL, COMMAND_SCENE, SETS(list), .help = N_("list the built-in scenes")},
     {"set", 's', N_("KEY=VALUE"), SCENES | COMMAND_GRADE, SHARED, TAKES(take_assignment), .value = VALUE_ASSIGNMENT,
      .help = N_("change one value of the scene, such as lights[0].intensity=20; the value is YAML; may be repeated")},
@@ -567,7 +562,7 @@ static const struct option_row rows[] = {
          N_("error that reflected light may have, above 0 and below 1: relative to the value of a probe or of a grid's "
             "cell, the default 0.001, or to the maximum of a picture, the default 0.01; exit code 5 where it is not "
             "reached")},
-    {"lights", 0, N_("LIST"), PICTURES, SHARED, TAKES(take_lights),
+    {"lights", 0, N_("LIST"), PICTURES, SHARED, KEEPS(lights),
      .help = N_("the lights that alone give light, whether they are enabled or not: names, or numbers as of lights[0], "
                 "with commas between them")},
     {"strict", 0, NULL, SCENES, SHARED, SETS(strict), .help = N_("treat advice about the scene as an error")},

@@ -3,6 +3,7 @@
 #include "sheets.h"
 
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -21,6 +22,7 @@ struct sheet {
     unsigned variant;
     struct place *points;
     size_t count, answered;
+    bool has_blanks; /* of points that the submission names without an answer */
 };
 
 /* A list with room for one more. */
@@ -92,7 +94,7 @@ static const struct answer *find_twin(const struct grading *grading, const struc
 {
     for (const struct graded *other = grading->list; other < graded; other++)
         if (other->answer->file == graded->answer->file && other->submission == graded->submission &&
-            other->variant == graded->variant && other->point == 0 && !other->first &&
+            other->variant == graded->variant && other->point == 0 && !other->first && !other->answer->is_blank &&
             fabs(graded->x_mm - other->x_mm) <= SAME_PLACE_MM && fabs(graded->y_mm - other->y_mm) <= SAME_PLACE_MM)
             return other->answer;
     return NULL;
@@ -106,6 +108,10 @@ void sheets_enter(struct grading *grading, struct graded *graded, const luxel_sc
     graded->submission = find_submission(grading, graded->answer);
     sheet = find_sheet(grading, graded, scene);
     graded->point = find_point(sheet, graded);
+    if (graded->answer->is_blank) {
+        sheet->has_blanks |= graded->point > 0;
+        return;
+    }
     if (graded->point == 0) {
         graded->first = find_twin(grading, graded);
         return;
@@ -124,7 +130,7 @@ void sheets_close(struct grading *grading)
         const struct sheet *sheet = &grading->sheets[i];
         struct submission *submission = &grading->submissions[sheet->submission];
 
-        if (sheet->answered == 0)
+        if (sheet->answered == 0 && !sheet->has_blanks)
             continue;
         submission->asked += sheet->count;
         submission->answered += sheet->answered;
@@ -139,6 +145,16 @@ void sheets_close(struct grading *grading)
                                                               .y_mm = sheet->points[p].y_mm};
         }
     }
+}
+
+char *sheets_variants(const struct grading *grading, size_t submission)
+{
+    char *text = message_allocate(grading->sheet_count * 12 + 1, 1), *end = text;
+
+    for (size_t i = 0; i < grading->sheet_count; i++)
+        if (grading->sheets[i].submission == submission)
+            end += sprintf(end, "%s%u", end > text ? " " : "", grading->sheets[i].variant);
+    return text;
 }
 
 void sheets_clear(struct grading *grading)

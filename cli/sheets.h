@@ -16,6 +16,8 @@ void sheets_enter(struct grading *grading, struct graded *graded, const luxel_sc
 
 /* Appends what is missing, once all answers are entered. */
 void sheets_close(struct grading *grading);
+/* The variants of a submission, "5 6"; free() it. */
+char *sheets_variants(const struct grading *grading, size_t submission);
 void sheets_clear(struct grading *grading);
 
 #endif

@@ -31,6 +31,7 @@ static int report(const struct options *options, const struct loaded *loaded)
         .place = options->drawing.place,
         .aim = options->drawing.aim,
         .palette = options->drawing.palette,
+        .digits = options->drawing.digits,
         .language = &language,
     };
 

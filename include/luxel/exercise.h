@@ -67,6 +67,14 @@ LUXEL_API luxel_status luxel_judge_answer(const luxel_scene *scene, const luxel_
                                           double y_mm, double answer, double tolerance, double rounding,
                                           luxel_diagnostics *diagnostics, luxel_judgement **judgement);
 
+/*
+ * Judges an answer that may have been read off the picture: by the value at the sample of the pixel that the point
+ * falls in; off the screen, where there is none, by that at the point.  All else is as for luxel_judge_answer().
+ */
+LUXEL_API luxel_status luxel_judge_pixel_answer(const luxel_scene *scene, const luxel_settings *settings, double x_mm,
+                                                double y_mm, double answer, double tolerance, double rounding,
+                                                luxel_diagnostics *diagnostics, luxel_judgement **judgement);
+
 /* Frees a judgement; NULL is harmless. */
 LUXEL_API void luxel_judgement_free(luxel_judgement *judgement);
 

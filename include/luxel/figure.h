@@ -66,7 +66,7 @@ typedef struct luxel_figure_settings {
     bool dark;                /* light lines on a dark ground, for projectors; false */
     bool small_print;         /* the parameters under the picture; true */
     const luxel_language *language; /* NULL: English */
-    size_t grid; /* 0: the picture; else the plane of the scene's grid of this number, from 1 on; see below */
+    size_t grid;       /* 0: the picture; else the plane of the scene's grid of this number, from 1 on; see below */
     void *reserved[4]; /* for later versions: NULL */
 } luxel_figure_settings;
 
@@ -162,7 +162,8 @@ typedef struct luxel_report_settings {
     const char *teacher;            /* who checks it */
     const char *place;              /* the town, say */
     const char *aim;                /* of the work, a paragraph; NULL: to compute and show what is computed */
-    void *reserved[4];              /* for later versions: NULL */
+    unsigned digits;                /* significant digits of values, to 17; 0: 7, and 12 of the values of points */
+    void *reserved[3];              /* for later versions: NULL */
 } luxel_report_settings;
 
 /*

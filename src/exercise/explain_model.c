@@ -2,11 +2,13 @@
 /* The formulas of a scene in general: each once, in the order of the calculation, and only those that it uses. */
 #include <string.h>
 
+#include "../base/number.h"
 #include "../base/phrase.h"
 #include "../light/distribution.h"
 #include "../light/placed.h"
 #include "../parameter/decode.h"
 #include "../scene/materials.h"
+#include "../surface/part.h"
 #include "explain.h"
 
 /* What of the kinds of lights there is in a scene. */
@@ -51,6 +53,18 @@ static struct used find_used(const struct lx_prepared *prepared)
     return used;
 }
 
+static const struct lx_surface_kind *authored_kind(const struct lx_prepared *prepared, size_t i)
+{
+    return (const struct lx_surface_kind *)prepared->scene->surfaces.items[prepared->surfaces[i].authored].variant;
+}
+
+/* The words of surface i: of the whole where it is a part of one, else of the shape that it has. */
+static const struct lx_surface_words *words_at(const struct lx_prepared *prepared, size_t i)
+{
+    const struct lx_surface_kind *kind = authored_kind(prepared, i);
+    return lx_part_name(kind, 0) ? kind->words : prepared->surfaces[i].kind->words;
+}
+
 /*
  * The words of surface i, where it is of a kind with this name and none before it has the same.  By its name: luxel-
  * figure has tables of its own beside those of the library that prepared the scene.
@@ -58,13 +72,13 @@ static struct used find_used(const struct lx_prepared *prepared)
 static const struct lx_surface_words *words_of(const struct lx_prepared *prepared, size_t i,
                                                const struct lx_variant *variant)
 {
-    const struct lx_surface_kind *kind = prepared->surfaces[i].kind;
-    if (!kind->words || strcmp(kind->variant.name, variant->name) != 0)
+    const struct lx_surface_words *words = words_at(prepared, i);
+    if (!words || strcmp(authored_kind(prepared, i)->variant.name, variant->name) != 0)
         return NULL;
     for (size_t k = 0; k < i; k++)
-        if (prepared->surfaces[k].kind == kind)
+        if (words_at(prepared, k) == words)
             return NULL;
-    return kind->words;
+    return words;
 }
 
 static void explain_kind(struct luxel_document *document, const struct lx_surface_words *words, bool heights)
@@ -307,11 +321,37 @@ static void explain_ambient(struct luxel_document *document, const struct lx_pre
                               LX_SPANS(LX_MATH("E_a"), LX_MATH(divided > 0 ? "\\frac{1}{\\pi} k_a E_a" : "k_a E_a")));
 }
 
-static void explain_material(struct luxel_document *document, const struct lx_material *material, const char *name)
+/* Whether two materials reflect by one formula, whatever numbers stand in it. */
+static bool is_alike(const struct lx_material *one, const struct lx_material *other)
+{
+    return one->model == other->model && one->over_pi == other->over_pi &&
+           (one->model == LX_LAMBERT || (one->highlight == other->highlight && one->normalized == other->normalized));
+}
+
+/* "surfaces[0], surfaces[0].materials.floor": what has a material like this one. */
+static void name_alike(struct luxel_document *document, const struct lx_scene_parameters *scene,
+                       const struct lx_material *material)
+{
+    enum { MOST_NAMES = 12 };
+    struct lx_text names = {0};
+    char left[LX_NUMBER_SIZE];
+    size_t count = 0;
+    for (struct lx_scene_material at = {0}; lx_next_material(scene, &at);)
+        if (is_alike(at.material, material) && count++ < MOST_NAMES)
+            lx_text_printf(&names, "%ssurfaces[%zu]%s%s", names.length > 0 ? ", " : "", at.surface,
+                           at.part ? ".materials." : "", at.part ? at.part : "");
+    const struct lx_span listed = LX_PLAIN(names.bytes ? names.bytes : "");
+    if (count > MOST_NAMES)
+        lx_document_paragraph(document, LX_N("Of {0} and {1} more:"),
+                              LX_SPANS(listed, LX_PLAIN(lx_write_number((double)(count - MOST_NAMES), left))));
+    else
+        lx_document_paragraph(document, LX_N("Of {0}:"), LX_SPANS(listed));
+    lx_text_clear(&names);
+}
+
+static void explain_material(struct luxel_document *document, const struct lx_material *material)
 {
     bool phong = material->model == LX_PHONG;
-    if (name)
-        lx_document_paragraph(document, LX_N("Of {0}:"), LX_SPANS(LX_PLAIN(name)));
     if (material->model == LX_LAMBERT) {
         lx_document_formula(document, material->over_pi
                                           ? "B = \\frac{1}{\\pi}\\, E_{\\perp} k_d \\max(0, \\mathbf{N} "
@@ -342,6 +382,58 @@ static void explain_material(struct luxel_document *document, const struct lx_ma
                                             : "c = \\frac{(n + 2)(n + 4)}{8 \\left( n + 2^{-n/2} \\right)}");
 }
 
+/* Each formula once, with the names of what it holds for where there are several. */
+static void explain_materials(struct luxel_document *document, const struct lx_scene_parameters *scene)
+{
+    enum { MOST_FORMULAS = 32 }; /* there are fewer */
+    const struct lx_material *told[MOST_FORMULAS];
+    size_t count = 0;
+    for (struct lx_scene_material at = {0}; lx_next_material(scene, &at);) {
+        size_t i = 0;
+        while (i < count && !is_alike(told[i], at.material))
+            i++;
+        if (i == count && count < MOST_FORMULAS)
+            told[count++] = at.material;
+    }
+    for (size_t i = 0; i < count; i++) {
+        if (count > 1)
+            name_alike(document, scene, told[i]);
+        explain_material(document, told[i]);
+    }
+}
+
+/* What surfaces reflect to each other, bounce by bounce. */
+static void explain_reflections(struct luxel_document *document, const struct lx_scene_parameters *scene,
+                                luxel_quantity quantity)
+{
+    const struct lx_choice_or_whole *bounces = &scene->reflections;
+    struct lx_text sum = {0};
+    char last[LX_NUMBER_SIZE] = "\\infty";
+    if (bounces->choice == LX_REFLECTIONS_NONE)
+        return;
+    if (bounces->choice < 0)
+        lx_write_number(bounces->whole, last);
+    lx_document_paragraph(
+        document,
+        scene->units == LX_PHOTOMETRIC
+            ? LX_N("Surfaces reflect light to each other, too, as Lambert's law says. Where the sources alone give the "
+                   "illuminance {0} and light that was reflected {1} times gives {2}, a part {3} of a surface that is "
+                   "seen from a point gives it, reflected once more,")
+            : LX_N("Surfaces reflect light to each other, too, as Lambert's law says. Where the sources alone give the "
+                   "irradiance {0} and light that was reflected {1} times gives {2}, a part {3} of a surface that is "
+                   "seen from a point gives it, reflected once more,"),
+        LX_SPANS(LX_MATH("E_0"), LX_MATH("n"), LX_MATH("E_n"), LX_MATH("dA'")));
+    lx_document_formula(document, "dE_{n+1} = \\frac{1}{\\pi}\\, k_d' E_n'\\, \\frac{\\max(0, \\cos \\theta) "
+                                  "\\max(0, \\cos \\theta')}{r^2}\\, dA',");
+    lx_document_paragraph(document, LX_N("and all of that together adds to the value:"), NULL);
+    lx_text_printf(&sum, "E_r = \\sum_{n=1}^{%s} E_n", last);
+    if (quantity == LUXEL_BRIGHTNESS)
+        lx_text_puts(&sum, ", \\qquad B_r = \\frac{1}{\\pi}\\, k_d E_r");
+    if (sum.bytes)
+        lx_document_formula(document, sum.bytes);
+    lx_text_clear(&sum);
+}
+
 void lx_explain_model(struct luxel_document *document, const struct lx_prepared *prepared, luxel_quantity quantity)
 {
     const struct lx_scene_parameters *scene = prepared->scene;
@@ -367,20 +459,12 @@ void lx_explain_model(struct luxel_document *document, const struct lx_prepared 
         lx_document_formula(document, used.ambient
                                           ? "E = E_a + \\sum E_{\\perp} \\max(0, \\mathbf{N} \\cdot \\mathbf{L})"
                                           : "E = \\sum E_{\\perp} \\max(0, \\mathbf{N} \\cdot \\mathbf{L})");
+        explain_reflections(document, scene, quantity);
         return;
     }
     lx_document_paragraph(document, sum, NULL);
-    size_t count = 0;
-    for (struct lx_scene_material at = {0}; lx_next_material(scene, &at);)
-        count++;
-    for (struct lx_scene_material at = {0}; lx_next_material(scene, &at);) {
-        struct lx_text name = {0};
-        if (count > 1)
-            lx_text_printf(&name, "surfaces[%zu]%s%s", at.surface, at.part ? ".materials." : "",
-                           at.part ? at.part : "");
-        explain_material(document, at.material, name.bytes);
-        lx_text_clear(&name);
-    }
+    explain_materials(document, scene);
     if (used.ambient)
         explain_ambient(document, prepared);
+    explain_reflections(document, scene, quantity);
 }

@@ -18,6 +18,7 @@
 #include "../base/number.h"
 #include "../base/phrase.h"
 #include "../field/field.h"
+#include "../shade/camera.h"
 #include "alternatives.h"
 
 #define PAIR_STRICTNESS 0.1
@@ -329,6 +330,21 @@ luxel_status luxel_judge_answer(const luxel_scene *scene, const luxel_settings *
     else
         luxel_judgement_free(&made->shown);
     return status;
+}
+
+luxel_status luxel_judge_pixel_answer(const luxel_scene *scene, const luxel_settings *settings, double x_mm,
+                                      double y_mm, double answer, double tolerance, double rounding,
+                                      luxel_diagnostics *diagnostics, luxel_judgement **judgement)
+{
+    unsigned column, row;
+    if (luxel_scene_is_committed(scene)) {
+        const struct lx_screen *screen = &lx_scene_parameters(scene)->screen;
+        if (lx_pixel_at(screen, x_mm, y_mm, &column, &row)) {
+            x_mm = lx_column_x_mm(screen, column);
+            y_mm = lx_row_y_mm(screen, row);
+        }
+    }
+    return luxel_judge_answer(scene, settings, x_mm, y_mm, answer, tolerance, rounding, diagnostics, judgement);
 }
 
 void luxel_judgement_free(luxel_judgement *judgement)

@@ -2,6 +2,7 @@
 /* Walks the parameter tables of a committed scene, row by row. */
 #include "parameter_tables.h"
 
+#include <luxel/parameter.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -9,11 +10,13 @@
 #include "../base/phrase.h"
 #include "../parameter/decode.h"
 #include "../parameter/words.h"
+#include "../scene/materials.h"
 
 /* One walk: where the rows go, and what the unit's words depend on. */
 struct walk {
     struct luxel_document *document;
     bool photometric;
+    bool parts_alone; /* each part of the surface has a material of its own, and none has that of the whole */
 };
 
 /* What formulas call the parameters, as explanations do (explain_model.c). */
@@ -67,8 +70,26 @@ static void add_numbers(struct lx_text *text, const double *values, size_t count
     lx_text_puts(text, ")");
 }
 
+/* A word of the scene by its label, in the document's language: in English as the scene writes it. */
+static void add_word(const struct walk *walk, struct lx_text *text, const char *written, const char *label)
+{
+    const char *word = label ? lx_document_word(walk->document, label) : written;
+    lx_text_puts(text, label && strcmp(word, label) == 0 ? written : word);
+}
+
+static void add_choice(const struct walk *walk, struct lx_text *text, const char *choice)
+{
+    add_word(walk, text, choice, luxel_choice_label(choice));
+}
+
+static void add_boolean(const struct walk *walk, struct lx_text *text, bool is_true)
+{
+    add_word(walk, text, is_true ? "true" : "false", is_true ? LX_N("yes") : LX_N("no"));
+}
+
 /* The value in the scene's own words; false for what is no value but holds others, or is no setting. */
-static bool add_value(struct lx_text *text, const struct lx_parameter *parameter, const void *value)
+static bool add_value(const struct walk *walk, struct lx_text *text, const struct lx_parameter *parameter,
+                      const void *value)
 {
     const struct lx_choice_or_pair *pair = value;
     const struct lx_choice_or_whole *whole = value;
@@ -76,8 +97,8 @@ static bool add_value(struct lx_text *text, const struct lx_parameter *parameter
     switch (parameter->type) {
     case LX_REAL: add_number(text, *(const double *)value); return true;
     case LX_WHOLE: add_number(text, *(const unsigned *)value); return true;
-    case LX_BOOLEAN: lx_text_puts(text, *(const bool *)value ? "true" : "false"); return true;
-    case LX_CHOICE: lx_text_puts(text, parameter->choices[*(const int *)value]); return true;
+    case LX_BOOLEAN: add_boolean(walk, text, *(const bool *)value); return true;
+    case LX_CHOICE: add_choice(walk, text, parameter->choices[*(const int *)value]); return true;
     case LX_TEXT: lx_text_puts(text, *(const char *const *)value); return true;
     case LX_REALS: add_numbers(text, value, parameter->count); return true;
     case LX_WHOLES: {
@@ -90,17 +111,17 @@ static bool add_value(struct lx_text *text, const struct lx_parameter *parameter
     }
     case LX_CHOICE_OR_PAIR:
         if (pair->choice >= 0)
-            lx_text_puts(text, parameter->choices[pair->choice]);
+            add_choice(walk, text, parameter->choices[pair->choice]);
         else
             add_numbers(text, (const double[]){pair->low, pair->high}, 2);
         return true;
     case LX_CHOICE_OR_WHOLE:
         if (whole->choice >= 0)
-            lx_text_puts(text, parameter->choices[whole->choice]);
+            add_choice(walk, text, parameter->choices[whole->choice]);
         else
             add_number(text, whole->whole);
         return true;
-    case LX_GROUP: lx_text_puts(text, parameter->choices[((const struct lx_worded *)value)->word]); return true;
+    case LX_GROUP: add_choice(walk, text, parameter->choices[((const struct lx_worded *)value)->word]); return true;
     case LX_VECTORS:
         for (size_t i = 0; i < vectors->count; i++) {
             lx_text_puts(text, i > 0 ? ", " : "");
@@ -140,11 +161,30 @@ static bool is_other_choice(const struct lx_table *table, const void *parameters
     return false;
 }
 
+/* Whether a group says nothing: another one of its choice was given, or no part of the surface has this material. */
+static bool is_idle_group(const struct walk *walk, const struct lx_table *table, const void *parameters,
+                          const struct lx_parameter *parameter, bool is_of_part)
+{
+    if (parameter->group == &lx_material_table)
+        return is_of_part ? !lx_is_given(table, parameters, parameter->name) : walk->parts_alone;
+    return is_other_choice(table, parameters, parameter->name);
+}
+
+/* What is said of a key, without its symbol, which has a column of its own: "kd, the weight" becomes "the weight". */
+static const char *without_symbol(const char *meaning, const char *symbol)
+{
+    const char *at = meaning;
+    for (; symbol && *symbol; symbol++)
+        if (*symbol != '_' && *symbol != *at++)
+            return meaning;
+    return symbol && strncmp(at, ", ", 2) == 0 ? at + 2 : meaning;
+}
+
 static void add_row(struct walk *walk, const char *path, const struct lx_parameter *parameter, const void *value)
 {
     struct lx_text shown = {0}, range = {0};
     const char *unit = lx_unit_word(parameter->unit, walk->photometric);
-    if (!add_value(&shown, parameter, value)) {
+    if (!add_value(walk, &shown, parameter, value)) {
         lx_text_clear(&shown);
         return;
     }
@@ -156,10 +196,11 @@ static void add_row(struct walk *walk, const char *path, const struct lx_paramet
         lx_add_advised(&range, parameter, unit);
     char *words = lx_document_rendered(walk->document, &range);
     const char *own = symbol_of(path), *symbol = own ? own : symbol_of(parameter->name);
+    const char *meaning = without_symbol(lx_document_word(walk->document, parameter->meaning), symbol);
     const struct lx_span formula = LX_MATH(symbol ? symbol : ""), none = LX_PLAIN("");
     lx_document_row(walk->document,
-                    LX_SPANS(LX_CODE(path), symbol ? formula : none, LX_TERM_SPAN(parameter->meaning),
-                             LX_PLAIN(shown.bytes), LX_PLAIN(words ? words : "")),
+                    LX_SPANS(LX_CODE(path), symbol ? formula : none, LX_PLAIN(meaning), LX_PLAIN(shown.bytes),
+                             LX_PLAIN(words ? words : "")),
                     false);
     free(words);
     lx_text_clear(&shown);
@@ -174,7 +215,8 @@ static void add_rows(struct walk *walk, const char *prefix, const struct lx_tabl
         bool is_group = parameter->type == LX_GROUP;
         if (is_group && parameter->choices)
             is_group = ((const struct lx_worded *)value)->word < 0;
-        if (is_group ? is_other_choice(table, parameters, parameter->name) : !is_shown(table, parameter, parameters))
+        if (is_group ? is_idle_group(walk, table, parameters, parameter, *prefix)
+                     : !is_shown(table, parameter, parameters))
             continue;
         lx_text_puts(&path, prefix);
         lx_text_puts(&path, parameter->name);
@@ -220,6 +262,7 @@ static void add_list(struct walk *walk, const char *list, const struct lx_parame
             lx_document_heading(walk->document, 2, "{0}: {1}",
                                 LX_SPANS(LX_PLAIN(heading.bytes), LX_TERM_SPAN(item->variant->meaning)));
         begin_table(walk);
+        walk->parts_alone = strcmp(list, "surfaces") == 0 && !lx_uses_own_material(item);
         add_rows(walk, "", item->variant->table, item->parameters);
         add_rows(walk, "", parameter->group, item->common);
         lx_text_clear(&heading);
@@ -243,7 +286,8 @@ void lx_add_parameter_tables(struct luxel_document *document, const struct lx_sc
             lx_text_printf(&prefix, "%s.", parameter->name);
             add_rows(&walk, prefix.bytes ? prefix.bytes : "", parameter->group, value);
             lx_text_clear(&prefix);
-        } else if (parameter->type == LX_CHOICE) {
+        } else if (parameter->type == LX_CHOICE ||
+                   (parameter->type == LX_CHOICE_OR_WHOLE && lx_is_given(&lx_scene_table, scene, parameter->name))) {
             add_row(&walk, parameter->name, parameter, value);
         }
     }

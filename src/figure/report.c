@@ -225,7 +225,9 @@ static luxel_status write_to(const struct lx_destination *destinations, size_t c
     luxel_scene *lit = NULL;
     luxel_status status = check(destinations, count, scene, diagnostics);
     if (status == LUXEL_OK)
-        status = lx_check_reserved(report.texts->reserved, diagnostics);
+        status = lx_check_reserved(
+            (void *const[4]){report.texts->reserved[0], report.texts->reserved[1], report.texts->reserved[2]},
+            diagnostics);
     if (status == LUXEL_OK)
         status = lx_scene_lit(scene, settings, diagnostics, &lit);
     if (status != LUXEL_OK)

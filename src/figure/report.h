@@ -39,6 +39,8 @@ struct lx_report {
     const char *unit;                 /* in the document's language */
 };
 
+enum { LX_REPORT_DIGITS = 7, LX_REPORT_EXACT_DIGITS = 12 }; /* of values, and of those of points */
+
 /* Computes everything but the document.  lx_report_clear() is due whatever it returns. */
 luxel_status lx_report_compute(struct lx_report *report);
 void lx_report_clear(struct lx_report *report);
@@ -70,7 +72,9 @@ bool lx_report_has_tail(const struct lx_report *report);
 /* Adds "(177.4828, 0)". */
 void lx_report_add_place(struct lx_text *text, const double *values, size_t count);
 
-/* A number with seven significant digits, as reports show them. */
+/* A number with seven significant digits, as reports show places. */
 const char *lx_report_number(double value, char *buffer);
+/* A value with so many digits as were asked for, or by default. */
+const char *lx_report_value(const struct lx_report *report, double value, int by_default, char *buffer);
 
 #endif

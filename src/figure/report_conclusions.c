@@ -1,16 +1,24 @@
 /* SPDX-License-Identifier: MIT */
 /* The conclusions of a report: each sentence stands only where the numbers make it true. */
 #include <math.h>
+#include <stdlib.h>
 
 #include "../base/number.h"
 #include "../base/phrase.h"
 #include "../exercise/parameter_tables.h"
+#include "../scene/observer.h"
 #include "report.h"
 
 /* "66 %" */
 static const char *percent(double share, char buffer[LX_NUMBER_SIZE])
 {
     return lx_write_digits(100 * share, 3, buffer);
+}
+
+/* A length of three digits as people write it: 1310, not 1.31e+03. */
+static const char *length(double mm, char buffer[LX_NUMBER_SIZE])
+{
+    return lx_write_number(strtod(lx_write_digits(mm, 3, buffer), NULL), buffer);
 }
 
 static void conclude_peak(struct lx_report *report)
@@ -31,7 +39,8 @@ static void conclude_peak(struct lx_report *report)
     lx_report_add_place(&place, (const double[]){peak->x_mm, peak->y_mm}, 2);
     lx_report_add_place(&position, peak->position_mm, 3);
     lx_document_item(report->document, sentences[peak->place],
-                     LX_SPANS(LX_TERM_SPAN(lx_report_quantity(report)), LX_PLAIN(lx_report_number(peak->value, value)),
+                     LX_SPANS(LX_TERM_SPAN(lx_report_quantity(report)),
+                              LX_PLAIN(lx_report_value(report, peak->value, LX_REPORT_DIGITS, value)),
                               LX_PLAIN(report->unit), LX_PLAIN(place.bytes), LX_PLAIN(position.bytes)));
     lx_text_clear(&place);
     lx_text_clear(&position);
@@ -73,11 +82,17 @@ static void conclude_shares(struct lx_report *report)
     }
     if (!lx_report_is_irradiance(report))
         conclude_highlight(report, specular);
+    if (peak->has_reflected)
+        lx_document_item(report->document,
+                         LX_N("Light that surfaces reflect to each other gives {0} % of the value there."),
+                         LX_SPANS(LX_PLAIN(percent(peak->reflected_value / peak->value, share))));
     if (!(next > 0) || next >= most * (1 - 1e-9))
         return;
     struct lx_text name = {0};
     lx_add_element_name(&name, "lights", peak->shares[first].light, peak->shares[first].name);
-    lx_document_item(report->document, LX_N("Of the lights, {0} has the greatest share there: {1} % of the value."),
+    lx_document_item(report->document,
+                     peak->has_reflected ? LX_N("Of the lights, {0} gives the most there directly: {1} % of the value.")
+                                         : LX_N("Of the lights, {0} has the greatest share there: {1} % of the value."),
                      LX_SPANS(LX_PLAIN(name.bytes), LX_PLAIN(percent(most / peak->value, share))));
     lx_text_clear(&name);
 }
@@ -91,14 +106,12 @@ static void conclude_width(struct lx_report *report)
         lx_document_item(report->document,
                          LX_N("Along x the value falls to half of the maximum within {0} mm to the left and {1} mm to "
                               "the right."),
-                         LX_SPANS(LX_PLAIN(lx_write_digits(x->mm[0], 3, numbers[0])),
-                                  LX_PLAIN(lx_write_digits(x->mm[1], 3, numbers[1]))));
+                         LX_SPANS(LX_PLAIN(length(x->mm[0], numbers[0])), LX_PLAIN(length(x->mm[1], numbers[1]))));
     if (y->exists[0] && y->exists[1])
         lx_document_item(report->document,
                          LX_N("Along y the value falls to half of the maximum within {0} mm downwards and {1} mm "
                               "upwards."),
-                         LX_SPANS(LX_PLAIN(lx_write_digits(y->mm[0], 3, numbers[0])),
-                                  LX_PLAIN(lx_write_digits(y->mm[1], 3, numbers[1]))));
+                         LX_SPANS(LX_PLAIN(length(y->mm[0], numbers[0])), LX_PLAIN(length(y->mm[1], numbers[1]))));
 }
 
 /* How far the pixels' values are from the exact ones. */
@@ -142,10 +155,11 @@ static void conclude_plateau(struct lx_report *report)
         lx_document_item(report->document, LX_N("The {0} is 0 everywhere: the surface is dark."),
                          LX_SPANS(LX_TERM_SPAN(lx_report_quantity(report))));
     else
-        lx_document_item(report->document, LX_N("The {0} has no peak: it is {1} {2} in a whole part of the surface."),
-                         LX_SPANS(LX_TERM_SPAN(lx_report_quantity(report)),
-                                  LX_PLAIN(lx_report_number(greatest->value, (char[LX_NUMBER_SIZE]){0})),
-                                  LX_PLAIN(report->unit)));
+        lx_document_item(
+            report->document, LX_N("The {0} has no peak: it is {1} {2} in a whole part of the surface."),
+            LX_SPANS(LX_TERM_SPAN(lx_report_quantity(report)),
+                     LX_PLAIN(lx_report_value(report, greatest->value, LX_REPORT_DIGITS, (char[LX_NUMBER_SIZE]){0})),
+                     LX_PLAIN(report->unit)));
 }
 
 /* How much of the surface light arrives at. */
@@ -172,6 +186,26 @@ static void conclude_reach(struct lx_report *report)
                          NULL);
 }
 
+/* Which surfaces the screen cuts off. */
+static void conclude_view(struct lx_report *report)
+{
+    const struct lx_list *surfaces = &report->parameters->surfaces;
+    for (size_t i = 0; i < surfaces->count && i < LX_MOST_PARAMETER_TABLES; i++) {
+        const struct lx_surface_common *common = surfaces->items[i].common;
+        struct lx_text sides = {0}, name = {0};
+        lx_add_sides_beyond(report->parameters, i, &sides);
+        lx_add_element_name(&name, "surfaces", i, common->name);
+        char *words = sides.length > 0 ? lx_document_rendered(report->document, &sides) : NULL;
+        if (words && name.bytes)
+            lx_document_item(report->document,
+                             LX_N("{0} is not wholly in view: it reaches beyond the screen on these sides: {1}."),
+                             LX_SPANS(LX_PLAIN(name.bytes), LX_PLAIN(words)));
+        free(words);
+        lx_text_clear(&sides);
+        lx_text_clear(&name);
+    }
+}
+
 void lx_report_conclusions(struct lx_report *report)
 {
     struct luxel_document *document = report->document;
@@ -190,9 +224,11 @@ void lx_report_conclusions(struct lx_report *report)
     } else {
         conclude_plateau(report);
     }
+    conclude_view(report);
     conclude_reach(report);
     if (summary->maximum.value > 0)
         lx_document_item(document, LX_N("The mean is {0} {1}, {2} % of the greatest value of a pixel."),
-                         LX_SPANS(LX_PLAIN(lx_report_number(summary->mean, mean)), LX_PLAIN(report->unit),
+                         LX_SPANS(LX_PLAIN(lx_report_value(report, summary->mean, LX_REPORT_DIGITS, mean)),
+                                  LX_PLAIN(report->unit),
                                   LX_PLAIN(percent(summary->mean / summary->maximum.value, share))));
 }

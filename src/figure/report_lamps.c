@@ -89,9 +89,8 @@ static void begin(struct lx_report *report)
     lx_document_table(report->document, "lrrrrr");
     lx_document_row(report->document,
                     LX_SPANS(LX_TERM_SPAN(LX_N("file")), LX_TERM_SPAN(LX_N("luminaires")),
-                             LX_TERM_SPAN(LX_N("flux, lm")),
-                             LX_TERM_SPAN(LX_N("greatest intensity, cd")), LX_TERM_SPAN(LX_N("UGR crosswise")),
-                             LX_TERM_SPAN(LX_N("UGR endwise"))),
+                             LX_TERM_SPAN(LX_N("flux, lm")), LX_TERM_SPAN(LX_N("greatest intensity, cd")),
+                             LX_TERM_SPAN(LX_N("UGR crosswise")), LX_TERM_SPAN(LX_N("UGR endwise"))),
                     false);
 }
 

@@ -11,7 +11,12 @@
 
 const char *lx_report_number(double value, char *buffer)
 {
-    return lx_write_digits(value, 7, buffer);
+    return lx_write_digits(value, LX_REPORT_DIGITS, buffer);
+}
+
+const char *lx_report_value(const struct lx_report *report, double value, int by_default, char *buffer)
+{
+    return lx_write_digits(value, report->texts->digits > 0 ? (int)report->texts->digits : by_default, buffer);
 }
 
 void lx_report_clear(struct lx_report *report)
@@ -39,6 +44,9 @@ static luxel_status probe_points(struct lx_report *report)
     free(places);
     return status;
 }
+
+/* A fall so near, in parts of the way, is the edge of what the maximum lies on, where something else is seen. */
+#define AT_ITS_EDGE 1e-6
 
 /* The way from the maximum along x or y to an edge of the screen. */
 struct way {
@@ -93,10 +101,12 @@ static luxel_status measure_side(const struct way *way, double level, bool *exis
         for (int i = 0; i < AT_ONCE; i++) {
             if (is_above(&values[i], level))
                 continue;
-            *exists = values[i].has_value;
-            if (*exists)
-                *mm = hypot(way->to_mm[0] - way->from_mm[0], way->to_mm[1] - way->from_mm[1]) *
-                      find_fall(way, level, (double)(first + i - 1) / STEPS, (double)(first + i) / STEPS);
+            if (values[i].has_value) {
+                const double share =
+                    find_fall(way, level, (double)(first + i - 1) / STEPS, (double)(first + i) / STEPS);
+                *exists = share > AT_ITS_EDGE;
+                *mm = hypot(way->to_mm[0] - way->from_mm[0], way->to_mm[1] - way->from_mm[1]) * share;
+            }
             return LUXEL_OK;
         }
     }

@@ -102,10 +102,12 @@ static void add_probe(struct lx_report *report, size_t i)
     lx_text_printf(&name, "P%zu", i + 1);
     lx_report_add_place(&place, (const double[]){probe->x_mm, probe->y_mm}, 2);
     const char *without = probe->on_surface ? LX_N("a source lies on it") : LX_N("off the surface");
-    struct lx_span exact = LX_PLAIN(lx_write_digits(probe->value, 12, value));
+    struct lx_span exact = LX_PLAIN(lx_report_value(report, probe->value, LX_REPORT_EXACT_DIGITS, value));
     struct lx_span none = LX_TERM_SPAN(without), blank = LX_PLAIN("");
-    struct lx_span bound = LX_PLAIN(lx_write_digits(probe->error, 2, error));
-    struct lx_span nearest = LX_PLAIN(lx_report_number(probe->pixel_value, pixel));
+    /* what was asked to be rounded away counts as an error, too */
+    const double rounded = report->texts->digits > 0 ? fabs(strtod(value, NULL) - probe->value) : 0;
+    struct lx_span bound = LX_PLAIN(lx_write_digits(probe->error + rounded, 2, error));
+    struct lx_span nearest = LX_PLAIN(lx_report_value(report, probe->pixel_value, LX_REPORT_DIGITS, pixel));
     lx_document_row(report->document,
                     LX_SPANS(LX_PLAIN(name.bytes), LX_PLAIN(place.bytes), probe->has_value ? exact : none,
                              probe->has_value ? bound : blank, probe->has_pixel_value ? nearest : blank),
@@ -142,7 +144,7 @@ static void add_statistic(struct lx_report *report, const char *english, double 
     if (place)
         lx_report_add_place(&text, place, 2);
     lx_document_row(report->document,
-                    LX_SPANS(LX_TERM_SPAN(english), LX_PLAIN(lx_report_number(value, number)),
+                    LX_SPANS(LX_TERM_SPAN(english), LX_PLAIN(lx_report_value(report, value, LX_REPORT_DIGITS, number)),
                              LX_PLAIN(text.bytes ? text.bytes : "")),
                     false);
     lx_text_clear(&text);
@@ -178,7 +180,8 @@ static void explain_minimum(struct lx_report *report)
             LX_N("The minimum above 0 lies where no source shines on the surface: it is the tail of "
                  "a highlight that counts there, too. Numbers below 1.2e-38 are taken for 0. Where "
                  "light arrives, N·L > 0, no pixel is below {0} {1}."),
-            LX_SPANS(LX_PLAIN(lx_report_number(reached->value, (char[LX_NUMBER_SIZE]){0})), LX_PLAIN(report->unit)));
+            LX_SPANS(LX_PLAIN(lx_report_value(report, reached->value, LX_REPORT_DIGITS, (char[LX_NUMBER_SIZE]){0})),
+                     LX_PLAIN(report->unit)));
     else if (least->exists)
         lx_document_paragraph(report->document,
                               LX_N("The minimum above 0 lies where no source shines on the surface: it is the tail of "
@@ -238,7 +241,7 @@ luxel_status lx_report_results(struct lx_report *report)
     return lx_report_lamps(report);
 }
 
-/* ---- repetition ---- */
+/* ---- reproducing ---- */
 
 /* "luxel render scene.yaml --quantity irradiance": with the settings that the report was made with. */
 static void add_command(const struct lx_report *report, struct lx_text *text, const char *command, const char *more)
@@ -276,7 +279,7 @@ void lx_report_repetition(struct lx_report *report)
     struct luxel_document *document = report->document;
     struct lx_text numbers = {0}, picture = {0}, steps = {0};
     char *scene = NULL;
-    lx_document_heading(document, 1, LX_N("Repetition"), NULL);
+    lx_document_heading(document, 1, LX_N("Reproducing these results"), NULL);
     add_command(report, &numbers, "render", "");
     add_command(report, &picture, "render", " -o scene.png");
     add_command(report, &steps, "explain", "");

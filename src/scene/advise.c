@@ -98,22 +98,25 @@ static void mend_view(struct lx_walk *walk, const struct lx_scene_parameters *sc
     lx_mend_hint(walk, &text);
 }
 
+void lx_add_sides_beyond(const struct lx_scene_parameters *scene, size_t surface, struct lx_text *sides)
+{
+    static const char *const names[2][2] = {{LX_N("left"), LX_N("right")}, {LX_N("bottom"), LX_N("top")}};
+    const struct lx_item *item = &scene->surfaces.items[surface];
+    for (int edge = 0; edge < 4 && !is_backdrop(scene, item); edge++) {
+        if (!is_beyond(scene, item, edge / 2, edge % 2, 1))
+            continue;
+        lx_text_puts(sides, sides->length ? ", " : "");
+        lx_add_phrase(sides, names[edge / 2][edge % 2], NULL);
+    }
+}
+
 static void advise_view(struct lx_walk *walk, const struct lx_scene_parameters *scene, lx_node_id surfaces)
 {
-    static const char *const sides[2][2] = {{LX_N("left"), LX_N("right")}, {LX_N("bottom"), LX_N("top")}};
     lx_node_id id = lx_document_node(walk->document, surfaces)->first;
     double growth = -1; /* not known yet */
     for (size_t i = 0; i < scene->surfaces.count; i++, id = lx_document_node(walk->document, id)->next) {
         struct lx_text edges = {0};
-        if (is_backdrop(scene, &scene->surfaces.items[i]))
-            continue;
-        for (int axis = 0; axis < 2; axis++)
-            for (int side = 0; side < 2; side++) {
-                if (!is_beyond(scene, &scene->surfaces.items[i], axis, side, 1))
-                    continue;
-                lx_text_puts(&edges, edges.length ? ", " : "");
-                lx_add_phrase(&edges, sides[axis][side], NULL);
-            }
+        lx_add_sides_beyond(scene, i, &edges);
         struct lx_step list = {NULL, "surfaces", 0}, step = {&list, NULL, i};
         if (edges.length) {
             lx_walk_report(walk, LUXEL_SEVERITY_ADVICE, lx_document_place(walk->document, id), &step,

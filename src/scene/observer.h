@@ -9,6 +9,8 @@
 #include "../base/frame.h"
 #include "scene.h"
 
+struct lx_text;
+
 extern const struct lx_table lx_observer_table;
 
 /* Whether it was given a position. */
@@ -22,5 +24,9 @@ struct lx_frame lx_observer_frame(const struct lx_observer *observer);
 
 /* How high the observer stands above the screen, along that z axis. */
 double lx_observer_height(const struct lx_observer *observer);
+
+/* Adds the sides of the screen ("left, top") beyond which a surface reaches; none of one that surrounds the observer or
+ * fills the whole screen behind others. */
+void lx_add_sides_beyond(const struct lx_scene_parameters *scene, size_t surface, struct lx_text *sides);
 
 #endif

@@ -307,7 +307,7 @@ static const struct lx_parameter scene_parameters[] = {
         .choices = shadows_names,
         .meaning =
             "what light surfaces take from one another: that of all sources, of extended ones as far as they are "
-            "hidden; that of point-like and distant ones, and of the points that `parts: N` makes; none",
+            "hidden; that of point-like and distant ones, and of sources cut into parts; none",
     },
     {
         .name = "reflections",

@@ -351,6 +351,13 @@ static bool mesh_used(const void *parameters, struct lx_mesh_use *use)
     return mesh->mesh != NULL;
 }
 
+static const struct lx_surface_words mesh_words = {
+    .sentence =
+        LX_N("The normal {0} of a mesh is that of the triangle that is met, or where the mesh is smooth the mean "
+             "of the normals at its corners, weighted by the place in the triangle."),
+    .formulas = {"\\mathbf{N}"},
+};
+
 const struct lx_surface_kind lx_mesh_kind = {
     .variant =
         {
@@ -378,4 +385,5 @@ const struct lx_surface_kind lx_mesh_kind = {
     .encloses = lx_mesh_encloses,
     .distance = lx_mesh_distance,
     .mesh = mesh_used,
+    .words = &mesh_words,
 };

@@ -7,6 +7,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "../base/phrase.h"
 #include "../base/vector.h"
 #include "part.h"
 
@@ -196,6 +197,11 @@ static void room_part(const void *parameters, unsigned wall, struct lx_part *par
 
 /* ---- the whole ---- */
 
+static const struct lx_surface_words wall_words = {
+    .sentence = LX_N("The normal {0} of a wall of a room points straight into the room."),
+    .formulas = {"\\mathbf{N}"},
+};
+
 /* Its middle, its axes and the halves of its sizes along them: what is met, hides and shines are its walls. */
 static struct lx_shape room_shape(const void *parameters)
 {
@@ -242,6 +248,7 @@ const struct lx_surface_kind lx_room_kind = {
     .shape = room_shape,
     .standing = lx_standing_within,
     .is_dark = room_is_dark,
+    .words = &wall_words,
     .surrounds = room_surrounds,
     .part_names = wall_names,
     .part_count = WALLS,

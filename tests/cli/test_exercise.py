@@ -225,7 +225,7 @@ def output_forms(tap, tool):
               [["tolerance", "answers", "missing_points", "submissions", "right", "convention", "wrong",
                 "too_few_digits", "repeated", "missing", "mistakes"],
                ["file", "line", "student", "variant", "point", "screen", "answer", "verdict", "too_few_digits", "value",
-                "error", "explanations"]], "the keys")
+                "error", "factor", "relative", "accepted", "explanations"]], "the keys")
     tap.equal([answer["verdict"] for answer in data["answers"]], ["right"] * 5 + ["convention"] * 5 + ["wrong"] * 3,
               "the verdicts")
     tap.equal(data["answers"][5]["explanations"][0],
@@ -239,6 +239,7 @@ def output_forms(tap, tool):
               [answer["verdict"] for answer in data["answers"]] + ["missing"] * 2, "--csv")
     tap.equal([float(row["value"]) for row in listed[:13]], [answer["value"] for answer in data["answers"]],
               "its numbers are the same")
+    tap.equal([row["factor"] for row in listed[12:]], [repr(data["answers"][12]["factor"]), "", ""], "and the factor")
     excel = tool.run("grade", "a.csv", "--csv=excel-ru").out
     tap.ok(excel.startswith("\ufefffile;line;") and ";0,5" not in excel.split("\r\n")[0], "--csv=excel-ru")
     tap.equal(tool.run("grade", "a.csv", "--csv", "--json").code, 2, "--csv and --json exclude each other")
@@ -330,6 +331,7 @@ def folders(tap, tool):
               ["# in/b.csv: 25 right, 0 by another convention, 0 wrong",
                "# in/c d.csv: 25 right, 0 by another convention, 0 wrong"], "each file is a submission")
     tap.equal(result.code, 1, "its exit code")
+    tap.equal(result.err, "luxel: skipped: in/notes.txt is no .csv or .tsv file\n", "what is skipped is told")
     several = tool.run("grade", "in/b.csv", "in/c d.csv")
     tap.ok(several.code == 0 and "1..50" in several.out, "several files", several)
     tool.write("in/z.csv", "no table\n")
@@ -345,12 +347,110 @@ def folders(tap, tool):
 
 
 MALFORMED = [
-    ("1,1,abc", 1, 5), ("1,1,", 1, 5), ("0,1,2", 1, 1), ("1000001,1,2", 1, 1), ("1.5,1,2", 1, 1), ("1,6,2", 1, 1),
+    ("1,1,abc", 1, 5), ("0,1,2", 1, 1), ("1000001,1,2", 1, 1), ("1.5,1,2", 1, 1), ("1,6,2", 1, 1),
     ("1,0,2", 1, 3), ("1,P,2", 1, 3), ("1,-1,2", 1, 3), ("1,1", 1, 1), ("1,1,2,3", 1, 1), ("1,1,2,,3", 1, 1),
     ("1,1,inf", 1, 5), ("1,1,0x10", 1, 5), ("1,1,1e99999", 1, 5), ("1,1,1e999", 1, 5), ("1,1,2 mm", 1, 5),
     ("1,1,--2", 1, 5), ("1,1,2e", 1, 5), ('1,1,"2', 1, 5), ('1,1,"2"x', 1, 8), ("99999999999999999999,1,2", 1, 1),
     ("1,1,\u22122", 1, 5), ("Ж,1,2", 1, 1),
 ]
+
+
+def tabs_in_folders(tap, tool):
+    """Who hands in .tsv is graded beside those who hand in .csv, and other files are told unless -q is given."""
+    rows = [("variant", "point", "value"), *[row[:2] + row[4:5] for row in answers(tool, 5)[:5]]]
+    os.mkdir(tool.file("class"))
+    tool.write("class/1_commas.csv", table(rows))
+    tool.write("class/2_tabs.TSV", table(rows, "\t"))
+    tool.write("class/3_sheet.xlsx", b"PK")
+    os.mkdir(tool.file("class/late"))
+    result = tool.run("grade", "class", "--json")
+    tap.equal([(one["file"], one["right"], one["asked"]) for one in result.json()["submissions"]],
+              [("class/1_commas.csv", 5, 5), ("class/2_tabs.TSV", 5, 5)], "both are graded")
+    tap.equal((result.code, result.err.splitlines()),
+              (0, ["luxel: skipped: class/%s is no .csv or .tsv file" % name for name in ("3_sheet.xlsx", "late")]),
+              "what is skipped is told")
+    tap.equal(tool.run("grade", "class", "-q").err, "", "-q")
+    shutil.rmtree(tool.file("class"))
+    os.mkdir(tool.file("class"))
+    tool.write("class/tabs.tsv", table(rows, "\t"))
+    tap.equal(tool.run("grade", "class").code, 0, "a folder of .tsv alone")
+    shutil.rmtree(tool.file("class"))
+
+
+def blanks(tap, tool):
+    """A cell without an answer is a point without one, however that is written; off is an answer."""
+    exact = answers(tool, 6)[:5]
+    for word in ("", "-", "–", "—", "?", "n/a", "N/A", "нет", "Нет", " - "):
+        tool.write("a.csv", table([("variant", "point", "value"), *[row[:2] + row[4:5] for row in exact[:4]],
+                                   (*exact[4][:2], word)]))
+        data = tool.run("grade", "a.csv", "--json")
+        tap.equal((data.code, data.err, data.json()["right"], data.json()["wrong"], data.json()["mistakes"],
+                   [(point["point"], point["screen"]) for point in data.json()["missing_points"]]),
+                  (1, "", 4, 0, 0, [(5, [float(exact[4][2]), float(exact[4][3])])]), "missing: \"%s\"" % word)
+    tool.write("a.csv", table([("student", "variant", "point", "value"), *[("A", *row[:2], "-") for row in exact]]))
+    data = tool.run("grade", "a.csv", "--json").json()
+    tap.equal((data["missing"], data["submissions"][0]["asked"], data["submissions"][0]["answered"]), (5, 5, 0),
+              "who answers nothing is asked all the same")
+    tool.write("a.csv", table([("variant", "point", "value"), (*exact[0][:2], "?"), exact[0][:2] + exact[0][4:5],
+                               (*exact[1][:2], "off")]))
+    data = tool.run("grade", "a.csv", "--json").json()
+    tap.equal((data["right"], data["wrong"] + data["convention"], data["repeated"], data["missing"]), (1, 1, 0, 3),
+              "an answer after a blank counts, and off is one")
+    tool.write("a.csv", "variant,x,y,value\n17,-9000,0,-\n17,-9000,0,off\n")
+    data = tool.run("grade", "a.csv", "--json").json()
+    tap.equal((data["right"], data["repeated"]), (1, 0), "a blank at a place of its own is no first answer")
+
+
+def accepted_pixels(tap, tool):
+    """Published answers are those of pixels: with --accept pixel they are right, and what else is wrong stays wrong."""
+    exact, pixels = answers(tool, 6), answers(tool, 6, place="pixel")
+    away = sum(abs(a[5] - b[5]) > 2e-3 * a[5] for a, b in zip(exact, pixels))
+    tap.ok(away > 5, "the pixels differ from the points", away)
+    twice = [(*row[:4], "%.6g" % (2 * row[5]), 2 * row[5]) for row in pixels]
+    for name, lines, code in (("pixels", pixels, 0), ("points", exact, 0), ("twice the pixels", twice, 1)):
+        result, judged = verdicts(tap, tool, lines, "--accept", "pixel")
+        right = sum(answer["verdict"] == "right" for answer in judged)
+        tap.equal((result.code, right), (code, 25 if code == 0 else 0), name + " with --accept pixel")
+        by = [answer for answer in judged if answer["accepted"]]
+        loose = [answer for answer in by if answer["accepted"] != "pixel" or
+                 abs(answer["answer"] - answer["value"]) > 1.1e-3 * abs(answer["value"])]
+        tap.ok(not loose and (len(by) >= away) == (name == "pixels"), "by the pixel where the point is off", *by)
+    tap.equal(tool.run("grade", "a.csv", "--accept", "anything").code, 2, "another word")
+    tap.equal(verdicts(tap, tool, pixels)[0].code, 1, "without it they are not")
+
+
+def how_far_off(tap, tool):
+    exact = answers(tool, 17)[:5]
+    rows = [(*row[:2], "%.17g" % (row[5] * factor)) for row, factor in zip(exact, (2, 0.31, -1, 1, 0))]
+    tool.write("a.csv", table([("variant", "point", "value"), *rows]))
+    judged = tool.run("grade", "a.csv", "--json").json()["answers"]
+    factors = [answer["factor"] for answer in judged]
+    tap.ok(all(abs(one - other) < 1e-9 for one, other in zip(factors, (2, 0.31, -1, 1, 0))), "factors", factors)
+    tap.ok(all(abs(answer["relative"] - (answer["factor"] - 1)) < 1e-12 for answer in judged), "relative", judged)
+    out = tool.run("grade", "a.csv").out
+    tap.ok("\n  factor: 2\n  relative: 1\n" in out and "\n  factor: 0.31\n  relative: -0.69\n" in out, "in TAP", out)
+
+
+def by_student(tap, tool):
+    """One line a student: the same counts as JSON's, variants, and the file's name where there is no student's."""
+    exact = answers(tool, 6)
+    os.mkdir(tool.file("in"))
+    tool.write("in/Smith.csv", table([("variant", "point", "value"), *[row[:2] + row[4:5] for row in exact[:10]]]))
+    tool.write("in/two.csv", table([("student", "variant", "point", "value"),
+                                    *[("A; B", *row[:2], "%.6g" % (3 * row[5])) for row in exact[:3]],
+                                    *[("Лев", *row[:2], row[4]) for row in exact[5:10]]]))
+    data = tool.run("grade", "in", "--json").json()
+    result = tool.run("grade", "in", "--students")
+    listed = list(csv.DictReader(io.StringIO(result.out, newline="")))
+    first, second = str(exact[0][0]), str(exact[5][0])
+    tap.equal((result.code, [(row["student"], row["variants"]) for row in listed]),
+              (1, [("Smith", first + " " + second), ("A; B", first), ("Лев", second)]), "students and variants")
+    tap.equal([[int(row[key]) for key in list(row)[3:]] for row in listed],
+              [[one[key] for key in list(listed[0])[3:]] for one in data["submissions"]], "the counts of --json")
+    excel = tool.run("grade", "in", "--csv=excel-ru", "--students").out
+    tap.ok(excel.startswith("\ufefffile;student;variants;") and '"A; B";' in excel, "for spreadsheets", excel)
+    tap.equal(tool.run("grade", "in", "--students", "--json").code, 2, "not with --json")
+    shutil.rmtree(tool.file("in"))
 
 
 def dialects(tap, tool):
@@ -458,4 +558,5 @@ def advice(tap, tool):
 
 
 run_tests(Tap(), variants, variant_outputs, right_answers, conventions, output_forms, digits, rounding,
-          missing_and_repeated, folders, dialects, passed_over, malformed, off_the_surface, many_answers, advice)
+          missing_and_repeated, folders, tabs_in_folders, blanks, accepted_pixels, how_far_off, by_student, dialects,
+          passed_over, malformed, off_the_surface, many_answers, advice)

@@ -7,6 +7,7 @@ import subprocess
 import numpy as np
 import yaml
 
+from report_text import near, percent_of, report, rows, says
 from tap import Tap
 from tool import run_tests
 
@@ -38,31 +39,6 @@ class Sphere:
             shares.append((intensity * self.kd * np.maximum(0, cosine), intensity * shine))
             faced |= (cosine > 0) & (intensity > 0)
         return sum(d + s for d, s in shares), shares, faced
-
-
-def report(tool, *arguments, **environment):
-    result = tool.run("report", *arguments, "-o", "r.md", **environment)
-    assert (result.code, result.out, result.err) == (0, "", ""), result
-    return tool.read("r.md").decode()
-
-
-def rows(text):
-    """The tables' rows by their first cell; cells of code without their marks."""
-    return {cells[0].strip("` "): [cell.strip() for cell in cells[1:]] for cells in
-            (line.strip("|").split("|") for line in text.splitlines() if line.startswith("|"))}
-
-
-def near(found, wanted, relative=1e-4):
-    return abs(float(found) - wanted) <= relative * abs(wanted)
-
-
-def percent_of(text, sentence):
-    found = re.search(sentence, text)
-    return float(found.group(1)) if found else None
-
-
-def says(tap, text, what, wanted, name):
-    tap.equal(bool(re.search(what, text)), wanted, "%s: %s" % (name, what))
 
 
 TAIL = "not quite dark all the same"
@@ -389,7 +365,7 @@ def scene_on_one_page(tap, tool):
         having = [i for i, page in enumerate(pages) if "luxel: 1" in page or "- {type: point" in page or
                   "rounding: truncate}" in page]
         tap.equal(len(having), 1, "%d lights: one page has the scene" % count)
-        tap.ok("Repetition" in pages[having[0]], "%d lights: with its heading" % count)
+        tap.ok("Reproducing" in pages[having[0]], "%d lights: with its heading" % count)
 
 
 run_tests(Tap(), the_exercise, kinds_of_light, other_scenes, placed_observers, quantities, repetition, parameters,
