@@ -203,8 +203,9 @@ static void cylinder_normal(const struct lx_shape *cylinder, const double offset
 static lx_bounded crosses_at(const struct lx_shape *cylinder, lx_bounded t, lx_bounded start, lx_bounded change,
                              lx_bounded touch, bool endless)
 {
-    const lx_bounded z = lx_add(start, lx_mul(t, change)), half = lx_exact(lx_cylinder_half(cylinder));
-    lx_bounded crosses = lx_step(lx_sub(half, (lx_bounded){fabs(z.value), z.error}), true);
+    const lx_bounded z = lx_add(start, lx_mul(t, change));
+    const lx_bounded half = lx_exact(lx_cylinder_half(cylinder) - cylinder->touch_mm);
+    lx_bounded crosses = lx_plane_is_within(lx_sub(half, (lx_bounded){fabs(z.value), z.error}), cylinder->touch_mm);
     crosses = lx_both(crosses, lx_step(lx_sub(t, touch), false));
     if (!endless)
         crosses = lx_both(crosses, lx_step(lx_sub(lx_sub(lx_exact(1), touch), t), false));

@@ -162,6 +162,14 @@ struct lx_plane_crossing lx_plane_cross(const struct lx_shape *plane, lx_bounded
     return way;
 }
 
+lx_bounded lx_plane_is_within(lx_bounded room, double beyond)
+{
+    const bool is_certain = room.value > room.error || room.value == 0;
+    if (room.value < -beyond - room.error)
+        return lx_exact(0);
+    return (lx_bounded){1, is_certain ? 0 : 1};
+}
+
 double lx_plane_beside(const struct lx_shape *plane, const double place_mm[3], const double way[3], bool endless,
                        double crossing_mm[3])
 {
