@@ -159,7 +159,7 @@ static void evaluate(const struct lx_integrand *integrand, struct lx_panel *pane
         double offset = end ? half : rule->nodes[k] * half;
         x[i] = i <= rule->half ? -offset : offset;
         struct lx_point_value point = integrand->at(integrand->data, panel->interval, middle + x[i]);
-        logs[i] = point.value > point.error ? log(point.value) : -HUGE_VAL; /* below its error it is nothing */
+        logs[i] = log(point.value);
         values[i] = point.value;
         forms[i] = point.form;
         *top = fmax(*top, logs[i]);

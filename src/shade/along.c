@@ -513,7 +513,9 @@ struct lx_point_value lx_integrate_arc(void *data, size_t index, double t)
         return (struct lx_point_value){.value = 0};
     double slope;
     const size_t count = go_to_arc(problem, index, t, true, &slope);
-    const struct lx_point_value sum = sum_along(problem, count, slope);
+    struct lx_point_value sum = sum_along(problem, count, slope);
+    if (sum.value <= problem->doubt) /* what is seen may well be rounding, in which no peak is to be looked for */
+        sum = (struct lx_point_value){.value = 0, .error = sum.value + sum.error};
     return (struct lx_point_value){
         .value = sum.value * slope,
         .error = (sum.error + problem->doubt) * slope,
