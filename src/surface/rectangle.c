@@ -139,7 +139,7 @@ static lx_bounded plate_blocks(const struct lx_shape *shape, lx_bounded3 place_m
         const double half_mm = plate->half_mm[i] - (is_wall ? 0 : plate->touch_mm);
         const lx_bounded change = absolute(way.change), half = lx_mul(lx_exact(half_mm), change);
         const double beyond = is_wall ? 0 : plate->touch_mm * change.value;
-        blocked = lx_both(blocked, lx_plane_is_within(lx_sub(half, absolute(offset)), beyond));
+        blocked = lx_both(blocked, lx_plane_is_within(plate, place_mm, lx_sub(half, absolute(offset)), beyond));
     }
     return blocked;
 }
