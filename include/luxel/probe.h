@@ -60,7 +60,8 @@ typedef struct luxel_probe {
     bool has_value;           /* false off every surface and where a source lies on the element */
     double value;             /* the exact value, the sum over the lights */
     double error;             /* bounds |value - truth| */
-    bool tolerance_reached;   /* whether error <= tolerance * |value|; see luxel_settings */
+    bool tolerance_reached;   /* whether error <= tolerance * |value|, or, where the error does not tell the value from
+                                 0, tolerance times what would arrive if nothing stood in the way; see luxel_settings */
     bool has_reflected;       /* whether surfaces reflect light to each other; then value and error have it */
     double reflected_irradiance; /* E_r, what the element receives this way */
     double reflected_value;   /* what that adds to the value */

@@ -115,9 +115,26 @@ static luxel_status new_probes(const struct lx_scene_parameters *scene, const bo
 /* What is below this share of the sources' radiance is as good as 0: in a source's plane there is only rounding. */
 static const double NOTHING = 1e-20;
 
+/* What would arrive if nothing stood in the way. */
+static double unhidden(const struct lx_session *session, const struct lx_element *element)
+{
+    struct lx_prepared bare = session->prepared;
+    double sum = 0;
+    bare.shadows = bare.shadows_on_free = bare.shadows_extended = false;
+    for (size_t next = 0; next < bare.emitters.count;) {
+        struct lx_emitter room;
+        struct lx_share share;
+        if (!lx_light_share(&bare, element, lx_emitter_at(&bare.emitters, next, &room)->light, &next, &share))
+            return 0;
+        sum += lx_share_value(&share, session->settings.quantity).value;
+    }
+    return sum;
+}
+
 /* An explicit tolerance is checked, the default one where there are integrals.  Closed forms are as exact as the scene
- * is to float64, which just within a cone's edge or where light sets is less, relative to a value near 0. */
-static bool is_reached(const struct lx_session *session, const luxel_probe *probe)
+ * is to float64, which just within a cone's edge or where light sets is less, relative to a value near 0.  A value that
+ * its error does not tell from 0, behind what hides all, is judged by what is hidden. */
+static bool is_reached(const struct lx_session *session, const struct lx_element *element, const luxel_probe *probe)
 {
     const struct lx_prepared *prepared = &session->prepared;
     bool integrated = false;
@@ -127,7 +144,9 @@ static bool is_reached(const struct lx_session *session, const luxel_probe *prob
     for (size_t i = 0; i < lx_item_count(&prepared->emitters); i++)
         radiance = fmax(radiance, prepared->emitters.items[i].radiance.value);
     double allowed = fmax(prepared->tolerance * fabs(probe->value), fmax(NOTHING * radiance, DBL_MIN));
-    return !(session->settings.tolerance > 0 || integrated) || probe->error <= allowed;
+    if (!(session->settings.tolerance > 0 || integrated) || probe->error <= allowed)
+        return true;
+    return probe->value <= probe->error && probe->error <= prepared->tolerance * unhidden(session, element);
 }
 
 /* Adds up the emitters, light by light; stops at one that lies on the element. */
@@ -155,7 +174,7 @@ static void sum_lights(const struct lx_session *session, const struct lx_element
     probe->has_value = true;
     probe->value = total.value;
     probe->error = lx_told_error(total);
-    probe->tolerance_reached = is_reached(session, probe);
+    probe->tolerance_reached = is_reached(session, element, probe);
 }
 
 /* The work on all places. */

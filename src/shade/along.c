@@ -196,10 +196,24 @@ static size_t find_intervals(struct lx_problem *problem, const struct lx_sweep *
     return count;
 }
 
-/* What the light is at the end of a hidden part, times how far that end may be off. */
-static double doubt_of(struct lx_problem *problem, const struct lx_hidden *hidden, int end)
+/* What the light is at the ends of a hidden part, times how far they may be off: those within a stretch, and those so
+ * near to it that they may be within it. */
+static double doubt_of(struct lx_problem *problem, const struct lx_hidden *hidden, const struct lx_stretch *stretch)
 {
-    return value_at(problem, hidden->ends[end]).value * fmin(hidden->slack[end], problem->arc.width);
+    double doubt = 0;
+    for (int end = 0; end < 2; end++) {
+        const double slack = fmin(hidden->slack[end], problem->arc.width);
+        const double at = fmax(stretch->from, fmin(hidden->ends[end], stretch->to));
+        if (fabs(hidden->ends[end] - at) < slack)
+            doubt += value_at(problem, at).value * slack;
+    }
+    return doubt;
+}
+
+/* What the rounding of its ends, as angles, does to what is seen of an arc. */
+static double rounding_of(struct lx_problem *problem, const struct lx_stretch *seen)
+{
+    return 4 * DBL_EPSILON * value_at(problem, seen->from + (seen->to - seen->from) / 2).value;
 }
 
 /*
@@ -220,23 +234,23 @@ static size_t take_hidden(struct lx_problem *problem, size_t count, bool doubts)
         struct lx_stretch rest = problem->whole[i];
         const double end = rest.to;
         uint64_t began_by = 0;
-        for (size_t k = 0; k < hidden_count && rest.from < end; k++) {
+        for (size_t k = 0; k < hidden_count; k++) {
+            problem->doubt += doubts ? doubt_of(problem, &hidden[k], &problem->whole[i]) : 0;
             if (hidden[k].ends[1] <= rest.from || hidden[k].ends[0] >= end)
                 continue;
             rest.to = hidden[k].ends[0];
             if (rest.to > rest.from) {
                 problem->room[left++] = rest;
+                problem->doubt += doubts ? rounding_of(problem, &rest) : 0;
                 problem->form = lx_mixed_form(lx_mixed_form(problem->form, began_by), hidden[k].bounds[0]);
-                problem->doubt += doubts ? doubt_of(problem, &hidden[k], 0) : 0;
             }
             rest.from = hidden[k].ends[1];
             began_by = hidden[k].bounds[1];
-            if (rest.from < end)
-                problem->doubt += doubts ? doubt_of(problem, &hidden[k], 1) : 0;
         }
         rest.to = end;
         if (rest.from < end) {
             problem->room[left++] = rest;
+            problem->doubt += doubts ? rounding_of(problem, &rest) : 0;
             problem->form = lx_mixed_form(lx_mixed_form(problem->form, began_by), 0);
         }
     }
@@ -400,19 +414,25 @@ static void find_lines(struct lx_problem *problem)
         problem->form = lx_mixed_form(problem->form, problem->lines[i].line);
 }
 
+/* Goes to the arc at x of a sweep, and returns how many of its parts are seen. */
+static size_t go_to_arc_at(struct lx_problem *problem, const struct lx_sweep *sweep, double x, bool doubts)
+{
+    problem->sweep = sweep;
+    problem->arc = lx_sweep_arc(sweep, x);
+    const size_t count = take_hidden(problem, find_intervals(problem, sweep, &problem->arc, problem->whole), doubts);
+    if (count > 0)
+        find_lines(problem);
+    return count;
+}
+
 /* Goes to the arc at t of a piece, and returns how many of its parts are seen; *slope: of the whole measure by t. */
 static size_t go_to_arc(struct lx_problem *problem, size_t index, double t, bool doubts, double *slope)
 {
     const struct lx_piece *piece = &problem->pieces[index];
-    double length = piece->range.to - piece->range.from;
-    double x = piece->range.from + length * (piece->range.eased ? ease(t) : t);
-    problem->sweep = &problem->sweeps->items[piece->sweep];
-    problem->arc = lx_sweep_arc(problem->sweep, x);
+    const double length = piece->range.to - piece->range.from;
+    const double x = piece->range.from + length * (piece->range.eased ? ease(t) : t);
+    const size_t count = go_to_arc_at(problem, &problem->sweeps->items[piece->sweep], x, doubts);
     *slope = problem->arc.measure * length * (piece->range.eased ? ease_slope(t) : 1);
-    const size_t count =
-        take_hidden(problem, find_intervals(problem, problem->sweep, &problem->arc, problem->whole), doubts);
-    if (count > 0)
-        find_lines(problem);
     return count;
 }
 
@@ -461,6 +481,31 @@ static struct lx_point_value integrate_along(struct lx_problem *problem, size_t 
     return (struct lx_point_value){.value = integral.value, .error = integral.error + integral.inherited};
 }
 
+/* The integral along the parts of the arc that are seen; `slope`: what it is to be multiplied by. */
+static struct lx_point_value sum_along(struct lx_problem *problem, size_t count, double slope)
+{
+    struct lx_point_value sum = {.value = 0};
+    if (!is_closed_along(problem))
+        return integrate_along(problem, count, slope);
+    for (size_t i = 0; i < count; i++) {
+        const struct lx_point_value part = cosine_along(problem, &problem->intervals[i]);
+        sum.value += part.value;
+        sum.error += part.error;
+    }
+    problem->parts++;
+    return sum;
+}
+
+double lx_light_along(struct lx_problem *problem, const struct lx_sweep *sweep, double x, bool is_free)
+{
+    struct lx_occlusion *occlusion = problem->occlusion;
+    problem->occlusion = is_free ? NULL : occlusion;
+    const size_t count = go_to_arc_at(problem, sweep, x, false);
+    const double light = sum_along(problem, count, problem->arc.measure).value;
+    problem->occlusion = occlusion;
+    return light;
+}
+
 /* The integral along the arc at x, times the sweep's measure. */
 struct lx_point_value lx_integrate_arc(void *data, size_t index, double t)
 {
@@ -469,17 +514,9 @@ struct lx_point_value lx_integrate_arc(void *data, size_t index, double t)
         return (struct lx_point_value){.value = 0};
     double slope;
     const size_t count = go_to_arc(problem, index, t, true, &slope);
-    struct lx_point_value sum = {.value = 0};
-    if (is_closed_along(problem)) {
-        for (size_t i = 0; i < count; i++) {
-            const struct lx_point_value part = cosine_along(problem, &problem->intervals[i]);
-            sum.value += part.value;
-            sum.error += part.error;
-        }
-        problem->parts++;
-    } else {
-        sum = integrate_along(problem, count, slope);
-    }
+    struct lx_point_value sum = sum_along(problem, count, slope);
+    if (sum.value <= problem->doubt) /* what is seen may well be rounding, in which no peak is to be looked for */
+        sum = (struct lx_point_value){.value = 0, .error = sum.value + sum.error};
     return (struct lx_point_value){
         .value = sum.value * slope,
         .error = (sum.error + problem->doubt) * slope,

@@ -101,6 +101,9 @@ int lx_make_room_on_arcs(struct lx_problem *problem);
 /* Looks how great the lobe gets on the arc at x of a sweep: raises the problem's top. */
 void lx_look_at(struct lx_problem *problem, const struct lx_sweep *sweep, double x);
 
+/* The integral along the arc at x of a sweep, by longitude; `is_free`: of all of it, whatever hides it. */
+double lx_light_along(struct lx_problem *problem, const struct lx_sweep *sweep, double x, bool is_free);
+
 /* The integral along the arc at t of a piece, as an integrand for lx_integrate_panels(); data is the problem. */
 struct lx_point_value lx_integrate_arc(void *data, size_t piece, double t);
 

@@ -321,7 +321,39 @@ static lx_bounded doubt_outline(const struct lx_problem *problem, lx_bounded fou
     const lx_bounded made = {found.value, found.error + (is_open ? found.value : 0) +
                                               (unsure + lx_outline_skipped(outline)) * largest};
     const bool is_nothing = made.value + made.error <= lx_outline_nothing(outline) * largest;
-    return is_nothing && !problem->lobe && !problem->is_stopped ? lx_exact(0) : made;
+    return is_nothing && !problem->lobe && !problem->is_stopped ? (lx_bounded){0, made.value + made.error} : made;
+}
+
+/*
+ * What the error of where obstacles lie may do across the arcs: an edge that runs along one, or a tube, begins or ends to
+ * hide all of it at once, be it within the source or where that ends.  Along the arcs it is counted there.
+ */
+static double doubt_brinks(struct lx_problem *problem)
+{
+    const struct lx_occlusion *occlusion = problem->occlusion;
+    const size_t count = occlusion->obstacles.count < MOST_BRINKS ? occlusion->obstacles.count : MOST_BRINKS;
+    double doubt = 0;
+    for (size_t i = 0; i < problem->sweeps->count * count && lx_goes_on(problem); i++) {
+        const struct lx_sweep *sweep = &problem->sweeps->items[i / count];
+        const struct lx_obstacle *obstacle = &occlusion->obstacles.items[i % count];
+        const bool is_polygon = obstacle->type == LX_OBSTACLE_POLYGON;
+        double brinks[LX_MOST_BRINKS][3], x;
+        bool round;
+        const size_t found = is_polygon || obstacle->type == LX_OBSTACLE_TUBE
+                                 ? lx_obstacle_brinks(obstacle, &sweep->frame, brinks, &round)
+                                 : 0;
+        for (size_t k = 0; k < found; k++) {
+            const double *at = is_polygon ? brinks[k] : obstacle->center_mm;
+            const double away = hypot(lx_dot_plain(at, sweep->frame.x), lx_dot_plain(at, sweep->frame.y));
+            if (!lx_sweep_find(sweep, brinks[k], &x))
+                continue;
+            const bool is_end = x < LX_SAME_ARC || x > 1 - LX_SAME_ARC;
+            const double light = lx_light_along(problem, sweep, is_end ? x : x - LX_SAME_ARC, is_end);
+            const double jump = is_end ? light : fabs(light - lx_light_along(problem, sweep, x + LX_SAME_ARC, false));
+            doubt += jump * (occlusion->error_mm / away + 4 * DBL_EPSILON);
+        }
+    }
+    return doubt;
 }
 
 /* Integrates the problem over the source as it is seen from a place. */
@@ -373,6 +405,7 @@ static lx_bounded integrate(struct lx_problem *problem, const double place_mm[3]
             rounding += facets_error(problem->emitter->facets);
         result.error = (estimate + all.inherited + strip + rounding * all.value) * scale;
         result.error += problem->top < 0 ? DBL_MIN : 0;
+        result.error += is_occluded ? doubt_brinks(problem) * scale : 0;
         if (is_occluded && problem->occlusion->has_outline)
             result = doubt_outline(problem, result, place_mm);
     }
@@ -416,7 +449,8 @@ static bool sum_outline(struct lx_problem *problem, lx_bounded *seen)
                         &seen->value, &seen->error))
         return false;
     problem->parts++;
-    return seen->error <= fmax(problem->tolerance, 1e-12) * (seen->value + problem->known);
+    return seen->error <= fmax(problem->tolerance, 1e-12) * (seen->value + problem->known) ||
+           seen->value + seen->error <= lx_outline_nothing(problem->occlusion->outline);
 }
 
 struct lx_cubature lx_integrate(const struct lx_emitter *emitter, const struct lx_element *element, bool diffuse,

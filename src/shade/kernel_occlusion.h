@@ -266,7 +266,7 @@ static void close_plate(const struct lx_shape *plate, uint32_t surface, const st
             const lanes_double offset = size_of(inner(from, edge) * change - start * inner(way, edge));
             const lanes_double room = half * size_of(change) - offset;
             const lanes_double margin = MARGIN * long_way * (4 * far + half) + 8 * error * (far + long_way + half);
-            closed *= is_above(room, margin);
+            closed *= is_above(room - touch * size_of(change), margin); /* beyond the edge itself it is in doubt */
             open = either(open, is_above(-room, margin));
         }
         const lanes_double other = not_so(lies_on(elements, i, surface));

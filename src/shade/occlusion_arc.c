@@ -152,9 +152,9 @@ static bool cut_at_latitude(struct end *a, struct end *b, double tau, int sign)
     if (from <= 0 && to <= 0)
         return false;
     if (from < 0)
-        *a = between(a, b, from / (from - to), ON_THE_SOURCE), a->beyond = -sign;
+        *a = between(a, b, from / (from - to), ON_THE_SOURCE), a->beyond = from < -a->error_mm ? -sign : 0;
     if (to < 0)
-        *b = between(b, a, to / (to - from), ON_THE_SOURCE), b->beyond = -sign;
+        *b = between(b, a, to / (to - from), ON_THE_SOURCE), b->beyond = to < -b->error_mm ? -sign : 0;
     return true;
 }
 

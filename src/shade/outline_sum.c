@@ -119,8 +119,10 @@ bool lx_outline_sum(const struct lx_occlusion *known, const struct lx_emitter *e
     }
     *error += failed ? 0 : lx_outline_unsure(occlusion->outline) + lx_outline_skipped(occlusion->outline);
     *result = fmax(*result, 0);
-    if (!failed && *result + *error <= lx_outline_nothing(occlusion->outline))
-        *result = *error = 0;
+    if (!failed && *result + *error <= lx_outline_nothing(occlusion->outline)) {
+        *error += *result;
+        *result = 0;
+    }
     free(sweeps.items);
     return !failed && lx_asking_goes_on(asking);
 }

@@ -157,6 +157,32 @@ static struct lx_lighting light_around(const struct lx_prepared *prepared, const
     return lighting;
 }
 
+/* A bound that knows how much there can be: from nothing to what arrives where nothing stands in the way. */
+static lx_bounded within(lx_bounded found, lx_bounded most)
+{
+    const double low = fmax(found.value - found.error, 0);
+    const double high = fmin(found.value + found.error, (most.value + most.error) * (1 + 2 * DBL_EPSILON));
+    const double value = fmax(0, fmin(found.value, high));
+    const double error = fmax(high - value, value - low) * (1 + 2 * DBL_EPSILON);
+    return error < found.error ? (lx_bounded){value, error} : found;
+}
+
+/* Behind obstacles; where that is not known to the tolerance, between what there can be. */
+static struct lx_lighting light_behind(const struct lx_prepared *prepared, const struct lx_element *element,
+                                       const struct lx_emitter *emitter, struct lx_occlusion *occlusion)
+{
+    struct lx_lighting seen = light_around(prepared, element, emitter, occlusion);
+    const double wanted = prepared->tolerance;
+    if (!lx_is_occluded(occlusion) || (seen.irradiance.error <= wanted * seen.irradiance.value &&
+                                       seen.specular.error <= wanted * seen.specular.value))
+        return seen;
+    const struct lx_lighting all = light_around(prepared, element, emitter, NULL);
+    seen.irradiance = within(seen.irradiance, all.irradiance);
+    seen.diffuse = lx_mul(element->lobe->diffuse, seen.irradiance);
+    seen.specular = within(seen.specular, all.specular);
+    return seen;
+}
+
 static struct lx_lighting light_by_extended(const struct lx_prepared *prepared, const struct lx_element *element,
                                             const struct lx_emitter *emitter)
 {
@@ -169,7 +195,7 @@ static struct lx_lighting light_by_extended(const struct lx_prepared *prepared, 
     struct lx_lighting lighting = {.irradiance = {0, HUGE_VAL}, .diffuse = {0, HUGE_VAL}, .specular = {0, HUGE_VAL}};
     if (!lx_occlusion_make(prepared, element, emitter, above, &occlusion))
         lighting = occlusion.is_dark ? (struct lx_lighting){.irradiance = lx_exact(0)}
-                                     : light_around(prepared, element, emitter, &occlusion);
+                                     : light_behind(prepared, element, emitter, &occlusion);
     lx_occlusion_clear(&occlusion);
     return lighting;
 }

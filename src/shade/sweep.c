@@ -365,10 +365,11 @@ bool lx_sweep_find(const struct lx_sweep *sweep, const double towards[3], double
         const bool is_strip = sweep->kind == LX_SWEEP_STRIP;
         const double shift = is_strip ? sweep->y_mm : 0, low = asinh((shift + sweep->y1_mm) / h);
         const double high = asinh((shift + sweep->y2_mm) / h), share = (asinh(aside / ahead) - low) / (high - low);
-        if (!(share > 0 && share < 1))
-            return false;
-        *x = is_strip ? share : asin(sqrt(share)) / M_PI_2;
-        return true;
+        const bool is_on = share > -LX_SAME_ARC && share < 1 + LX_SAME_ARC;
+        *x = fmax(0, fmin(share, 1));
+        if (!is_strip)
+            *x = asin(sqrt(*x)) / M_PI_2;
+        return is_on;
     }
     return lx_body_find(sweep, ahead, aside, x);
 }

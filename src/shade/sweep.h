@@ -106,7 +106,11 @@ struct lx_sweep_bounds lx_sweep_bound(const struct lx_sweep *sweep);
  */
 double lx_sweep_approach(const struct lx_sweep *sweep, double x);
 
-/* The x of the arc at whose longitude a direction (of any length) lies; false: the sweep has none. */
+/* Arcs nearer to each other in x are the same one, as far as rounding tells. */
+#define LX_SAME_ARC 1e-13
+
+/* The x of the arc at whose longitude a direction (of any length) lies, that of an end where rounding cannot tell it
+ * from there; false: the sweep has none. */
 bool lx_sweep_find(const struct lx_sweep *sweep, const double towards[3], double *x);
 
 #endif

@@ -576,5 +576,7 @@ bool lx_body_find(const struct lx_sweep *sweep, double ahead, double aside, doub
     if (!(fabs(sine) < 1))
         return false;
     *x = (asin(sine) - sweep->angle1) / sweep->angle;
-    return *x > 0 && *x < 1;
+    const bool is_on = *x > -LX_SAME_ARC && *x < 1 + LX_SAME_ARC;
+    *x = fmax(0, fmin(*x, 1));
+    return is_on;
 }

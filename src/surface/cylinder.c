@@ -200,11 +200,13 @@ static void cylinder_normal(const struct lx_shape *cylinder, const double offset
 }
 
 /* Whether a way that crosses the infinite cylinder at the share t does so on its length and between the ends. */
-static lx_bounded crosses_at(const struct lx_shape *cylinder, lx_bounded t, lx_bounded start, lx_bounded change,
-                             lx_bounded touch, bool endless)
+static lx_bounded crosses_at(const struct lx_shape *cylinder, lx_bounded3 place_mm, lx_bounded t, lx_bounded start,
+                             lx_bounded change, lx_bounded touch, bool endless)
 {
-    const lx_bounded z = lx_add(start, lx_mul(t, change)), half = lx_exact(lx_cylinder_half(cylinder));
-    lx_bounded crosses = lx_step(lx_sub(half, (lx_bounded){fabs(z.value), z.error}), true);
+    const lx_bounded z = lx_add(start, lx_mul(t, change));
+    const lx_bounded half = lx_exact(lx_cylinder_half(cylinder) - cylinder->touch_mm);
+    const lx_bounded room = lx_sub(half, (lx_bounded){fabs(z.value), z.error});
+    lx_bounded crosses = lx_plane_is_within(cylinder, place_mm, room, cylinder->touch_mm);
     crosses = lx_both(crosses, lx_step(lx_sub(t, touch), false));
     if (!endless)
         crosses = lx_both(crosses, lx_step(lx_sub(lx_sub(lx_exact(1), touch), t), false));
@@ -230,7 +232,7 @@ static lx_bounded cylinder_blocks(const struct lx_shape *cylinder, lx_bounded3 p
     lx_bounded open = lx_exact(1);
     for (int sign = -1; sign <= 1; sign += 2) {
         const lx_bounded t = lx_div(lx_add(lx_negate(b), lx_scale(root, sign)), a);
-        open = lx_both(open, lx_not(crosses_at(cylinder, t, start, change, touch, endless)));
+        open = lx_both(open, lx_not(crosses_at(cylinder, place_mm, t, start, change, touch, endless)));
     }
     const lx_bounded crosses = lx_not(open), meets = lx_step(below, false);
     return lx_both(meets, crosses);
@@ -308,7 +310,7 @@ static lx_bounded cylinder_hides(const struct lx_shape *cylinder, lx_bounded3 pl
     if (!(a.value > a.error))
         return lx_exact(0);
     const lx_bounded t = lx_div(lx_scale(b, -2), a), touch = lx_div(lx_exact(cylinder->touch_mm), lx_sqrt(a));
-    return crosses_at(cylinder, t, start, change, touch, endless);
+    return crosses_at(cylinder, place_mm, t, start, change, touch, endless);
 }
 
 static struct lx_obstacle tube_of(const struct lx_shape *cylinder)

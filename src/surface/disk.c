@@ -111,8 +111,10 @@ static lx_bounded disk_blocks(const struct lx_shape *disk, lx_bounded3 place_mm,
     if (lx_is_zero(way.crosses))
         return way.crosses;
     const lx_bounded3 offset = lx_sub3(lx_mul3(way.from, way.change), lx_mul3(towards, way.start));
-    const lx_bounded reach = lx_mul(lx_exact(reach_of(disk)), way.change);
-    return lx_both(way.crosses, lx_step(lx_sub(lx_mul(reach, reach), lx_square3(offset)), true));
+    const lx_bounded reach = lx_mul(lx_exact(disk->radius_mm), way.change);
+    const double beyond = disk->touch_mm * (disk->radius_mm + reach_of(disk)) * way.change.value * way.change.value;
+    const lx_bounded room = lx_sub(lx_mul(reach, reach), lx_square3(offset));
+    return lx_both(way.crosses, lx_plane_is_within(disk, place_mm, room, beyond));
 }
 
 static bool disk_meets(const struct lx_shape *disk, const double from_mm[3], const double direction[3], double *t,

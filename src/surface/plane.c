@@ -162,6 +162,17 @@ struct lx_plane_crossing lx_plane_cross(const struct lx_shape *plane, lx_bounded
     return way;
 }
 
+lx_bounded lx_plane_is_within(const struct lx_shape *shape, lx_bounded3 place_mm, lx_bounded room, double beyond)
+{
+    const lx_bounded places[3] = {place_mm.x, place_mm.y, place_mm.z};
+    bool is_certain = room.value == 0;
+    if (room.value < -beyond - room.error)
+        return lx_exact(0);
+    for (int i = 0; i < 3 && is_certain; i++)
+        is_certain = places[i].error == 0 && lx_exact_difference(places[i].value, shape->anchor_mm[i]).low == 0;
+    return (lx_bounded){1, is_certain || room.value > room.error ? 0 : 1};
+}
+
 double lx_plane_beside(const struct lx_shape *plane, const double place_mm[3], const double way[3], bool endless,
                        double crossing_mm[3])
 {

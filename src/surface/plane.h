@@ -35,6 +35,13 @@ struct lx_plane_crossing lx_plane_cross(const struct lx_shape *plane, lx_bounded
                                         bool endless);
 
 /*
+ * Whether a way that crosses the plane `room` within an edge meets the surface.  The edge itself does.  What lies beyond
+ * it by no more than `beyond` does, too, so that edges that meet leave no gap: but that is in doubt, as is what rounding
+ * cannot tell from the edge; a place whose offset from the anchor has no rounding may be told to lead to the very edge.
+ */
+lx_bounded lx_plane_is_within(const struct lx_shape *shape, lx_bounded3 place_mm, lx_bounded room, double beyond);
+
+/*
  * How far the way from a place passes above the plane: what `beside` answers of a way that leads away from it, or ends
  * before it; or else less than 0, and where the way crosses it, from the centre.
  */

@@ -135,8 +135,11 @@ static lx_bounded plate_blocks(const struct lx_shape *shape, lx_bounded3 place_m
     for (int i = 0; i < 2 && !lx_is_zero(blocked); i++) {
         lx_bounded offset =
             lx_sub(lx_mul(lx_dot3(way.from, edges[i]), way.change), lx_mul(way.start, lx_dot3(towards, edges[i])));
-        lx_bounded half = lx_mul(lx_exact(plate->half_mm[i]), absolute(way.change));
-        blocked = lx_both(blocked, lx_step(lx_sub(half, absolute(offset)), true));
+        const bool is_wall = shape->behind_mm > 0; /* beyond whose edges others stand */
+        const double half_mm = plate->half_mm[i] - (is_wall ? 0 : plate->touch_mm);
+        const lx_bounded change = absolute(way.change), half = lx_mul(lx_exact(half_mm), change);
+        const double beyond = is_wall ? 0 : plate->touch_mm * change.value;
+        blocked = lx_both(blocked, lx_plane_is_within(plate, place_mm, lx_sub(half, absolute(offset)), beyond));
     }
     return blocked;
 }
