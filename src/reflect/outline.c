@@ -140,6 +140,19 @@ static void add_circle(struct drawing *drawing, const double center_mm[3], doubl
     }
 }
 
+/* A circle inside of which the surface has a hole. */
+static void add_hole(struct drawing *drawing, const struct lx_smooth_sheet *disk)
+{
+    for (int i = 0; i < PIECES && disk->half_mm[1] > 0 && !drawing->failed; i++) {
+        double from[3], to[3], inside[3];
+        on_circle(disk->center_mm, disk->half_mm[1], disk->across, disk->upward, i, from);
+        on_circle(disk->center_mm, disk->half_mm[1], disk->across, disk->upward, i + 1, to);
+        for (int k = 0; k < 3; k++)
+            inside[k] = from[k] + to[k] - disk->center_mm[k];
+        add_beside(drawing, from, to, inside);
+    }
+}
+
 /* The circle in which ways from the light touch a ball; inside of it there is none. */
 static void add_ball(struct drawing *drawing, const double center_mm[3], double radius_mm)
 {
@@ -210,6 +223,7 @@ static void add_surface(struct drawing *drawing, const struct lx_shape *shape)
     switch (sheets->type) {
     case LX_SHEET_DISK:
         add_circle(drawing, sheets->center_mm, sheets->half_mm[0], sheets->across, sheets->upward, NULL);
+        add_hole(drawing, sheets);
         break;
     case LX_SHEET_TUBE: add_tube(drawing, sheets); break;
     case LX_SHEET_BALL: add_ball(drawing, sheets->center_mm, sheets->half_mm[0]); break;

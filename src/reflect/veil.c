@@ -226,6 +226,17 @@ static void add_mesh(struct lx_veils *veils, const struct lx_shape *mesh, const 
     }
 }
 
+/* Whether a surface that has such a sheet hides from any place outside what one convex veil does. */
+static bool is_convex(const struct lx_smooth_sheet *sheet)
+{
+    switch (sheet->type) {
+    case LX_SHEET_TUBE: return false;
+    case LX_SHEET_BALL: return sheet->turn > 0;
+    case LX_SHEET_DISK: return sheet->half_mm[1] == 0;
+    default: return true;
+    }
+}
+
 /* One other surface in the way; false: it hides all. */
 static bool add_surface(struct lx_veils *veils, const struct lx_prepared_surface *surface,
                         const struct lx_matte_face *face)
@@ -239,8 +250,7 @@ static bool add_surface(struct lx_veils *veils, const struct lx_prepared_surface
         add_mesh(veils, shape, face);
         return true;
     }
-    const bool is_flat_or_ball = lx_shape_sheets(shape, sheets) > 0 && sheets[0].type != LX_SHEET_TUBE;
-    if (!is_flat_or_ball || (sheets[0].type == LX_SHEET_BALL && sheets[0].turn < 0)) {
+    if (lx_shape_sheets(shape, sheets) == 0 || !is_convex(&sheets[0])) {
         add_shape(veils, shape);
     } else if (sheets[0].type == LX_SHEET_PLATE) {
         if (!is_aside(veils, &sheets[0], face))

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * What reflected light asks of a scene, beyond what each of its keys may be: surfaces that send back less than they
- * get, as reflectances and not as weights, and lights whose law is physical.
+ * What reflected light asks of a scene, beyond what each of its keys may be: surfaces whose sides are known and
+ * that send back less than they get, as reflectances and not as weights, and lights whose law is physical.
  */
 #include <string.h>
 
@@ -111,13 +111,42 @@ static void check_laws(struct lx_walk *walk, const luxel_scene *scene)
     }
 }
 
+/* Reports at a key of a surface. */
+static void report_surface(struct lx_walk *walk, size_t surface, const char *key, enum lx_message message,
+                           const char *first, const char *second)
+{
+    struct descent descent = begin(walk->document);
+    struct lx_step list = {NULL, "surfaces", 0}, item = {&list, NULL, surface}, step = {&item, key, 0};
+    go_to_key(&descent, "surfaces");
+    go_to_element(&descent, surface);
+    go_to_key(&descent, key);
+    lx_walk_report(walk, LUXEL_SEVERITY_ERROR, lx_document_place(walk->document, descent.place), &step, message, first,
+                   second);
+}
+
+static const struct lx_surface_kind *kind_of(const luxel_scene *scene, size_t surface)
+{
+    return (const struct lx_surface_kind *)scene->parameters.surfaces.items[surface].variant;
+}
+
+/* Kinds that nobody can integrate over. */
+static void check_sides(struct lx_walk *walk, const luxel_scene *scene)
+{
+    for (size_t i = 0; i < scene->parameters.surfaces.count; i++) {
+        if (lx_surface_has_sides(kind_of(scene, i)))
+            continue;
+        report_surface(walk, i, "type", LX_MSG_REFLECTS_WITHOUT_SIDES, kind_of(scene, i)->variant.name, NULL);
+        lx_hint(walk->diagnostics, LX_MSG_HINT_REFLECTIONS_NONE, NULL);
+    }
+}
+
 /* Meshes of more triangles than reflected light can be calculated of. */
 static void check_meshes(struct lx_walk *walk, const luxel_scene *scene)
 {
     const struct lx_list *surfaces = &scene->parameters.surfaces;
     size_t sum = 0;
     for (size_t i = 0; i < surfaces->count && sum <= LX_MOST_REFLECTING; i++) {
-        const struct lx_surface_kind *kind = (const struct lx_surface_kind *)surfaces->items[i].variant;
+        const struct lx_surface_kind *kind = kind_of(scene, i);
         const struct lx_shape shape =
             kind == &lx_mesh_kind ? lx_surface_shape(kind, surfaces->items[i].parameters) : (struct lx_shape){0};
         char count[LX_NUMBER_SIZE], most[LX_NUMBER_SIZE];
@@ -126,13 +155,7 @@ static void check_meshes(struct lx_walk *walk, const luxel_scene *scene)
         sum += lx_mesh_count(&shape);
         if (sum <= LX_MOST_REFLECTING)
             continue;
-        struct descent descent = begin(walk->document);
-        struct lx_step list = {NULL, "surfaces", 0}, item = {&list, NULL, i}, step = {&item, "file", 0};
-        go_to_key(&descent, "surfaces");
-        go_to_element(&descent, i);
-        go_to_key(&descent, "file");
-        lx_walk_report(walk, LUXEL_SEVERITY_ERROR, lx_document_place(walk->document, descent.place), &step,
-                       LX_MSG_REFLECTS_TOO_MANY, lx_write_number((double)sum, count),
+        report_surface(walk, i, "file", LX_MSG_REFLECTS_TOO_MANY, lx_write_number((double)sum, count),
                        lx_write_number(LX_MOST_REFLECTING, most));
         lx_hint(walk->diagnostics, LX_MSG_HINT_REFLECTIONS_NONE, NULL);
     }
@@ -144,6 +167,7 @@ void lx_validate_reflections(struct lx_walk *walk, const luxel_scene *scene)
         return;
     if (is_sound(&scene->parameters)) {
         check_materials(walk, scene);
+        check_sides(walk, scene);
         check_meshes(walk, scene);
     }
     check_laws(walk, scene);

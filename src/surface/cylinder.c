@@ -17,6 +17,7 @@
 #include "../base/pose.h"
 #include "../base/vector.h"
 #include "cylinder.h"
+#include "sheet.h"
 
 struct cylinder_parameters {
     uint64_t given; /* always first: which keys the user wrote */
@@ -473,6 +474,12 @@ static double cylinder_support(const struct lx_shape *cylinder, const double dir
     return 0;
 }
 
+static int cylinder_sheets(const struct lx_shape *cylinder, struct lx_smooth_sheet *sheets)
+{
+    const double half_mm = lx_cylinder_half(cylinder) - cylinder->touch_mm;
+    return lx_sheets_of_sectors(cylinder, LX_SHEET_TUBE, lx_cylinder_radius(cylinder), half_mm, sheets);
+}
+
 static const struct lx_surface_bounds cylinder_bounds = {
     .support = cylinder_support,
     .widest_turn = M_PI,
@@ -513,6 +520,7 @@ const struct lx_surface_kind lx_cylinder_kind = {
     .shadow_edge = cylinder_shadow_edge,
     .shadow_corner = cylinder_shadow_corner,
     .outline = lx_cylinder_outline,
+    .sheets = cylinder_sheets,
     .chart = &lx_cylinder_chart,
     .bounds = &cylinder_bounds,
     .words = &cylinder_words,

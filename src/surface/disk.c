@@ -10,6 +10,7 @@
 #include "../base/pose.h"
 #include "../base/vector.h"
 #include "plane.h"
+#include "sheet.h"
 
 struct disk_parameters {
     uint64_t given; /* always first: which keys the user wrote */
@@ -201,6 +202,11 @@ static void disk_outline(const struct lx_shape *disk, const struct lx_origin *ey
     }
 }
 
+static int disk_sheets(const struct lx_shape *disk, struct lx_smooth_sheet *sheets)
+{
+    return lx_sheets_of_sectors(disk, LX_SHEET_DISK, disk->half_mm[0] - disk->touch_mm, 0, sheets);
+}
+
 static double wall_of_disk(const struct lx_shape *disk, const struct lx_origin *eye, unsigned i, const double at[3])
 {
     (void)eye, (void)i;
@@ -274,6 +280,7 @@ const struct lx_surface_kind lx_disk_kind = {
     .shadow_edges = 2,
     .shadow_edge = disk_shadow_edge,
     .outline = disk_outline,
+    .sheets = disk_sheets,
     .chart = &disk_chart,
     .bounds = &disk_bounds,
     .words = &disk_words,

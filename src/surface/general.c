@@ -24,6 +24,11 @@ double lx_surface_farthest(const struct lx_surface_kind *kind, const void *param
     return sum;
 }
 
+bool lx_surface_has_sides(const struct lx_surface_kind *kind)
+{
+    return kind->sheets || kind->mesh || kind->part;
+}
+
 struct lx_shape lx_shape_carried(const struct lx_shape *shape, const struct lx_frame *frame)
 {
     struct lx_shape carried = *shape;

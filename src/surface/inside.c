@@ -10,6 +10,7 @@
 #include "../base/phrase.h"
 #include "../base/vector.h"
 #include "authored.h"
+#include "sheet.h"
 #include "sphere.h"
 
 /* Places that near to the shell lie on it, as a share of what they are made of. */
@@ -295,6 +296,11 @@ static const struct lx_surface_chart inside_chart = {
     .guess = guess_inside,
 };
 
+static int inside_sheets(const struct lx_shape *sphere, struct lx_smooth_sheet *sheets)
+{
+    return lx_sheets_of_ball(sphere, true, sheets);
+}
+
 static const struct lx_surface_words inside_words = {
     .height = "z = z_C - \\sqrt{R^2 - (x - x_C)^2 - (y - y_C)^2}",
     .height_in_numbers = "@Z - \\sqrt{@R^2 - (@x - @X)^2 - (@y - @Y)^2} = @z",
@@ -327,6 +333,7 @@ const struct lx_surface_kind lx_inside_kind = {
     .shadow_edges = 2,
     .shadow_edge = lx_sphere_shadow_edge,
     .outline = inside_outline,
+    .sheets = inside_sheets,
     .chart = &inside_chart,
     .words = &inside_words,
 };

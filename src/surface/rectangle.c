@@ -12,6 +12,7 @@
 #include "../parameter/check.h"
 #include "authored.h"
 #include "plane.h"
+#include "sheet.h"
 
 static const struct lx_parameter plate_parameters[] = {
     {
@@ -304,6 +305,7 @@ const struct lx_surface_kind lx_plate_kind = {
     .shadow_edges = 5,
     .shadow_edge = plate_shadow_edge,
     .outline = plate_outline,
+    .sheets = lx_sheets_of_plate,
     .chart = &plate_chart,
     .bounds = &plate_bounds,
     .words = &plate_words,

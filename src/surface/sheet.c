@@ -1,15 +1,11 @@
 /* SPDX-License-Identifier: MIT */
-/* Sheets of the kinds of surfaces, and their coordinates. */
+/* Cutting surfaces into sheets, and the coordinates of these. */
 #include "sheet.h"
 
 #include <math.h>
 #include <string.h>
 
 #include "../base/vector.h"
-#include "cylinder.h"
-#include "sphere.h"
-
-extern const struct lx_surface_kind lx_disk_kind, lx_cylinder_kind;
 
 enum { SECTORS = 4, CUBE = 6 };
 #define SECTOR (M_PI / SECTORS) /* half of one */
@@ -34,7 +30,7 @@ static int add_backs(struct lx_smooth_sheet *sheets, int count)
     return 2 * count;
 }
 
-static int cut_plate(const struct lx_shape *shape, struct lx_smooth_sheet *sheets)
+int lx_sheets_of_plate(const struct lx_shape *shape, struct lx_smooth_sheet *sheets)
 {
     sheets[0] = sheet_of(shape, LX_SHEET_PLATE);
     for (int i = 0; i < 2; i++)
@@ -42,8 +38,8 @@ static int cut_plate(const struct lx_shape *shape, struct lx_smooth_sheet *sheet
     return add_backs(sheets, 1);
 }
 
-static int cut_sectors(const struct lx_shape *shape, enum lx_sheet_type type, double radius_mm, double half_mm,
-                       struct lx_smooth_sheet *sheets)
+int lx_sheets_of_sectors(const struct lx_shape *shape, enum lx_sheet_type type, double radius_mm, double half_mm,
+                         struct lx_smooth_sheet *sheets)
 {
     for (int i = 0; i < SECTORS; i++) {
         sheets[i] = sheet_of(shape, type);
@@ -54,8 +50,7 @@ static int cut_sectors(const struct lx_shape *shape, enum lx_sheet_type type, do
     return add_backs(sheets, SECTORS);
 }
 
-/* A ball has no inside, a hollow one has both sides. */
-static int cut_ball(const struct lx_shape *shape, bool is_hollow, struct lx_smooth_sheet *sheets)
+int lx_sheets_of_ball(const struct lx_shape *shape, bool is_hollow, struct lx_smooth_sheet *sheets)
 {
     for (int i = 0; i < CUBE; i++) {
         const double sign = i < CUBE / 2 ? 1 : -1;
@@ -71,18 +66,7 @@ static int cut_ball(const struct lx_shape *shape, bool is_hollow, struct lx_smoo
 
 int lx_shape_sheets(const struct lx_shape *shape, struct lx_smooth_sheet sheets[LX_MOST_SHEETS])
 {
-    if (shape->type == LX_PLATE)
-        return cut_plate(shape, sheets);
-    if (shape->type == LX_SPHERE)
-        return cut_ball(shape, false, sheets);
-    if (shape->kind == &lx_inside_kind)
-        return cut_ball(shape, true, sheets);
-    if (shape->kind == &lx_disk_kind)
-        return cut_sectors(shape, LX_SHEET_DISK, shape->half_mm[0] - shape->touch_mm, 0, sheets);
-    if (shape->kind == &lx_cylinder_kind)
-        return cut_sectors(shape, LX_SHEET_TUBE, lx_cylinder_radius(shape), lx_cylinder_half(shape) - shape->touch_mm,
-                           sheets);
-    return 0;
+    return shape->kind->sheets ? shape->kind->sheets(shape, sheets) : 0;
 }
 
 /* place = center + a across + b upward + c axis */
@@ -126,10 +110,10 @@ double lx_sheet_cross(const struct lx_smooth_sheet *sheet, const struct lx_sheet
         return away * sheet->half_mm[0] * sheet->half_mm[1];
     }
     if (sheet->type == LX_SHEET_DISK) {
-        const double away = radius * (1 + t->at) / 2;
+        const double hole = sheet->half_mm[1], away = hole + (radius - hole) * (1 + t->at) / 2;
         lay(sheet, away * s->first, away * s->second, 0, place_mm);
         turn(sheet, 0, 0, 1, normal);
-        return away * SECTOR * radius / 2;
+        return away * SECTOR * (radius - hole) / 2;
     }
     if (sheet->type == LX_SHEET_TUBE) {
         lay(sheet, radius * s->first, radius * s->second, t->at * sheet->half_mm[1], place_mm);
@@ -184,7 +168,7 @@ void lx_sheet_locate(const struct lx_smooth_sheet *sheet, const double place_mm[
         break;
     case LX_SHEET_DISK:
         at[0] = along_sector(sheet, b, a);
-        at[1] = 2 * hypot(a, b) / sheet->half_mm[0] - 1;
+        at[1] = 2 * (hypot(a, b) - sheet->half_mm[1]) / (sheet->half_mm[0] - sheet->half_mm[1]) - 1;
         break;
     case LX_SHEET_TUBE:
         at[0] = along_sector(sheet, b, a);

@@ -9,6 +9,7 @@
 #include "../base/phrase.h"
 #include "../base/vector.h"
 #include "authored.h"
+#include "sheet.h"
 #include "sphere.h"
 
 static const struct lx_parameter sphere_parameters[] = {
@@ -520,6 +521,11 @@ static double sphere_curvature(const struct lx_shape *sphere)
     return 1 / sphere->radius_mm;
 }
 
+static int sphere_sheets(const struct lx_shape *sphere, struct lx_smooth_sheet *sheets)
+{
+    return lx_sheets_of_ball(sphere, false, sheets);
+}
+
 static const struct lx_surface_bounds sphere_bounds = {
     .support = sphere_support,
     .widest_turn = M_PI_2,
@@ -561,6 +567,7 @@ const struct lx_surface_kind lx_sphere_kind = {
     .shadow_edge = lx_sphere_shadow_edge,
     .lit_range = sphere_lit_range,
     .outline = lx_sphere_outline,
+    .sheets = sphere_sheets,
     .chart = &sphere_chart,
     .bounds = &sphere_bounds,
     .words = &sphere_words,

@@ -16,6 +16,7 @@
 #include "shape.h"
 
 struct lx_part;
+struct lx_smooth_sheet;
 
 /*
  * A line of sight: origin + t direction, t > 0; the direction need not be of unit length.  Both may be rounded, by no
@@ -214,6 +215,9 @@ struct lx_surface_kind {
                     double inside_mm[3]);
     /* The mesh that parameters name, where they do.  NULL: never. */
     bool (*mesh)(const void *parameters, struct lx_mesh_use *use);
+    /* Its sides, cut into sheets (sheet.h), in room for LX_MOST_SHEETS; returns how many.  NULL: nobody can integrate over
+     * it, so that it cannot stand in a scene with reflections, unless it is a mesh, or of parts that can. */
+    int (*sheets)(const struct lx_shape *shape, struct lx_smooth_sheet *sheets);
     const struct lx_surface_chart *chart;
     const struct lx_surface_bounds *bounds;
     const struct lx_surface_words *words;
@@ -254,6 +258,9 @@ struct lx_shape lx_shape_in_the_way(const struct lx_shape *shape);
 
 /* The shape of authored parameters. */
 struct lx_shape lx_surface_shape(const struct lx_surface_kind *kind, const void *parameters);
+
+/* Whether the sides of a kind are known to whoever integrates over them. */
+bool lx_surface_has_sides(const struct lx_surface_kind *kind);
 
 /* A shape as a frame has it; but for roundings it is the same. */
 struct lx_shape lx_shape_carried(const struct lx_shape *shape, const struct lx_frame *frame);

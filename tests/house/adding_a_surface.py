@@ -2,7 +2,8 @@
 """The surface that docs/ADDING-A-SURFACE.md adds (test_adding.py).
 
 The new surface, a ring, must look as the disk that it is cut out of, show through its hole what is behind, take away
-the light that the disk takes and the disk in its hole does not, have a true maximum, and speak up in help and errors.
+the light that the disk takes and the disk in its hole does not, reflect what these reflect, have a true maximum, and speak
+up in help and errors.
 """
 import json
 import re
@@ -54,6 +55,47 @@ def compare(tap, pictures):
     tap.ok(lost.sum() < 0.5 * changed_by_inner.sum(), "most of what the hole opens is open", str(lost.sum()))
 
 
+# A ring upright over a floor, lit from one side; by one bounce each place of the floor has what the ring sends there.
+REFLECTING = """luxel: 1
+screen: {width: 800, height: 800, resolution: [16, 16]}
+observer: {z: 2500, projection: perspective}
+reflections: %s
+surfaces:
+  - {type: rectangle, center: [0, 0, 0], size: [800, 800], material: {model: lambert, diffuse: 0.5, over_pi: true}}
+  - {type: %s, center: [0, 0, 400], axis: [1, 0, 0.1], material: {model: lambert, diffuse: 0.8, over_pi: true}}
+lights:
+  - {type: point, position: [350, 0, 200], intensity: 10}
+"""
+
+
+def reflected(luxel, folder, bounces, surface):
+    (folder / "reflecting.yaml").write_text(REFLECTING % (bounces, surface))
+    made = call(luxel, "probe", folder / "reflecting.yaml", "--at", "100,0,0,0,0,1", "--quantity", "irradiance", "--json",
+                "--reflected-error", "1e-4")
+    return json.loads(made.stdout)["points"][0]["reflected"] if made.returncode == 0 else made
+
+
+def try_reflections(tap, luxel, folder):
+    """The ring sends on what a disk does, less what its hole would; one without sides is refused, not taken for black."""
+    ring = reflected(luxel, folder, 1, "ring, radius: 150, hole: 60")
+    disk, hole = (reflected(luxel, folder, 1, "disk, radius: %d" % radius) for radius in (150, 60))
+    off = abs(ring["irradiance"] - (disk["irradiance"] - hole["irradiance"]))
+    tap.ok(ring["error"] < 2e-3 * ring["irradiance"] and off <= ring["error"] + disk["error"] + hole["error"],
+           "by one bounce it sends what the disk sends and the disk in its hole does not", str((ring, disk, hole)))
+    narrow, whole = (reflected(luxel, folder, "all", surface) for surface in
+                     ("ring, radius: 150, hole: 0.01", "disk, radius: 150"))
+    tap.ok(narrow["irradiance"] > 1 and
+           abs(narrow["irradiance"] - whole["irradiance"]) <= narrow["error"] + whole["error"],
+           "with next to no hole it reflects as the disk does", str((narrow, whole)))
+    kind = folder / "luxel/src/surface/ring.c"
+    kind.write_text(re.sub(r"/\* Its sides.*?^}\n\n|    \.sheets = ring_sheets,\n", "", kind.read_text(), flags=re.S | re.M))
+    made = call("ninja", "-C", folder / "build", "cli/luxel")
+    tap.ok(made.returncode == 0, "it builds without sides", made.stdout[-2000:])
+    bare = reflected(luxel, folder, 1, "ring, radius: 150, hole: 60")
+    tap.ok(not isinstance(bare, dict) and bare.returncode == 3 and
+           "surfaces of kind ring cannot reflect light" in bare.stderr, "without sides it is refused", str(bare))
+
+
 def try_surface(tap, luxel, folder, scene):
     compare(tap, Pictures(tap, luxel, folder, scene))
     ring = folder / "ring.yaml"
@@ -76,6 +118,7 @@ def try_surface(tap, luxel, folder, scene):
     for command in ("explain", "advise", "isophotes"):
         made = call(luxel, command, ring)
         tap.ok(made.returncode == 0, "luxel %s takes it" % command, made.stderr)
+    try_reflections(tap, luxel, folder)
 
 
 GUIDE = ("docs/ADDING-A-SURFACE.md", "src/surface", "ring.c", "sphere.c", try_surface)
