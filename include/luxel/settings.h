@@ -48,12 +48,24 @@ typedef struct luxel_settings {
     double reflected_error;      /* of reflected light, relative to a probe's value or a picture's maximum; 0: 1e-3 */
     unsigned stride;             /* 1 (0 too): every pixel; n, to 65536: each n-th column and row: see luxel_render() */
     bool minimum_reached; /* false; true: statistics tell the least value where light arrives, see luxel_statistics */
+    bool share_reflected; /* false; true: one solution of reflected light serves all that is asked, see below */
     luxel_progress progress; /* NULL: none */
     void *progress_data;     /* handed to `progress`; NULL */
-    const size_t *lights; /* NULL: the enabled ones give light; else those of this group, by index, and no others */
-    size_t light_count;   /* of the group: 0, and all is dark */
-    void *reserved[4];    /* for later versions: NULL */
+    const size_t *lights;    /* NULL: the enabled ones give light; else those of this group, by index, and no others */
+    size_t light_count;      /* of the group: 0, and all is dark */
+    void *reserved[4];       /* for later versions: NULL */
 } luxel_settings;
+
+/*
+ * Light that surfaces reflect to each other takes a solution, and by default whatever is asked for gets one that is as
+ * exact as the settings ask for there.  With share_reflected the solution that luxel_render() makes for the picture, by
+ * the same quantity, tolerance, reflected_error, instruction set and lights, serves probes, grids, glare and the
+ * balance as well, which tell the bounds that it has where they ask, and whether those are reached.  Pictures and
+ * evaluators take it in any case, and their values are the same either way.
+ *
+ * A committed scene keeps the last solution of its picture, and so do its copies until they are changed.  Whoever asks
+ * first, in any thread, makes it; two that ask before it is there both make it, so do ask one after the other.
+ */
 
 /* Sets every member to its default, given above. */
 LUXEL_API void luxel_settings_init(luxel_settings *settings);

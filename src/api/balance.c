@@ -110,8 +110,9 @@ static void report_error(const luxel_balance *balance, const struct lx_radiosity
 }
 
 static luxel_status tell(const struct lx_session *session, const struct lx_reflected_wish *wish,
-                         const struct lx_radiosity *reflected, luxel_diagnostics *diagnostics, luxel_balance **made)
+                         luxel_diagnostics *diagnostics, luxel_balance **made)
 {
+    const struct lx_radiosity *reflected = session->reflected;
     luxel_balance *balance = lx_new_array(1, sizeof *balance);
     if (!balance)
         return LUXEL_ERROR_MEMORY;
@@ -137,7 +138,7 @@ static luxel_status tell(const struct lx_session *session, const struct lx_refle
     return LUXEL_OK;
 }
 
-static luxel_status find(const luxel_scene *scene, const struct lx_session *session, luxel_diagnostics *diagnostics,
+static luxel_status find(const luxel_scene *scene, struct lx_session *session, luxel_diagnostics *diagnostics,
                          luxel_balance **made)
 {
     const luxel_settings *settings = &session->settings;
@@ -149,15 +150,17 @@ static luxel_status find(const luxel_scene *scene, const struct lx_session *sess
         .threads = lx_thread_count(settings->threads, MOST_WORTH),
         .control = &control,
     };
-    struct lx_radiosity *reflected = lx_reflected_of_picture(scene, session);
-    luxel_status status = LUXEL_OK;
-    if (!reflected || !lx_reflected_is_reached(reflected, &wish)) {
-        lx_reflected_free(reflected);
-        status = lx_reflected_make(&wish, &reflected);
+    luxel_status status = lx_reflect_shared(scene, session, diagnostics);
+    if (!session->reflected)
+        session->reflected = lx_reflected_of_picture(scene, session);
+    const bool is_enough =
+        session->reflected && (settings->share_reflected || lx_reflected_is_reached(session->reflected, &wish));
+    if (status == LUXEL_OK && !is_enough) {
+        lx_reflected_free(session->reflected);
+        status = lx_reflected_make(&wish, &session->reflected);
     }
     if (status == LUXEL_OK)
-        status = tell(session, &wish, reflected, diagnostics, made);
-    lx_reflected_free(reflected);
+        status = tell(session, &wish, diagnostics, made);
     return status == LUXEL_ERROR_MEMORY ? lx_out_of_memory(diagnostics) : status;
 }
 

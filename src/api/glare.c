@@ -217,7 +217,8 @@ static luxel_status reflect(const struct rating *rating, luxel_diagnostics *diag
     const struct lx_element element = lx_free_element_at(&session->prepared, &place);
     const struct lx_reflected_place asked = {.receiver = lx_receiver_of(&session->prepared, &element),
                                              .direct = rating->ambient.value};
-    const struct lx_reflecting reflecting = {.prepared = &session->prepared,
+    const struct lx_reflecting reflecting = {.picture = session->reflected,
+                                             .prepared = &session->prepared,
                                              .kernels = lx_element_kernels_of(session->kernels),
                                              .settings = &session->settings,
                                              .control = &control,
@@ -276,6 +277,8 @@ luxel_status luxel_rate_glare(const luxel_scene *scene, const luxel_settings *se
         lx_report(diagnostics, LUXEL_SEVERITY_ERROR, NULL, LX_MSG_MISSING_ARGUMENT, LX_ARGS("sight"));
         status = LUXEL_ERROR_ARGUMENT;
     }
+    if (status == LUXEL_OK)
+        status = lx_reflect_shared(scene, &session, diagnostics);
     if (status == LUXEL_OK) {
         rating.open = session.prepared;
         rating.open.shadows_on_free = rating.open.shadows_extended = false;

@@ -351,7 +351,8 @@ static luxel_status reflect(const struct lx_session *session, const struct lx_me
     const size_t count = status == LUXEL_OK ? make_places(measuring, places) : 0;
     if (count > 0) {
         const struct lx_reflected_key key = lx_reflected_key_of_plane(session, measuring->number);
-        const struct lx_reflecting reflecting = {.slot = measuring->slot,
+        const struct lx_reflecting reflecting = {.picture = session->reflected,
+                                                 .slot = measuring->slot,
                                                  .key = &key,
                                                  .prepared = measuring->world.prepared,
                                                  .kernels = measuring->world.kernels,
@@ -445,6 +446,8 @@ luxel_status lx_measure_cells(const luxel_scene *scene, const luxel_settings *se
             memcpy(wanted.n, n, sizeof wanted.n);
         status = new_grid(&session, &wanted, diagnostics, &measuring);
     }
+    if (status == LUXEL_OK)
+        status = lx_reflect_shared(scene, &session, diagnostics);
     if (status == LUXEL_OK)
         status = run(&session, &measuring, diagnostics);
     lx_lattice_clear(&measuring.lattice);

@@ -388,7 +388,7 @@ static luxel_status add_reflected(const luxel_scene *scene, const struct lx_sess
 {
     const size_t count = search->count;
     const struct lx_reflected_key key = lx_reflected_key_of_plane(session, grid);
-    struct lx_radiosity *kept = lx_reflected_of_plane(scene, session, grid);
+    struct lx_radiosity *kept = session->reflected ? NULL : lx_reflected_of_plane(scene, session, grid);
     struct lx_reflected_place *places = lx_new_array(count, sizeof *places);
     lx_bounded *irradiance = lx_new_array(count, sizeof *irradiance);
     luxel_status status = places && irradiance ? LUXEL_OK : lx_out_of_memory(diagnostics);
@@ -402,7 +402,8 @@ static luxel_status add_reflected(const luxel_scene *scene, const struct lx_sess
         places[made].receiver = lx_receiver_of(search->world.prepared, &element);
         places[made++].direct = search->nodes[i].value.value;
     }
-    const struct lx_reflecting reflecting = {.prepared = search->world.prepared,
+    const struct lx_reflecting reflecting = {.picture = session->reflected,
+                                             .prepared = search->world.prepared,
                                              .kernels = search->world.kernels,
                                              .settings = &session->settings,
                                              .control = search->control,
@@ -478,8 +479,10 @@ luxel_status luxel_find_grid_extrema(const luxel_scene *scene, const luxel_setti
         search.hasty = session.prepared;
         if (!lx_wants_reflections(session.prepared.scene)) /* else nothing is asked again */
             search.hasty.tolerance = fmax(session.prepared.tolerance, WHILE_SEARCHING);
-        status = run(scene, &session, i, grid, &search, diagnostics, &found);
+        status = lx_reflect_shared(scene, &session, diagnostics);
     }
+    if (status == LUXEL_OK)
+        status = run(scene, &session, i, grid, &search, diagnostics, &found);
     free(search.nodes);
     lx_session_clear(&session);
     if (status == LUXEL_OK)

@@ -313,13 +313,17 @@ static luxel_status reflect(const struct probing *probing, size_t count, luxel_d
     return status;
 }
 
-/* Finds what surfaces reflect in the picture, if some probe has a pixel there. */
+/* Finds what surfaces reflect in the picture, if some probe has a pixel there, or it is to serve all. */
 static luxel_status reflect_picture(const struct probing *probing, size_t count, luxel_diagnostics *diagnostics)
 {
-    for (size_t i = 0; i < count; i++)
-        if (probing->probes->list[i].on_surface && probing->probes->list[i].has_pixel)
-            return lx_reflect_picture(probing->scene, probing->session, diagnostics);
-    return LUXEL_OK;
+    bool is_wanted = probing->session->settings.share_reflected;
+    for (size_t i = 0; i < count && !is_wanted; i++)
+        is_wanted = probing->probes->list[i].on_surface && probing->probes->list[i].has_pixel;
+    if (!is_wanted)
+        return LUXEL_OK;
+    const luxel_status status = lx_reflect_picture(probing->scene, probing->session, diagnostics);
+    probing->control->before = probing->session->done;
+    return status;
 }
 
 /* First the values, then the pixels, and what surfaces reflect. */

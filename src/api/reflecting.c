@@ -88,7 +88,7 @@ luxel_status lx_reflect_places(const struct lx_reflecting *reflecting, luxel_dia
     };
     struct lx_radiosity *reflected = NULL;
     const struct lx_radiosity *picture = reflecting->picture;
-    if (picture && !lx_reflected_is_reached(picture, &wish))
+    if (picture && !reflecting->settings->share_reflected && !lx_reflected_is_reached(picture, &wish))
         picture = NULL;
     luxel_status status = picture ? LUXEL_OK : lx_reflected_make(&wish, &reflected);
     if (status == LUXEL_OK)

@@ -23,7 +23,7 @@ void lx_hint_overlap(const struct lx_radiosity *reflected, const struct lx_prepa
  * for them, and asks at each, in parallel.  LUXEL_OK, LUXEL_CANCELLED, LUXEL_ERROR_MEMORY, which is reported.
  */
 struct lx_reflecting {
-    const struct lx_radiosity *picture; /* what was found for the picture, if it is good enough; NULL: was not found */
+    const struct lx_radiosity *picture; /* found for the picture, taken if it is shared or exact enough; NULL: none */
     const struct lx_prepared *prepared;
     const struct lx_element_kernels *kernels;
     const luxel_settings *settings;
@@ -51,6 +51,9 @@ struct lx_radiosity *lx_reflected_of_plane(const luxel_scene *scene, const struc
  * LUXEL_ERROR_MEMORY, which is reported.
  */
 luxel_status lx_reflect_picture(const luxel_scene *scene, struct lx_session *session, luxel_diagnostics *diagnostics);
+
+/* Does so where the settings say that the picture's solution serves all that is asked. */
+luxel_status lx_reflect_shared(const luxel_scene *scene, struct lx_session *session, luxel_diagnostics *diagnostics);
 
 /* The solution that the scene keeps of a picture by the session's settings, to be released; NULL: none. */
 struct lx_radiosity *lx_reflected_of_picture(const luxel_scene *scene, const struct lx_session *session);

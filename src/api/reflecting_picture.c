@@ -168,9 +168,15 @@ luxel_status lx_reflect_picture(const luxel_scene *scene, struct lx_session *ses
     if (session->reflected)
         return LUXEL_OK;
     const luxel_status status = solve(session, &key, &control, &session->reflected);
+    session->done = control.before;
     if (status == LUXEL_OK && slot)
         lx_kept_slot_put(slot, lx_reflected_kept(session->reflected));
     return status == LUXEL_ERROR_MEMORY ? lx_out_of_memory(diagnostics) : status;
+}
+
+luxel_status lx_reflect_shared(const luxel_scene *scene, struct lx_session *session, luxel_diagnostics *diagnostics)
+{
+    return session->settings.share_reflected ? lx_reflect_picture(scene, session, diagnostics) : LUXEL_OK;
 }
 
 /* ---- pixels ---- */

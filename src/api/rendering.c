@@ -281,7 +281,10 @@ luxel_status lx_rendering_open(struct lx_rendering *rendering, const struct lx_s
         .field = field,
         .diagnostics = diagnostics,
         .threads = lx_rendering_threads(session, field),
-        .control = {.rows = field->rows, .progress = settings->progress, .data = settings->progress_data},
+        .control = {.rows = field->rows,
+                    .progress = settings->progress,
+                    .data = settings->progress_data,
+                    .before = session->done},
     };
     luxel_status status = hold(rendering, height);
     if (status == LUXEL_OK)

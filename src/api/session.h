@@ -18,6 +18,7 @@ struct lx_session {
     struct lx_plan plan;
     struct lx_radiosity
         *reflected; /* what surfaces reflect in the picture; NULL: they do not, or it is not known yet */
+    double done;    /* share of the whole work that finding it was */
 };
 
 /* The scene is committed and the settings (NULL: the defaults) in their ranges; they are copied. */

@@ -40,7 +40,8 @@ bool lx_control_goes_on(struct lx_control *control, bool is_caller)
         seconds += (double)(now.tv_nsec - control->last.tv_nsec) * 1e-9;
         if (seconds >= PAUSE) {
             control->last = now;
-            if (!control->progress((double)atomic_load(&control->rows_done) / control->rows, control->data))
+            const double rows = (double)atomic_load(&control->rows_done) / control->rows;
+            if (!control->progress(control->before + (1 - control->before) * rows, control->data))
                 atomic_store(&control->stop, true);
         }
     }

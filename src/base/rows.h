@@ -20,6 +20,7 @@ struct lx_control {
     unsigned rows;                             /* of the whole work, which may be done in parts */
     bool (*progress)(double done, void *data); /* NULL: none; false stops the work */
     void *data;
+    double before;        /* share of the whole work that was done beside the rows; the calling thread's own */
     struct timespec last; /* when progress was last reported */
 };
 

@@ -336,6 +336,7 @@ luxel_status lx_reflected_make(const struct lx_reflected_wish *wish, struct lx_r
         .threads = wish->threads,
         .effort = {.most = wish->effort > 0 ? wish->effort : MOST_EFFORT},
         .control = wish->control,
+        .begun = wish->control->before,
     };
     reflected->sampled.tolerance = fmax(reflected->sampled.tolerance, SAMPLED * wish->error);
     reflected->sampling.world.prepared = &reflected->sampled;
@@ -347,6 +348,7 @@ luxel_status lx_reflected_make(const struct lx_reflected_wish *wish, struct lx_r
     if (reflected->on)
         memcpy(reflected->on, wish->prepared->on, reflected->light_count * sizeof *reflected->on);
     const luxel_status status = reflected->on ? work(reflected, wish) : LUXEL_ERROR_MEMORY;
+    lx_within_tell(reflected, 1);
     forget_rows(reflected);
     reflected->prepared = reflected->sampling.world.prepared = NULL;
     reflected->control = NULL;

@@ -56,6 +56,7 @@ struct lx_radiosity {
     struct lx_shown_part *parts; /* first one of each tile, which is all of it */
     size_t part_count, part_capacity;
     struct lx_effort effort;   /* of all work */
+    double begun;              /* what the control said was done before it */
     struct lx_effort *efforts; /* of the pieces of a work (within.h) */
     size_t effort_capacity;
     size_t *order; /* of tiles, in which they are worked on */

@@ -12,6 +12,14 @@
 /* Pieces between which it is counted, and the share of all effort that each may take at most. */
 enum { AT_ONCE = 64, SHARE_OF_ONE = 48 };
 
+/* The share of what was left to do that a solution is taken for. */
+static const double SOLVING = 0.95;
+
+void lx_within_tell(const struct lx_radiosity *reflected, double done)
+{
+    reflected->control->before = reflected->begun + SOLVING * (1 - reflected->begun) * fmin(done, 1);
+}
+
 luxel_status lx_within_run(struct lx_radiosity *reflected, const struct lx_within *within)
 {
     struct lx_effort *all = &reflected->effort;
@@ -33,6 +41,7 @@ luxel_status lx_within_run(struct lx_radiosity *reflected, const struct lx_withi
             return LUXEL_CANCELLED;
         for (size_t i = first; i < last; i++)
             all->done += reflected->efforts[i].done;
+        lx_within_tell(reflected, (double)all->done / (double)all->most);
     }
     return LUXEL_OK;
 }

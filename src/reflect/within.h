@@ -24,6 +24,9 @@ struct lx_within {
  * depend on threads.  LUXEL_OK, LUXEL_ERROR_MEMORY or LUXEL_CANCELLED. */
 luxel_status lx_within_run(struct lx_radiosity *reflected, const struct lx_within *within);
 
+/* Tells the control what share of a solution is done: by effort, of which less than all may be taken. */
+void lx_within_tell(const struct lx_radiosity *reflected, double done);
+
 /* Sets the order in which tiles are worked on: the largest ones first.  0, or -1 when memory ran out. */
 int lx_within_order(struct lx_radiosity *reflected);
 
