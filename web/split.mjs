@@ -66,7 +66,7 @@ function tryScene(core, text, keys) {
         check(core.probe(10, 20), 'no probe');
     }
     points.forEach(([x, y]) => core.probe(x, y));
-    check(core.section(10, 20, 30, 50) && core.sectionBetween([-100, 0], [100, 50], 50), 'no section');
+    check(core.line(10, 20, 30), 'no line');
     for (const logarithmic of [false, true]) check(core.isophotes(8, logarithmic), 'no isophotes');
     check(core.project([0, 0, 100]) && core.unproject(0, 0, 100), 'no place on the screen');
     const copy = '{type: point, position: [100, 200, 1500], intensity: 5}';

@@ -32,19 +32,50 @@ luxel_diagnostics *fresh_diagnostics(void)
     return core.diagnostics;
 }
 
+/* The page hears of it while the core is busy, and ends its worker if it wants no more. */
+void page_progress(double done);
+
+static bool tell_progress(double done, void *data)
+{
+    (void)data;
+    page_progress(done);
+    return true;
+}
+
 luxel_settings present_settings(void)
 {
     luxel_settings settings;
     luxel_settings_init(&settings);
     settings.quantity = core.quantity;
+    settings.progress = tell_progress;
+    settings.share_reflected = true;
     return settings;
+}
+
+static luxel_scene *without_reflections(const luxel_scene *scene)
+{
+    luxel_scene *copy = luxel_scene_copy(scene);
+    if (copy && luxel_scene_set(copy, "reflections=none", NULL) == LUXEL_OK && luxel_scene_commit(copy, NULL) == LUXEL_OK)
+        return copy;
+    luxel_scene_free(copy);
+    return NULL;
+}
+
+const luxel_scene *computed_scene(void)
+{
+    if (!core.is_direct || !core.scene)
+        return core.scene;
+    if (!core.direct)
+        core.direct = without_reflections(core.scene);
+    return core.direct;
 }
 
 const luxel_evaluator *present_evaluator(void)
 {
     const luxel_settings settings = present_settings();
-    if (!core.evaluator && core.scene)
-        (void)luxel_evaluator_new(core.scene, &settings, fresh_diagnostics(), &core.evaluator);
+    const luxel_scene *scene = computed_scene();
+    if (!core.evaluator && scene)
+        (void)luxel_evaluator_new(scene, &settings, fresh_diagnostics(), &core.evaluator);
     return core.evaluator;
 }
 
@@ -70,9 +101,19 @@ PAGE_CALLS(page_open) int page_open(const char *text, size_t length, const char 
     }
     (void)luxel_scene_advise(scene, diagnostics);
     drop_evaluator();
+    luxel_scene_free(core.direct);
     luxel_scene_free(core.scene);
+    core.direct = NULL;
     core.scene = scene;
     return LUXEL_OK;
+}
+
+/* Whether only direct light is computed from now on. */
+PAGE_CALLS(page_direct) void page_direct(int direct)
+{
+    if ((direct != 0) != core.is_direct)
+        drop_evaluator();
+    core.is_direct = direct != 0;
 }
 
 PAGE_CALLS(page_quantity) void page_quantity(int irradiance)

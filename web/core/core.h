@@ -10,10 +10,12 @@
 
 struct core {
     luxel_scene *scene;             /* NULL: none was whole yet */
+    luxel_scene *direct;            /* the same without reflected light; NULL: not asked for yet */
     luxel_evaluator *evaluator;     /* of the scene and the quantity; NULL: not asked for yet */
     luxel_field *field;             /* the picture that was computed last; NULL: none */
     luxel_diagnostics *diagnostics; /* of the last call that can fail */
     luxel_quantity quantity;
+    bool is_direct; /* only direct light is computed, whatever the scene says */
 };
 
 extern struct core core;
@@ -21,10 +23,13 @@ extern struct core core;
 /* Empties what the last call reported, and gives the list for the next one. */
 luxel_diagnostics *fresh_diagnostics(void);
 
+/* The scene that is computed: the present one, or that without reflected light; NULL: there is none. */
+const luxel_scene *computed_scene(void);
+
 /* The evaluator of the present scene and quantity, or NULL. */
 const luxel_evaluator *present_evaluator(void);
 
-/* The default settings with the present quantity. */
+/* The default settings with the present quantity, and the page's progress. */
 luxel_settings present_settings(void);
 
 #endif

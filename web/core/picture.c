@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Pictures of the present scene: their samples, files of them, exact values, explanations, sections. */
+/* Pictures of the present scene: their samples, files of them, exact values, explanations, lines. */
 #include <stdlib.h>
 
 #include "answer.h"
@@ -11,7 +11,7 @@ PAGE_CALLS(page_render) int page_render(unsigned stride)
     luxel_settings settings = present_settings();
     luxel_field *field = NULL;
     settings.stride = stride;
-    const luxel_status status = luxel_render(core.scene, &settings, fresh_diagnostics(), &field);
+    const luxel_status status = luxel_render(computed_scene(), &settings, fresh_diagnostics(), &field);
     if (status == LUXEL_OK) {
         luxel_field_free(core.field);
         core.field = field;
@@ -90,7 +90,7 @@ PAGE_CALLS(page_file) unsigned char *page_file(const char *name, size_t *length)
     const luxel_settings settings = present_settings();
     luxel_field *field = NULL;
     unsigned char *bytes = NULL;
-    if (luxel_render(core.scene, &settings, fresh_diagnostics(), &field) == LUXEL_OK)
+    if (luxel_render(computed_scene(), &settings, fresh_diagnostics(), &field) == LUXEL_OK)
         (void)luxel_field_write_memory(field, name, NULL, core.diagnostics, &bytes, length);
     luxel_field_free(field);
     return bytes;
@@ -149,7 +149,7 @@ const char *page_explain(double x_mm, double y_mm, int format, const char *langu
     luxel_document *document = NULL;
     luxel_text_free(text);
     text = NULL;
-    if (core.scene && luxel_explain(core.scene, &settings, x_mm, y_mm, &language, fresh_diagnostics(), &document) == 0)
+    if (core.scene && luxel_explain(computed_scene(), &settings, x_mm, y_mm, &language, fresh_diagnostics(), &document) == 0)
         text = luxel_document_write_text(document, (luxel_document_format)format);
     luxel_document_free(document);
     return text;
@@ -162,7 +162,7 @@ PAGE_CALLS(page_extrema) const char *page_extrema(void)
     luxel_field *field = NULL;
     luxel_extrema extrema;
     const luxel_evaluator *evaluator = present_evaluator();
-    if (!evaluator || luxel_render(core.scene, &settings, fresh_diagnostics(), &field) != LUXEL_OK)
+    if (!evaluator || luxel_render(computed_scene(), &settings, fresh_diagnostics(), &field) != LUXEL_OK)
         return NULL;
     const luxel_status status = luxel_find_extrema(evaluator, field, NULL, core.diagnostics, &extrema);
     luxel_field_free(field);
@@ -195,7 +195,7 @@ PAGE_CALLS(page_summary) const char *page_summary(void)
     const luxel_settings settings = present_settings();
     luxel_field *field = NULL;
     luxel_summary summary;
-    if (!core.scene || luxel_render(core.scene, &settings, fresh_diagnostics(), &field) != LUXEL_OK)
+    if (!core.scene || luxel_render(computed_scene(), &settings, fresh_diagnostics(), &field) != LUXEL_OK)
         return NULL;
     const luxel_status status = luxel_field_summary(field, NULL, core.diagnostics, &summary);
     luxel_field_free(field);
@@ -222,56 +222,20 @@ PAGE_CALLS(page_summary) const char *page_summary(void)
     return answer_text();
 }
 
-static void answer_sample(const luxel_profile *profile, size_t i)
-{
-    const luxel_profile_sample *sample = &profile->samples[i];
-    answer_open('[');
-    answer_number(sample->abscissa);
-    if (sample->has_value)
-        answer_number(sample->value);
-    else
-        answer_string(NULL);
-    for (size_t light = 0; light < profile->lights; light++)
-        answer_number(profile->shares[i * profile->lights + light]);
-    answer_close(']');
-}
-
-/* The section along a line: its ends, and in rows abscissa, value and each light's share. */
-PAGE_CALLS(page_section)
-const char *page_section(double from_x_mm, double from_y_mm, double to_x_mm, double to_y_mm, unsigned samples)
-{
-    const luxel_evaluator *evaluator = present_evaluator();
-    const luxel_path path = {
-        .type = LUXEL_PATH_LINE, .from_mm = {from_x_mm, from_y_mm}, .to_mm = {to_x_mm, to_y_mm}, .samples = samples};
-    luxel_profile *profile = NULL;
-    if (!evaluator || luxel_find_profile(evaluator, &path, fresh_diagnostics(), &profile) != LUXEL_OK)
-        return NULL;
-    answer_begin();
-    answer_open('{');
-    answer_key("from");
-    answer_numbers(path.from_mm, 2);
-    answer_key("to");
-    answer_numbers(path.to_mm, 2);
-    answer_key("rows");
-    answer_open('[');
-    for (size_t i = 0; i < profile->count; i++)
-        answer_sample(profile, i);
-    answer_close(']');
-    answer_close('}');
-    luxel_profile_free(profile);
-    return answer_text();
-}
-
-/* The section across the whole screen through a point, at an angle to the x axis. */
-PAGE_CALLS(page_section_across)
-const char *page_section_across(double x_mm, double y_mm, double degrees, unsigned samples)
+/* The ends of the line across the whole screen through a point, at an angle to the x axis. */
+PAGE_CALLS(page_line) const char *page_line(double x_mm, double y_mm, double degrees)
 {
     const double through_mm[2] = {x_mm, y_mm};
     double from_mm[2], to_mm[2];
     if (!core.scene ||
         luxel_line_across_screen(core.scene, through_mm, degrees, fresh_diagnostics(), from_mm, to_mm) != LUXEL_OK)
         return NULL;
-    return page_section(from_mm[0], from_mm[1], to_mm[0], to_mm[1], samples);
+    answer_begin();
+    answer_open('[');
+    answer_numbers(from_mm, 2);
+    answer_numbers(to_mm, 2);
+    answer_close(']');
+    return answer_text();
 }
 
 /* Lines of equal value on the last picture, at about so many round levels. */

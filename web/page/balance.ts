@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-// The light on surfaces that reflect it: the mean on each side, and the balance of the flux.  It takes as long as the
-// picture, so a worker of its own finds it once the picture is whole, and is ended when something changes.
-import type { Client } from './client';
+// The light on surfaces that reflect it: the mean on each side, and the balance of the flux, by the solution that the picture
+// was made of.
 import type { Amount, Balance, LitSide } from './core';
 import { h } from './dom';
 import type { Model } from './model';
-import { amount, currentLanguage, t } from './words';
+import type { Of } from './version';
+import { amount, t } from './words';
 
 const MOST_SIDES = 200;
 
@@ -23,41 +23,35 @@ function table(caption: string, rows: [string, Amount][]): HTMLElement {
 
 export class BalancePanel {
     readonly element = h('div', { class: 'balance', hidden: true });
-    private worker: Client | null = null;
-    private of = ''; // the language and the text of the scene that is shown or being asked for
+    private of: Of | null = null; // what is shown
 
-    constructor(private readonly model: Model) {}
-
-    /** After each picture, and after a change of language. */
-    refresh() {
-        const { picture } = this.model;
-        const of = picture && currentLanguage() + picture.text;
-        if (of === this.of) return;
-        this.of = '';
-        this.worker?.stop();
-        this.worker = null;
-        this.element.classList.add('old');
-        if (!picture?.facts || picture.facts.reflected === null) this.element.hidden = true;
-        else if (picture.stride === 1) {
-            this.of = of!;
-            void this.find(picture.text).catch(() => undefined);
-        }
+    constructor(private readonly model: Model) {
+        model.follow(this.element, () => this.of);
     }
 
-    private async find(text: string) {
-        const { of } = this;
-        const worker = await this.model.client.twin();
-        if (this.of !== of) return worker.stop();
-        this.worker = worker;
-        const balance = await worker.ask('balance', text);
-        if (this.worker === worker) this.worker = null;
-        worker.stop();
-        if (this.of === of) this.show(balance);
+    /** Shows nothing: another scene was opened. */
+    clear() {
+        this.of = null;
+        this.element.hidden = true;
+        this.element.replaceChildren();
+    }
+
+    /** Asks for it where all light is known, and after a change of language. */
+    async refresh() {
+        const source = this.model.source();
+        if (!source) return;
+        const { client, of } = source;
+        if (!this.model.whole?.reflects) return this.clear();
+        if (of.direct) return;
+        const balance = await client.ask('balance', of).catch(() => undefined);
+        if (balance === undefined || !this.model.isCurrent(of)) return;
+        this.of = of;
+        this.show(balance);
+        this.model.dim();
     }
 
     private show(balance: Balance | null) {
         this.element.hidden = !balance;
-        this.element.classList.remove('old');
         if (!balance) return;
         const word = (english: string) => this.model.client.word(english);
         const means = this.model.photometric ? 'Mean illuminance of the surfaces' : 'Mean irradiance of the surfaces';

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// The page's end of the worker: questions as promises, and a new worker where the old one failed.  Workers begin with
-// the first part of the core, and are given the second one when it has come.
+// The page's end of the worker: questions as promises, which wait here until it is their turn, and a new worker where the
+// old one failed.  Workers begin with the first part of the core, and are given the second one when it has come.
 import { belongTogether } from './core';
+import { Outdated, type Version } from './version';
 import type { Questions } from './worker';
 import workerAddress from './worker?worker&url';
 
@@ -31,22 +32,35 @@ export function hasVectors(): boolean {
 }
 
 interface Asked {
+    id: number;
+    version: number | null; // of the scene that it is about
     name: keyof Questions;
+    values: unknown[];
     resolve: (answer: any) => void;
     reject: (error: Error) => void;
 }
 
-/** What a worker says: the answer to a question, why there is none, or that it waits for the core's second part. */
+/** What a worker says: the answer to a question, why there is none, how far it is, or that it waits for the second part. */
 interface Answered {
     id: number;
     answer: unknown;
     failure?: string;
+    isOutdated?: boolean; // of the failure: the core is as it was
     isWaiting?: boolean;
+    progress?: number;
 }
 
 // Pictures and values may take long, as where surfaces reflect light to each other.
-const LONG: (keyof Questions)[] = ['render', 'probe', 'table', 'section', 'sectionBetween', 'extrema', 'explain', 'balance'];
+const LONG: (keyof Questions)[] = [
+    'render', 'probe', 'values', 'extrema', 'explain', 'balance', 'summary', 'isophotes', 'file',
+];
 const PATIENCE = 1500; // milliseconds that something urgent waits for them
+
+// Whose turn is next: what changes the scene, then the number under the pointer, the picture, and all else.
+const TURNS: Partial<Record<keyof Questions, number>> = {
+    probe: 1, render: 2, isophotes: 3, explain: 3, line: 3, values: 4, relief: 4, silhouette: 4,
+    file: 5, summary: 5, extrema: 5, balance: 6,
+};
 
 /** How it stands with the core's second part: some question waits for it, it is there, or it cannot be had. */
 export type Loading = 'awaited' | 'there' | { failure: Error };
@@ -59,8 +73,8 @@ export class Interrupted extends Error {}
 
 export class Client {
     private worker!: Worker;
-    private waiting = new Map<number, Asked>();
-    private starting: Promise<unknown> | null = null; // a worker in the place of one that was interrupted
+    private queue: Asked[] = [];
+    private present: Asked | null = null; // what the worker is busy with
     /** How often long work was given up for the sake of something urgent. */
     interruptions = 0;
     private next = 0;
@@ -73,12 +87,15 @@ export class Client {
     private source!: string; // the address of the worker's text, which is kept so that a new one asks for nothing
     private words: Record<string, string> = {};
     private isTwin = false;
+    private isOver = false; // a twin that was stopped or failed
     /** What the user gave of the files that scenes name. */
     readonly files: Map<string, Uint8Array>;
     private russian: Record<string, string> | null = null;
     /** Called when a worker had to be started anew. */
     onRestart: () => void = () => undefined;
     onLoading: (state: Loading) => void = () => undefined;
+    /** Told the share of a question that is done. */
+    onProgress: (name: keyof Questions, done: number) => void = () => undefined;
 
     constructor(files = new Map<string, Uint8Array>()) {
         this.files = files;
@@ -92,7 +109,7 @@ export class Client {
         this.source = URL.createObjectURL(new Blob([text], { type: 'text/javascript' }));
         this.words = await this.wordsOf(language);
         const builtins = await this.restart();
-        void this.complete();
+        void this.complete().then(() => this.wordsOf('ru').catch(() => undefined)); // so that they are there offline, too
         return builtins;
     }
 
@@ -126,6 +143,7 @@ export class Client {
 
     /** Gives up whatever it does; it cannot be asked any more. */
     stop() {
+        this.isOver = true;
         this.worker.terminate();
         this.giveUp('stopped');
     }
@@ -142,9 +160,21 @@ export class Client {
         return this.words[english] ?? english;
     }
 
+    /** Whether the words of all languages have come. */
+    get hasWords() {
+        return this.russian !== null;
+    }
+
+    /** Has the core speak another language; rejects where its words cannot be had. */
     async translate(language: string) {
         this.words = await this.wordsOf(language);
         return this.ask('translate', this.words);
+    }
+
+    /** Has it speak the language of another one. */
+    speakAs({ words }: Client) {
+        this.words = words;
+        return this.ask('translate', words);
     }
 
     /** Gives a file that scenes name; workers that are started later have it, too. */
@@ -156,14 +186,16 @@ export class Client {
     private restart() {
         this.worker?.terminate();
         const worker = (this.worker = new Worker(this.source));
-        worker.onmessage = ({ data }) => this.answered(data);
-        worker.onerror = (event) => this.failed(event.message);
+        worker.onmessage = ({ data }) => this.worker === worker && this.answered(data);
+        worker.onerror = (event) => this.worker === worker && this.failed(event.message);
         this.isStuck = false;
         void this.second.then((second) => {
             worker.postMessage({ second });
-            this.isStuck = false;
+            if (this.worker === worker) this.isStuck = false;
         });
-        return this.post('start', this.module, this.words, this.files);
+        this.present = null;
+        const started = this.ask('start', this.module, this.words, this.files); // before all that waits
+        return started;
     }
 
     /** Asks what does not wait for a picture or a value that takes long: its worker is ended, and another one asked. */
@@ -171,75 +203,88 @@ export class Client {
         name: Name,
         ...values: Parameters<Questions[Name]>
     ): Promise<Answer<Questions[Name]>> {
-        await this.starting;
-        const id = this.next;
-        const timer = setTimeout(() => this.interrupt(id), PATIENCE);
+        const timer = setTimeout(() => this.interrupt(), PATIENCE);
         try {
-            return await this.post(name, ...values);
-        } catch (error) {
-            if (!(error instanceof Interrupted)) throw error;
+            return await this.ask(name, ...values);
         } finally {
             clearTimeout(timer);
         }
-        return this.urgent(name, ...values);
     }
 
-    // Starts another worker if what was asked before the question with this number takes long or waits.
-    private interrupt(before: number) {
-        const isLong = (id: number, name: keyof Questions) => id < before && (this.isStuck || LONG.includes(name));
-        if (this.starting || ![...this.waiting].some(([id, { name }]) => isLong(id, name))) return;
+    // Starts another worker if what it is busy with takes long, or waits for the second part.
+    private interrupt() {
+        const { present } = this;
+        if (!present || !(this.isStuck || LONG.includes(present.name))) return;
         this.interruptions++;
-        const given = [...this.waiting.values()];
-        this.waiting.clear();
-        this.starting = this.restart().finally(() => (this.starting = null));
-        for (const { reject } of given) reject(new Interrupted('something urgent came'));
+        void this.restart().catch(() => undefined);
+        present.reject(new Interrupted('something urgent came'));
     }
 
-    private answered({ id, answer, failure, isWaiting }: Answered) {
+    private answered({ id, answer, failure, isOutdated, isWaiting, progress }: Answered) {
+        const asked = this.present;
+        if (!asked || asked.id !== id) return;
         if (isWaiting) {
             this.isStuck = true;
             this.onLoading('awaited');
-            return;
-        }
-        const asked = this.waiting.get(id);
-        this.waiting.delete(id);
-        if (failure === undefined) asked?.resolve(answer);
+        } else if (progress !== undefined) this.onProgress(asked.name, progress);
         else {
-            asked?.reject(new Error(failure));
-            this.failed(failure);
+            this.present = null;
+            if (failure === undefined) asked.resolve(answer);
+            else if (isOutdated) asked.reject(new Outdated(failure));
+            else {
+                asked.reject(new Error(failure));
+                return this.failed(failure);
+            }
+            this.advance();
         }
     }
 
     private giveUp(reason: string) {
-        for (const asked of this.waiting.values()) asked.reject(new Error(reason));
-        this.waiting.clear();
+        const given = this.present ? [this.present, ...this.queue] : this.queue;
+        this.present = null;
+        this.queue = [];
+        for (const { reject } of given) reject(new Error(reason));
     }
 
     private failed(reason: string) {
         this.giveUp(reason);
-        if (this.isTwin) this.worker.terminate();
+        if (this.isTwin) this.stop();
         else this.restart().then(this.onRestart, () => undefined);
     }
 
-    async ask<Name extends keyof Questions>(
-        name: Name,
-        ...values: Parameters<Questions[Name]>
-    ): Promise<Answer<Questions[Name]>> {
-        while (this.starting) {
-            await this.starting;
-            await new Promise((resolve) => setTimeout(resolve)); // what is urgent comes first
-        }
-        return this.post(name, ...values);
+    /** Takes back what waits and is about versions before this one. */
+    forget(before: number) {
+        const isOld = ({ version }: Asked) => version !== null && version < before;
+        const old = this.queue.filter(isOld);
+        this.queue = this.queue.filter((asked) => !isOld(asked));
+        for (const { reject } of old) reject(new Outdated('the scene has changed'));
     }
 
-    private post<Name extends keyof Questions>(
+    /** Asks the worker, which answers one question at a time, what is more urgent first. */
+    ask<Name extends keyof Questions>(
         name: Name,
         ...values: Parameters<Questions[Name]>
     ): Promise<Answer<Questions[Name]>> {
-        const id = this.next++;
+        const [about] = values as unknown[];
+        const version = isVersion(about) ? about.number : null;
         return new Promise((resolve, reject) => {
-            this.waiting.set(id, { name, resolve, reject });
-            this.worker.postMessage({ id, name, arguments: values });
+            if (this.isOver) return reject(new Error('stopped'));
+            this.queue.push({ id: this.next++, version, name, values, resolve, reject });
+            this.advance();
         });
     }
+
+    private advance() {
+        if (this.present || !this.queue.length) return;
+        const turn = ({ name }: Asked) => (name === 'start' ? -1 : (TURNS[name] ?? 0));
+        const first = this.queue.reduce((best, asked) => (turn(asked) < turn(best) ? asked : best));
+        this.queue.splice(this.queue.indexOf(first), 1);
+        this.present = first;
+        const { id, version, name, values } = first;
+        this.worker.postMessage({ id, version, name, arguments: values });
+    }
+}
+
+function isVersion(value: unknown): value is Version {
+    return typeof value === 'object' && value !== null && 'number' in value && 'scene' in value;
 }

@@ -28,7 +28,9 @@ export class Compare {
     private awaitsWhole = false; // the next whole picture becomes A
     private screen = [1, 1]; // of A, in mm
 
-    constructor(private readonly model: Model) {}
+    constructor(private readonly model: Model) {
+        model.follow(this.summary, () => this.model.picture?.of ?? null);
+    }
 
     get hasA() {
         return this.kept !== null;
@@ -46,7 +48,7 @@ export class Compare {
         const parts = kept
             ? [
                   choice(t('Compare'), names, this.which, (which) => this.show(which as Which)),
-                  button('Scene A', () => this.model.begin(kept.text)),
+                  button('Scene A', () => this.model.begin(kept.of.text, kept.of.name)),
                   button('Forget A', () => this.keep(null)),
               ]
             : [];
@@ -59,9 +61,8 @@ export class Compare {
 
     /** Keeps the present picture or, while it is coarse, the whole one that is on its way. */
     private keepWhole() {
-        const { picture } = this.model;
-        this.awaitsWhole = picture?.stride !== 1;
-        if (!this.awaitsWhole) this.keep(picture);
+        this.awaitsWhole = !this.model.isSettled;
+        if (!this.awaitsWhole) this.keep(this.model.picture);
     }
 
     private keep(picture: Picture | null) {
@@ -111,10 +112,11 @@ export class Compare {
 
     /** Says how far B is from A; called for each new picture. */
     tell() {
-        if (this.awaitsWhole && this.model.picture?.stride === 1) return this.keepWhole();
+        if (this.awaitsWhole && this.model.isSettled) return this.keepWhole();
         const { kept } = this;
         const { picture } = this.model;
         this.summary.hidden = !kept;
+        if (!picture) this.summary.textContent = '';
         if (!kept || !picture) return;
         if (!this.fits) {
             if (picture.stride === 1) this.summary.textContent = t('A and B have other numbers of pixels.');

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The rows of controls above the picture and above the space view.
 import type { Dial } from './dial';
-import { choice, h } from './dom';
+import { choice, h, takeIn } from './dom';
 import type { PictureView } from './picture';
 import type { Side, SpaceView } from './space';
 import { t, typedNumber } from './words';
@@ -18,6 +18,8 @@ export function scaleControls(picture: PictureView, dial: Dial, changed: () => v
         const input = h('input', { type: 'text', inputmode: 'decimal', class: 'end', 'aria-label': t(label) });
         input.addEventListener('change', () => {
             const value = typedNumber(input.value);
+            takeIn(input);
+            input.setAttribute('aria-invalid', String(value === null));
             if (value === null) return;
             scale[which] = value;
             scale.locked = true;
@@ -63,4 +65,12 @@ export function sideControls(space: SpaceView): HTMLElement {
         buttons.forEach((button, i) => button.setAttribute('aria-pressed', String(names[i][0] === side)));
     space.onSide(space.side);
     return h('div', { class: 'controls' }, ...buttons);
+}
+
+/** Buttons that zoom a view by a factor; 0: all of it is seen. */
+export function zoomButtons(zoom: (factor: number) => void): HTMLElement {
+    const button = (sign: string, label: string, factor: number) =>
+        h('button', { type: 'button', class: 'small', 'aria-label': t(label), title: t(label), onclick: () => zoom(factor) }, sign);
+    const buttons = [button('+', 'Zoom in', 1.25), button('−', 'Zoom out', 0.8), button('⤢', 'Show all', 0)];
+    return h('span', { class: 'zoom' }, ...buttons);
 }

@@ -125,13 +125,6 @@ export interface Isophote {
     y: number[];
 }
 
-/** Abscissa, value and each light's share, row by row, between two places of the screen. */
-export interface Section {
-    from: number[];
-    to: number[];
-    rows: (number | null)[][];
-}
-
 export interface Summary {
     pixels: number;
     maximum: Extremum;
@@ -187,6 +180,8 @@ export class Core {
 
     /** Whether the second part is there. */
     isWhole = false;
+    /** Told the share done, 0 to 1, while the core is busy; thousands of times a second. */
+    onProgress: (done: number) => void = () => undefined;
 
     /** Starts the first part; the second one can be given now or later. */
     static async start(first: WebAssembly.Module, second: WebAssembly.Module | null = null): Promise<Core> {
@@ -260,6 +255,8 @@ export class Core {
                 return (code: number) => {
                     throw new CoreFailure(`the core ended with ${code}`);
                 };
+            case 'page_progress':
+                return (done: number) => this.onProgress(done);
             case 'page_opened':
                 return (path: number) => this.folder.open(this.text(path) ?? '');
             case '__syscall_stat64':
@@ -360,6 +357,11 @@ export class Core {
         this.call.page_quantity(irradiance ? 1 : 0);
     }
 
+    /** Whether only direct light is computed, whatever the scene says. */
+    direct(isDirect: boolean): void {
+        this.call.page_direct(isDirect ? 1 : 0);
+    }
+
     /** Changes a text: assignments KEY=VALUE, elements put into lists, keys taken out.  Null: it does not go. */
     edit(text: string | Uint8Array, changes: Change[]): string | null {
         const [place, length] = typeof text === 'string' ? this.put(text) : this.putBytes(text);
@@ -441,13 +443,9 @@ export class Core {
         return this.json(this.call.page_balance());
     }
 
-    /** Across the whole screen, through a point at an angle. */
-    section(x: number, y: number, degrees: number, samples: number): Section | null {
-        return this.json(this.call.page_section_across(x, y, degrees, samples));
-    }
-
-    sectionBetween(from: number[], to: number[], samples: number): Section | null {
-        return this.json(this.call.page_section(from[0], from[1], to[0], to[1], samples));
+    /** The ends of the line across the whole screen, through a point at an angle. */
+    line(x: number, y: number, degrees: number): [number[], number[]] | null {
+        return this.json(this.call.page_line(x, y, degrees));
     }
 
     isophotes(wanted: number, logarithmic: boolean): Isophote[] {

@@ -21,6 +21,26 @@ export function h<Name extends keyof HTMLElementTagNameMap>(
     return element;
 }
 
+// What fields show, as far as their users have not typed over it.
+const shown = new WeakMap<Element, string>();
+
+/** Whether something else is being typed into a field than what it shows of the scene. */
+export function isTypedOver(input: HTMLInputElement): boolean {
+    return input.value !== (shown.get(input) ?? '');
+}
+
+/** Takes what was typed into a field as what it shows. */
+export function takeIn(input: HTMLInputElement) {
+    shown.set(input, input.value);
+}
+
+/** Writes into a field what it shows of the scene; what is being typed into it stays. */
+export function showIn(input: HTMLInputElement, text: string) {
+    const stays = document.activeElement === input && isTypedOver(input);
+    shown.set(input, text);
+    if (!stays) input.value = text;
+}
+
 /** A select with its options: value and label of each. */
 export function choice(label: string, options: [string, string][], value: string, onchange: (value: string) => void) {
     const select = h('select', { 'aria-label': label });

@@ -2,6 +2,7 @@
 // Dragging: things follow the hand, the newest place wins, and one drag is one step of the history, as all of its
 // changes have one mark, those too that come after the hand has let go.
 import type { Model, Thing } from './model';
+import type { Version } from './version';
 
 let drags = 0;
 
@@ -10,13 +11,22 @@ export class Drag {
     private next: number[] | null = null;
     private busy = false;
     private isOver = false;
+    private readonly of: Version; // whose scene it is that is changed, and no other
 
     constructor(
         private readonly model: Model,
         readonly thing: Thing,
-    ) {}
+    ) {
+        this.of = model.version;
+    }
+
+    /** The scene that it changes. */
+    get scene() {
+        return this.of.scene;
+    }
 
     async to(place: number[]) {
+        if (this.of.scene !== this.model.version.scene) return;
         this.next = place;
         if (this.busy) return;
         this.busy = true;
@@ -27,7 +37,7 @@ export class Drag {
             const present = this.model.things.find(
                 ({ key, kind }) => key === this.thing.key && kind === this.thing.kind,
             );
-            const went = await this.model.moveThing(present ?? this.thing, place, this.mark).catch(() => false);
+            const went = await this.model.moveThing(present ?? this.thing, place, this.mark, this.of).catch(() => false);
             // What was undone while the last movement was on its way stays undone.
             if (!went && this.isOver) this.next = null;
             if (went && !this.isOver) await this.model.pictured();
@@ -41,41 +51,72 @@ export class Drag {
     }
 }
 
-/** Follows one pointer over an element; `begin` returns what a movement does, or null. */
+/** What a movement of a pointer does, and its end. */
+export interface Action {
+    move(x: number, y: number): void;
+    end(moved: boolean): void;
+}
+
+/** What two fingers do: spread by a factor around a point, which moves by dx and dy. */
+export type Pinch = (factor: number, x: number, y: number, dx: number, dy: number) => void;
+
+const STILL = 3; // pixels that a hand moves without meaning it
+
+type Spot = readonly [x: number, y: number];
+
+/** Follows the pointers over an element: one does what `begin` returns, two fingers pinch. */
 export function followPointer(
     element: HTMLElement,
-    begin: (
-        x: number,
-        y: number,
-        event: PointerEvent,
-    ) => { move(x: number, y: number): void; end(moved: boolean): void } | null,
+    begin: (x: number, y: number, event: PointerEvent) => Action | null,
+    pinch: Pinch | null = null,
 ) {
+    const spots = new Map<number, Spot>(); // of the pointers that are down
+    let action: Action | null = null;
+    let start: Spot = [0, 0];
+    let moved = false;
+    const place = (event: PointerEvent): Spot => {
+        const { left, top } = element.getBoundingClientRect();
+        return [event.clientX - left, event.clientY - top];
+    };
+    const finish = () => {
+        action?.end(moved);
+        action = null;
+    };
     element.addEventListener('pointerdown', (event) => {
         if (event.button !== 0) return;
-        const place = (e: PointerEvent) => {
-            const { left, top } = element.getBoundingClientRect();
-            return [e.clientX - left, e.clientY - top] as const;
-        };
-        const start = place(event);
-        const action = begin(...start, event);
-        if (!action) return;
+        const at = place(event);
+        const isSecond = spots.size === 1 && pinch !== null && event.pointerType === 'touch';
+        if (spots.size && !isSecond) return;
+        if (isSecond) finish();
+        else {
+            [start, moved] = [at, false];
+            action = begin(...at, event);
+            if (!action) return;
+        }
+        spots.set(event.pointerId, at);
         element.setPointerCapture(event.pointerId);
-        let moved = false;
-        const move = (e: PointerEvent) => {
-            if (e.pointerId !== event.pointerId) return;
-            const [x, y] = place(e);
-            moved ||= Math.hypot(x - start[0], y - start[1]) > 3;
-            if (moved) action.move(x, y);
-        };
-        const end = (e: PointerEvent) => {
-            if (e.pointerId !== event.pointerId) return;
-            element.removeEventListener('pointermove', move);
-            element.removeEventListener('pointerup', end);
-            element.removeEventListener('pointercancel', end);
-            action.end(moved);
-        };
-        element.addEventListener('pointermove', move);
-        element.addEventListener('pointerup', end);
-        element.addEventListener('pointercancel', end);
     });
+    const pinched = (id: number, at: Spot) => {
+        const [[, still]] = [...spots].filter(([other]) => other !== id);
+        const before = spots.get(id)!;
+        const distance = ([x, y]: Spot) => Math.max(Math.hypot(x - still[0], y - still[1]), 1);
+        const middle = ([x, y]: Spot) => [(x + still[0]) / 2, (y + still[1]) / 2];
+        const [[x0, y0], [x1, y1]] = [middle(before), middle(at)];
+        pinch!(distance(at) / distance(before), x0, y0, x1 - x0, y1 - y0);
+    };
+    element.addEventListener('pointermove', (event) => {
+        if (!spots.has(event.pointerId)) return;
+        const at = place(event);
+        if (spots.size === 2) pinched(event.pointerId, at);
+        else {
+            moved ||= Math.hypot(at[0] - start[0], at[1] - start[1]) > STILL;
+            if (moved) action?.move(...at);
+        }
+        spots.set(event.pointerId, at);
+    });
+    const up = (event: PointerEvent) => {
+        if (spots.delete(event.pointerId)) finish();
+    };
+    element.addEventListener('pointerup', up);
+    element.addEventListener('pointercancel', up);
 }

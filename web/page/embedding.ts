@@ -50,8 +50,7 @@ export class Embedding {
         const said = source === window.parent && data?.luxel;
         if (!said) return;
         if (typeof said.name === 'string' && said.bytes instanceof ArrayBuffer) {
-            await this.model.client.give(said.name, new Uint8Array(said.bytes));
-            await this.model.judge();
+            await this.model.give(said.name, new Uint8Array(said.bytes));
         }
         if (typeof said.text === 'string') this.onText(said.text);
     }

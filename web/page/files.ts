@@ -25,7 +25,7 @@ function written(numbers: number[]): string {
 export class Files {
     readonly element = h('ul', { class: 'files' });
     /** Takes the text of a scene that was given. */
-    onScene: (text: string) => void = () => undefined;
+    onScene: (text: string, name: string) => void = () => undefined;
     onTrouble: (text: string) => void = () => undefined;
 
     constructor(private readonly model: Model) {}
@@ -37,21 +37,23 @@ export class Files {
         const scenes = files.filter(isScene);
         const others = files.filter((file) => !isScene(file));
         const wanted = new Set(this.model.files.map(([name]) => lastPart(name)));
-        for (const file of others) await this.model.client.give(file.name, new Uint8Array(await file.arrayBuffer()));
+        const of = this.model.version;
+        for (const file of others) await this.model.give(file.name, new Uint8Array(await file.arrayBuffer()));
         if (scenes.length) return this.openScene(scenes[0]);
-        for (const { name } of others) if (!wanted.has(name)) await this.join(name);
         await this.model.judge();
+        for (const { name } of others) if (!wanted.has(name) && of.scene === this.model.version.scene) await this.join(name);
     }
 
     private async openScene(file: File) {
         const bytes = new Uint8Array(await file.arrayBuffer());
+        const name = lastPart(file.name).replace(/\.[^.]*$/, '');
         const isPicture = bytes[0] === 0x89 || bytes[0] === 0x76;
         if (!isPicture) {
-            this.onScene(new TextDecoder().decode(bytes));
+            this.onScene(new TextDecoder().decode(bytes), name);
             return;
         }
         const { text, messages } = await this.model.client.ask('edit', bytes, []);
-        if (text !== null) this.onScene(text);
+        if (text !== null) this.onScene(text, name);
         else this.onTrouble(messages.map(({ message }) => message).join('; '));
     }
 
@@ -82,7 +84,7 @@ export class Files {
 
     // A mesh is measured first, so that it stands whole before what is there, whatever its unit.
     private async joinMesh(name: string) {
-        const { scene, client, text } = this.model;
+        const { scene, client, text, version } = this.model;
         const index = scene?.surfaces.length ?? 0;
         const insertion = (rest: string): Change => ({
             list: 'surfaces',
@@ -91,8 +93,8 @@ export class Files {
         });
         const trial = await client.ask('edit', text, [insertion(', scale: 1')]);
         const found =
-            trial.text && (await client.ask('judge', trial.text, this.model.irradiance)).scene?.surfaces[index];
-        if (!found || !(found.reach > 0)) return this.model.change([insertion('')]);
+            trial.text && (await client.ask('judge', { ...version, text: trial.text, direct: true })).facts?.surfaces[index];
+        if (!found || !(found.reach > 0)) return this.model.change([insertion('')], '', version);
         const [x, y, z] = scene?.surfaces[0]?.center ?? [0, 0, 0];
         const top = z + (scene?.surfaces[0]?.reach ?? 0);
         const room = (this.model.observer?.position[2] ?? Infinity) - top; // before the observer
@@ -101,7 +103,7 @@ export class Files {
         const scale = fits ? 1 : Number((wanted / found.reach).toPrecision(3));
         const goal = [x, y, room > 0 ? top + 1.1 * scale * found.reach : z];
         const position = goal.map((coordinate, axis) => Math.round(coordinate - scale * found.center[axis]));
-        return this.model.change([insertion(`, scale: ${scale}, position: ${written(position)}`)]);
+        return this.model.change([insertion(`, scale: ${scale}, position: ${written(position)}`)], '', version);
     }
 
     /** Which files the scene names, and buttons that give those that are not there. */
@@ -118,8 +120,7 @@ export class Files {
             const file = input.files?.[0];
             if (!file) return;
             // Whatever it is called on the disk, it is the one that the scene names.
-            await this.model.client.give(name, new Uint8Array(await file.arrayBuffer()));
-            await this.model.judge();
+            await this.model.give(name, new Uint8Array(await file.arrayBuffer()));
         });
         const button = h(
             'button',

@@ -2,9 +2,10 @@
 // The form: every key of the scene that has a value, and those that could have one behind "more", in the core's own
 // words, with its units and ranges.  What is typed becomes an assignment to the text.
 import type { Key, Kind } from './core';
-import { choice, h, lightColour } from './dom';
+import { choice, h, isTypedOver, lightColour, showIn, takeIn } from './dom';
 import { CHOICE, CHOICE_OR_PAIR, CHOICE_OR_WHOLE, NUMBER, NUMBERS, sceneKeys, TEXT, WHOLE, WHOLE_NUMBERS, YES_OR_NO } from './keys';
 import type { Model } from './model';
+import type { Of } from './version';
 import { number, t, typedNumber } from './words';
 
 interface Field {
@@ -13,10 +14,38 @@ interface Field {
     update(value: string | null): void;
     row: HTMLElement;
     note: HTMLElement;
+    /** What is wrong with what was typed, which the scene therefore does not have; empty: nothing. */
+    trouble: string;
 }
 
 function quoted(text: string): string {
     return JSON.stringify(text);
+}
+
+/** A text as the scene writes it, with quotes or without. */
+function unquoted(text: string): string {
+    try {
+        const read: unknown = text.startsWith('"') ? JSON.parse(text) : text;
+        return typeof read === 'string' ? read : text;
+    } catch {
+        return text;
+    }
+}
+
+/** What is wrong with a number that was typed; empty: nothing. */
+function troubleOf(text: string): string {
+    if (!text.trim()) return t('A number is needed here.');
+    return typedNumber(text) === null ? `“${text.trim()}” ${t('is not a number.')}` : '';
+}
+
+/** The numbers of a value in YAML; a number that JSON writes otherwise: null. */
+function numbersOf(text: string | null): number[] | null {
+    try {
+        const numbers: unknown = JSON.parse(text ?? '[]');
+        return Array.isArray(numbers) ? numbers : null;
+    } catch {
+        return null;
+    }
 }
 
 export class Form {
@@ -28,7 +57,19 @@ export class Form {
     private generation = 0; // of the keys' words
     private opened = new Set<string>();
 
-    constructor(private readonly model: Model) {}
+    private of: Of | null = null; // whose values are shown
+
+    constructor(private readonly model: Model) {
+        model.follow(this.element, () => this.of);
+    }
+
+    /** Shows nothing: another scene was opened. */
+    clear() {
+        this.of = null;
+        this.shape = '';
+        this.fields = [];
+        this.element.replaceChildren();
+    }
 
     async reload() {
         ({ keys: this.keys, kinds: this.kinds } = await this.model.client.ask('parameters'));
@@ -38,11 +79,13 @@ export class Form {
 
     /** Shows the present values; the form is built anew only where other keys are to be seen. */
     async refresh() {
-        const { scene } = this.model;
+        const of = this.model.asWhole();
         const { generation } = this;
-        if (!scene || !this.keys.length) return;
+        if (!of || !this.keys.length) return;
         const { lists, paths: wanted, values } = await sceneKeys(this.model, this.keys);
         if (generation !== this.generation) return; // whoever changed the words comes after this
+        if (of.scene !== this.model.version.scene || of.number < (this.of?.number ?? 0)) return;
+        this.of = of;
         const shape = JSON.stringify([
             generation,
             lists,
@@ -58,14 +101,22 @@ export class Form {
             field.update(index >= 0 ? values[index] : null);
         });
         this.showMessages();
+        this.model.dim();
     }
 
     showMessages() {
-        for (const { path, row, note } of this.fields) {
+        for (const { path, row, note, trouble } of this.fields) {
             const message = this.model.messages.find(({ key }) => key === path);
-            note.textContent = message ? message.message : '';
-            row.classList.toggle('wrong', !!message?.error);
+            note.textContent = trouble || (message?.message ?? '');
+            row.classList.toggle('wrong', !!trouble || !!message?.error);
         }
+    }
+
+    // Says what is wrong with what was typed into a field, or that nothing is any more.
+    private complain(path: string, trouble: string) {
+        const field = this.fields.find((each) => each.path === path);
+        if (field) field.trouble = trouble;
+        this.showMessages();
     }
 
     private build(lists: [string, string[]][], wanted: [string, Key][], values: (string | null)[]) {
@@ -178,7 +229,7 @@ export class Form {
         );
         const { inputs, update } = this.inputs(path, key, name);
         const row = h('div', { class: 'field' }, caption, h('span', { class: 'inputs' }, ...inputs), note);
-        this.fields.push({ path, key, update, row, note });
+        this.fields.push({ path, key, update, row, note, trouble: '' });
         return row;
     }
 
@@ -213,14 +264,12 @@ export class Form {
                 const input = h('input', {
                     type: 'text',
                     'aria-labelledby': name,
-                    onchange: () => this.set(path, key.type === TEXT ? quoted(input.value) : input.value),
-                });
-                return {
-                    inputs: [input],
-                    update: (value) => {
-                        if (document.activeElement !== input) input.value = (value ?? '').replace(/^"(.*)"$/, '$1');
+                    onchange: () => {
+                        takeIn(input);
+                        this.set(path, key.type === TEXT ? quoted(input.value) : input.value);
                     },
-                };
+                });
+                return { inputs: [input], update: (value) => showIn(input, unquoted(value ?? '')) };
             }
         }
     }
@@ -246,17 +295,21 @@ export class Form {
         const input = h('input', {
             type: 'text',
             'aria-labelledby': name,
-            onchange: () => input.value.trim() && this.set(path, input.value),
+            onchange: () => {
+                takeIn(input);
+                if (input.value.trim()) this.set(path, input.value);
+                else this.complain(path, t('A number is needed here.'));
+            },
         });
         select.addEventListener('change', () => {
             input.hidden = select.value !== '';
             if (!input.hidden) input.focus();
         });
         const update = (value: string | null) => {
-            if (document.activeElement === input) return;
+            if (document.activeElement === input && isTypedOver(input)) return;
             const isWord = value !== null && words.includes(value);
             select.value = isWord ? value : '';
-            input.value = isWord ? '' : (value ?? '');
+            showIn(input, isWord ? '' : (value ?? ''));
             input.hidden = isWord;
         };
         return { inputs: [select, input], update };
@@ -266,8 +319,10 @@ export class Form {
         const input = h('input', { type: 'text', inputmode: 'decimal', 'aria-labelledby': name });
         input.addEventListener('change', () => {
             const value = typedNumber(input.value);
+            takeIn(input);
+            this.complain(path, troubleOf(input.value));
+            input.setAttribute('aria-invalid', String(value === null));
             if (value !== null) this.set(path, String(value));
-            else if (input.value.trim()) this.set(path, quoted(input.value));
         });
         input.addEventListener('keydown', (event) =>
             this.step(event, input, (value) => this.set(path, value, `step ${path}`)),
@@ -275,10 +330,12 @@ export class Form {
         const [low, high] = key.advised ?? [null, null];
         const inputs: HTMLElement[] = [input];
         let slider: HTMLInputElement | null = null;
+        let isSliding = false;
         const logarithmic = low !== null && high !== null && low > 0 && high / low > 100;
         if (low !== null && high !== null) {
             slider = h('input', { type: 'range', min: 0, max: 1000, 'aria-labelledby': name });
             slider.addEventListener('input', () => {
+                isSliding = true;
                 const at = Number(slider!.value) / 1000;
                 const value = logarithmic ? low * (high / low) ** at : low + (high - low) * at;
                 this.set(
@@ -287,13 +344,17 @@ export class Form {
                     `slide ${path}`,
                 );
             });
-            slider.addEventListener('change', () => this.model.endStep());
+            slider.addEventListener('change', () => {
+                isSliding = false;
+                this.model.endStep();
+            });
             inputs.push(slider);
         }
         const update = (text: string | null) => {
             const value = text === null ? null : Number(text);
-            if (document.activeElement !== input) input.value = value === null ? '' : number(value, 10);
-            if (slider && value !== null && document.activeElement !== slider) {
+            const isWrong = input.getAttribute('aria-invalid') === 'true'; // what was typed stays to be mended
+            if (!isWrong) showIn(input, value === null ? '' : number(value, 10));
+            if (slider && value !== null && !isSliding) {
                 const at = logarithmic
                     ? Math.log(value / low!) / Math.log(high! / low!)
                     : (value - low!) / (high! - low!);
@@ -305,31 +366,37 @@ export class Form {
 
     private vectorInputs(path: string, key: Key) {
         const names = key.count === 3 ? ['x', 'y', 'z'] : ['1', '2'];
-        const read = () => inputs.map((input) => typedNumber(input.value));
+        let present: number[] = []; // what the scene has
+        // What is no number is told, and the scene keeps what it has there; the others count all the same.
         const commit = (mark = '') => {
-            const numbers = read();
-            if (numbers.every((value) => value !== null)) this.set(path, `[${numbers.join(', ')}]`, mark);
+            const troubles = inputs.map((input) => troubleOf(input.value));
+            const numbers = inputs.map((input, i) => typedNumber(input.value) ?? present[i]);
+            const told = troubles.flatMap((trouble, i) => (trouble ? [`${names[i]}: ${trouble}`] : []));
+            inputs.forEach((input, i) => input.setAttribute('aria-invalid', String(!!troubles[i])));
+            this.complain(path, told.join(' '));
+            if (numbers.every((value) => value !== undefined) && numbers.join() !== present.join())
+                this.set(path, `[${numbers.join(', ')}]`, mark);
         };
         const inputs = names.slice(0, key.count).map((axis) => {
             const input = h('input', {
                 type: 'text',
                 inputmode: 'decimal',
                 'aria-label': `${key.label}, ${axis}`,
-                onchange: () => commit(),
+                onchange: () => {
+                    takeIn(input);
+                    commit();
+                },
             });
             input.addEventListener('keydown', (event) => this.step(event, input, () => commit(`step ${path}`)));
             return input;
         });
         const update = (text: string | null) => {
-            let numbers: number[] = [];
-            try {
-                numbers = JSON.parse(text ?? '[]');
-            } catch {
-                return; // a number that JSON writes otherwise stays as it was typed
-            }
+            const numbers = numbersOf(text);
+            if (!numbers) return;
+            present = numbers;
             inputs.forEach((input, i) => {
-                if (document.activeElement !== input)
-                    input.value = numbers[i] === undefined ? '' : number(numbers[i], 10);
+                const isWrong = input.getAttribute('aria-invalid') === 'true'; // what was typed stays to be mended
+                if (!isWrong) showIn(input, numbers[i] === undefined ? '' : number(numbers[i], 10));
             });
         };
         return { inputs: inputs as HTMLElement[], update };
@@ -344,6 +411,7 @@ export class Form {
         const size = value === 0 ? 10 : 10 ** Math.floor(Math.log10(Math.abs(value)) - 0.5);
         const next = Number((value + sign * size * (event.shiftKey ? 10 : 1)).toPrecision(10));
         input.value = number(next, 10);
+        takeIn(input);
         commit(String(next));
     }
 }

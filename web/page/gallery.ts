@@ -4,9 +4,13 @@ import type { Builtin } from './core';
 import { paint } from './colours';
 import { h } from './dom';
 import type { Client } from './client';
+import type { Version } from './version';
 import { t } from './words';
 
 const PIXELS = 110; // about so many across a picture
+
+// The pictures are of direct light, and of no scene that is open.
+const NO_VERSION: Omit<Version, 'text'> = { number: 0, scene: 0, irradiance: false, name: '' };
 
 function coarseness(text: string): number {
     const across = Number(/resolution:\s*\[\s*(\d+)/.exec(text)?.[1] ?? 400);
@@ -52,7 +56,7 @@ export class Gallery {
         this.making = true;
         const worker = await this.client.twin();
         for (const { name, text } of builtins) {
-            const made = await worker.ask('render', text, false, coarseness(text));
+            const made = await worker.ask('render', { ...NO_VERSION, text, direct: true }, coarseness(text));
             if ('messages' in made) continue;
             const { columns, rows, maximum } = made.facts;
             const canvas = this.picture(name);

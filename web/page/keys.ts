@@ -23,10 +23,12 @@ export interface SceneKeys {
 }
 
 export async function sceneKeys(model: Model, keys: Key[]): Promise<SceneKeys> {
-    const { client } = model;
-    const scene = model.scene!;
+    const { client, whole } = model;
+    const of = model.asWhole()!;
+    const scene = whole!.facts;
     const surfaces = await client.ask(
-        'values',
+        'keys',
+        of,
         scene.surfaces.map((_, i) => `surfaces[${i}].type`),
     );
     const lists: SceneKeys['lists'] = [
@@ -44,7 +46,8 @@ export async function sceneKeys(model: Model, keys: Key[]): Promise<SceneKeys> {
                     paths.push([key.path.replace('[]', `[${i}]`), key]);
         });
     const values = await client.ask(
-        'values',
+        'keys',
+        of,
         paths.map(([path]) => path),
     );
     return { lists, paths, values };

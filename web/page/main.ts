@@ -4,10 +4,10 @@ import './style.css';
 import { BalancePanel } from './balance';
 import type { Builtin, PictureFacts } from './core';
 import { hasVectors, Interrupted } from './client';
-import { scaleControls, sideControls } from './controls';
+import { scaleControls, sideControls, zoomButtons } from './controls';
 import { Compare } from './compare';
 import { Dial } from './dial';
-import { h } from './dom';
+import { h, isTypedOver, showIn } from './dom';
 import { Embedding, wishes } from './embedding';
 import { Files } from './files';
 import { Form } from './form';
@@ -17,14 +17,17 @@ import { download, packed, unpacked } from './link';
 import { LoadingNotice } from './loading';
 import { Messages } from './messages';
 import { Model, type Thing } from './model';
-import { explain, lightName, ProbePanel } from './panels';
+import { Explanation, lightName, ProbePanel } from './panels';
 import { PictureView } from './picture';
 import { PointsPanel } from './points';
 import { report } from './report';
 import { SectionPanel } from './section';
 import { SpaceView } from './space';
 import { TextEditor } from './text';
+import { Outdated, type Version } from './version';
+import { WorkNotice } from './work';
 import { currentLanguage, number, setLanguage, t, type Language } from './words';
+import type { Picture } from './worker';
 
 /** The built-in scene that the page begins with, where its link names no other: whole in view, with its lamp. */
 const FIRST_SCENE = 'sphere';
@@ -37,8 +40,7 @@ const TYPES: Record<string, string> = {
 };
 
 /** What a picture is, in one line. */
-function told(facts: PictureFacts): string {
-    const unit = facts.unit === 'relative' ? t('relative') : facts.unit;
+function told(facts: PictureFacts, unit: string): string {
     const extremes = `${t('maximum')} ${number(facts.maximum.value, 5)}, ${t('mean')} ${number(facts.mean, 5)}`;
     const reflected =
         facts.reflected === null ? '' : `; ${t('reflected light within')} ${number(100 * facts.reflected, 2)} %`;
@@ -61,13 +63,18 @@ class Page {
     private readonly files = new Files(this.model);
     private readonly gallery = new Gallery(this.model.client);
     private readonly embedding = new Embedding(this.model);
-    private readonly dialog = h('dialog', { class: 'why' });
+    private readonly explanation = new Explanation(this.model, (html) =>
+        download(`${this.model.version.name}-explanation.html`, html, 'text/html'),
+    );
+    private readonly work = new WorkNotice(this.model);
+    private readonly readout = h('output', { class: 'readout', hidden: true, 'aria-hidden': 'true' });
     private readonly messages = new Messages(this.model);
     private readonly stale = h('p', { class: 'stale', role: 'alert', hidden: true });
     private readonly loading = new LoadingNotice(this.model.client);
     private readonly toast = h('p', { class: 'toast', role: 'status', hidden: true });
     private readonly points = new PointsPanel(this.model);
     private readonly statistics = h('p', { class: 'dim statistics' });
+    private ofStatistics: Version | null = null;
     private readonly chosen = h('p', { class: 'dim', 'aria-live': 'polite' });
     private undoButton!: HTMLButtonElement;
     private redoButton!: HTMLButtonElement;
@@ -115,15 +122,18 @@ class Page {
     }
 
     private async openFirst() {
-        const named = (wanted?: string) => this.builtins.find(({ name }) => name === wanted)?.text;
-        let text = named(FIRST_SCENE) ?? '';
+        const named = (wanted: string) => this.builtins.find(({ name }) => name === wanted);
+        let wanted = { name: FIRST_SCENE, text: named(FIRST_SCENE)?.text ?? '' };
         try {
             const linked = await unpacked(location.hash);
-            text = linked?.text ?? named(linked?.name) ?? text;
+            const builtin = linked?.name ? named(linked.name) : undefined;
+            if (linked?.text !== undefined) wanted = { name: 'scene', text: linked.text };
+            else if (builtin) wanted = builtin;
+            else if (linked) this.say(`${t('There is no built-in scene of this name')}: ${linked.name}`);
         } catch {
             this.say(t('The link holds no scene that can be read.'));
         }
-        this.model.begin(text);
+        this.openText(wanted.text, wanted.name);
     }
 
     private listen() {
@@ -132,11 +142,24 @@ class Page {
             this.model.recover(t('The core fails on this scene. Change it, or undo.'));
         };
         this.model.listen((topic) => {
-            if (topic === 'text') this.textChanged();
+            if (topic === 'begin') this.clear();
+            else if (topic === 'text') this.textChanged();
             else if (topic === 'scene') this.sceneChanged();
-            else if (topic === 'geometry') void this.geometryChanged();
-            else if (topic === 'picture') this.pictureChanged();
+            else if (topic === 'geometry') this.geometryChanged();
+            else if (topic === 'picture') void this.pictureChanged();
+            else if (topic === 'light') this.lightChanged();
+            this.work.show();
+            this.showBusy();
         });
+        const ofPicture = () => this.model.picture?.of ?? null;
+        this.model.follow(this.picture.canvas, ofPicture);
+        this.model.follow(this.statistics, () => this.ofStatistics);
+        this.model.follow(
+            () => [this.dial.element, this.low, this.high],
+            () => (this.picture.scale.locked ? null : ofPicture()),
+        );
+        this.model.follow(this.chosen, () => this.model.whole);
+        this.model.follow(this.readout, () => this.probe.shown);
         this.picture.onProbe = (x, y) => {
             this.probe.ask(x, y);
             this.section.through(x, y);
@@ -146,8 +169,10 @@ class Page {
         this.probe.onValue = (probe) => {
             this.space.probe = probe;
             this.space.draw();
+            this.readout.textContent = this.probe.told;
         };
-        this.space.image = this.picture.image;
+        this.picture.onFinger = () => (this.readout.hidden = false);
+        this.space.image = () => this.picture.shownImage;
         this.picture.onPaint = () => this.space.draw();
         this.picture.onWhy = () => this.why();
         const select = (thing: Thing | null) => {
@@ -159,12 +184,13 @@ class Page {
         this.picture.onSelect = select;
         this.space.onSelect = select;
         this.embedding.onText = (text) => this.openText(text);
-        this.files.onScene = (text) => this.openText(text);
+        this.files.onScene = (text, name) => this.openText(text, name);
         this.files.onTrouble = (text) => this.say(text);
         // What a worker was asked that had to make way is asked anew of the next scene.
         window.addEventListener(
             'unhandledrejection',
-            (event) => void (event.reason instanceof Interrupted && event.preventDefault()),
+            (event) =>
+                (event.reason instanceof Interrupted || event.reason instanceof Outdated) && event.preventDefault(),
         );
         window.addEventListener('hashchange', () => this.openFirst());
         window.addEventListener('keydown', (event) => this.key(event));
@@ -180,7 +206,7 @@ class Page {
             this.pictureChanged();
             this.section.draw();
         };
-        this.gallery.onChoose = ({ text }) => this.openText(text);
+        this.gallery.onChoose = ({ text, name }) => this.openText(text, name);
         this.messages.onShow = (message) => {
             this.tab = 'text';
             this.showTab();
@@ -189,7 +215,10 @@ class Page {
     }
 
     private key(event: KeyboardEvent) {
-        const isTyping = event.target instanceof HTMLTextAreaElement || event.target instanceof HTMLInputElement;
+        const { target } = event;
+        // What is being typed is undone by the browser, letter by letter; what was taken is a step of the history.
+        const isField = target instanceof HTMLInputElement && !['checkbox', 'range', 'file'].includes(target.type);
+        const isTyping = target instanceof HTMLTextAreaElement || (isField && isTypedOver(target));
         if (!(event.ctrlKey || event.metaKey) || isTyping) return;
         const letter = event.key.toLowerCase();
         if (letter === 'z' && !event.shiftKey) this.model.undo();
@@ -209,6 +238,7 @@ class Page {
         const parts = [
             this.header(),
             this.loading.element,
+            this.work.element,
             this.stale,
             h(
                 'main',
@@ -216,9 +246,14 @@ class Page {
                 h(
                     'section',
                     { class: 'view of-picture', 'aria-label': t('Picture') },
-                    h('h2', {}, t('Picture')),
+                    h(
+                        'h2',
+                        {},
+                        t('Picture'),
+                        zoomButtons((factor) => this.picture.zoomBy(factor)),
+                    ),
                     this.newScaleControls(),
-                    h('div', { class: 'picture-row' }, this.picture.canvas, this.dial.element),
+                    h('div', { class: 'picture-row' }, this.picture.canvas, this.dial.element, this.readout),
                     this.statistics,
                     this.compare.element,
                     this.compare.summary,
@@ -226,7 +261,12 @@ class Page {
                 h(
                     'section',
                     { class: 'view of-space', 'aria-label': t('Space view') },
-                    h('h2', {}, t('Space view')),
+                    h(
+                        'h2',
+                        {},
+                        t('Space view'),
+                        zoomButtons((factor) => this.space.zoomBy(factor)),
+                    ),
                     sideControls(this.space),
                     this.space.canvas,
                     this.chosen,
@@ -238,7 +278,7 @@ class Page {
                     this.probe.element,
                     h('h3', {}, t('Section')),
                     this.section.controls(),
-                    this.section.canvas,
+                    this.section.element,
                     this.points.element,
                     this.balance.element,
                 ),
@@ -254,11 +294,11 @@ class Page {
             ),
             this.embedding.link(),
             this.toast,
-            this.dialog,
+            this.explanation.dialog,
             this.gallery.dialog,
         ];
         this.app.replaceChildren(...parts.filter((part) => part !== null));
-        this.stale.textContent = t('The scene has errors. The picture is of the last scene without errors.');
+        this.stale.textContent = t('The scene has errors. What is dimmed is of the last scene without errors.');
         this.showTab();
         this.showHistory();
     }
@@ -310,38 +350,76 @@ class Page {
     }
 
     private async changeLanguage(code: Language) {
+        try {
+            this.builtins = await this.model.translate(code);
+        } catch {
+            this.say(t('The words of that language could not be loaded. The page keeps its own.'));
+            this.build();
+            return;
+        }
         setLanguage(code);
         try {
             localStorage.setItem('luxel-language', code);
         } catch {
             // Without storage the choice lasts as long as the page.
         }
-        this.builtins = await this.model.client.translate(code);
         this.build();
-        await this.model.judge();
         await this.form.reload();
-        this.pictureChanged();
+        await this.pictureChanged();
         this.sceneChanged();
+        this.lightChanged();
     }
 
-    private openText(text: string) {
-        this.space.fit();
-        this.picture.probe = null;
-        this.model.begin(text);
-        this.refit = true;
+    private openText(text: string, name?: string) {
+        this.model.begin(text, name);
     }
 
-    private refit = false;
+    /** Shows nothing of the scene before, as another one was opened. */
+    private clear() {
+        for (const part of [this.picture, this.space, this.probe, this.section, this.points, this.balance, this.form])
+            part.clear();
+        this.explanation.clear();
+        this.statistics.textContent = '';
+        this.ofStatistics = null;
+        this.readout.textContent = '';
+        this.readout.hidden = true;
+        this.stale.hidden = true;
+        this.app.classList.remove('is-stale');
+        this.app.dataset.stride = '0';
+        for (const input of [this.low, this.high]) if (!this.picture.scale.locked) showIn(input, '');
+        this.compare.tell();
+        this.messages.show();
+        this.files.show();
+        this.showChosen();
+    }
+
+    // Screen readers hear that numbers are on their way.
+    private showBusy() {
+        const isBusy = !this.model.stale && !this.model.isSettled && !this.model.isStopped;
+        this.app.querySelector('main')?.setAttribute('aria-busy', String(isBusy));
+    }
 
     private async save(ending: string) {
-        if (ending === '.yaml') return download('scene.yaml', this.model.text, TYPES[ending]);
-        if (ending === '.html') {
-            const html = await report(this.model, this.picture).catch(() => null);
-            return html ? download('report.html', html, TYPES[ending]) : undefined;
-        }
-        const { bytes, messages } = await this.model.client.ask('file', `scene${ending}`);
-        if (bytes) download(`scene${ending}`, bytes, TYPES[ending] ?? 'application/octet-stream');
+        const { version } = this.model;
+        const { name } = version;
+        if (ending === '.yaml') return download(`${name}.yaml`, version.text, TYPES[ending]);
+        const source = this.model.source();
+        if (!source) return this.say(t('There is no file of a scene with errors.'));
+        if (this.model.isPartial(source.of))
+            return this.say(t('Reflected light is not known yet: there is no file without it.'));
+        this.say(t('The file is being made.'));
+        const made = await this.fileOf(ending, source).catch(() => null);
+        if (!this.model.isCurrent(version) || !made) return this.say(t('The scene has changed: the file was not made.'));
+        this.toast.hidden = true;
+        const { content, messages } = made;
+        if (content) download(`${name}${ending}`, content, TYPES[ending] ?? 'application/octet-stream');
         else this.say(messages.map(({ message }) => message).join('; '));
+    }
+
+    private async fileOf(ending: string, { client, of }: NonNullable<ReturnType<Model['source']>>) {
+        if (ending === '.html') return { content: await report(this.model, this.picture), messages: [] };
+        const { bytes, messages } = await client.ask('file', of, `scene${ending}`);
+        return { content: bytes, messages };
     }
 
     private async copyLink() {
@@ -363,8 +441,7 @@ class Page {
 
     private async why() {
         const [x, y] = this.picture.probe ?? [0, 0];
-        if (!this.model.scene) return;
-        await explain(this.model, this.dialog, x, y, (html) => download('explanation.html', html, 'text/html'));
+        await this.explanation.show(x, y);
     }
 
     private textChanged() {
@@ -393,16 +470,23 @@ class Page {
         else this.form.refresh();
     }
 
-    private async geometryChanged() {
-        if (this.refit) this.space.fit();
-        this.refit = false;
+    private geometryChanged() {
         this.space.geometryChanged();
         this.showChosen();
-        await this.picture.geometryChanged();
-        await this.points.refresh();
-        if (this.picture.probe === null)
-            this.picture.moveProbe(...((this.model.scene?.points[0] as [number, number]) ?? [0, 0]));
-        else this.picture.moveProbe(...this.picture.probe);
+        this.picture.geometryChanged();
+        this.askForNumbers();
+    }
+
+    /** Asks for all numbers anew: of another version of the scene, or with light that was not known before. */
+    private askForNumbers() {
+        const first = (this.model.scene?.points[0] as [number, number] | undefined) ?? [0, 0];
+        this.picture.moveProbe(...(this.picture.probe ?? first));
+        void this.points.refresh();
+    }
+
+    private lightChanged() {
+        this.askForNumbers();
+        void this.balance.refresh();
     }
 
     private showChosen() {
@@ -437,12 +521,21 @@ class Page {
             [this.low, scale.low],
             [this.high, scale.high],
         ] as const)
-            if (document.activeElement !== input) input.value = number(value, 4);
+            showIn(input, number(value, 4));
         this.dial.draw(scale);
-        const facts = this.model.picture?.facts;
-        if (facts) this.statistics.textContent = told(facts);
-        this.balance.refresh();
+        const { picture } = this.model;
+        if (picture?.stride === 1) this.tellStatistics(picture);
+        if (this.model.isSettled) void this.balance.refresh();
         this.app.dataset.stride = String(this.model.picture?.stride ?? 0);
+    }
+
+    // The extremes of a coarse picture are not those of the whole one.
+    private tellStatistics({ facts, of }: Picture) {
+        const unit = this.model.scene?.unit ?? '';
+        const partial = this.model.isPartial(of) ? ` (${t('direct light alone')})` : '';
+        this.statistics.textContent = told(facts, unit === 'relative' ? t('relative') : unit) + partial;
+        this.ofStatistics = of;
+        this.model.dim();
     }
 
     private redraw() {

@@ -27,7 +27,7 @@ export class Messages {
             { class: message.error ? 'error' : 'advice' },
             go,
             ` ${message.message}`,
-            message.hint ? h('span', { class: 'dim' }, ` — ${message.hint}`) : null,
+            message.hint ? h('span', { class: 'dim' }, ` — ${message.hint.replace(/-s '([^']+)'/g, '$1')}`) : null,
             this.mending(message),
         );
     }

@@ -1,135 +1,147 @@
 // SPDX-License-Identifier: MIT
 // What the page shows: the text of the scene with its history, what the core says to it, and the picture.  A change is
 // judged at once; pictures follow, the newest wins, and a coarse one comes first where a whole one takes long.
-import type { Change, Message, SceneFacts } from './core';
+//
+// Each change makes a new version, and everything that is found keeps the one that it was found of.  The model alone decides
+// whether that is the current one (isCurrent); what is not is dimmed (follow), and nobody copies it.
+import type { Change, Message, Probe, SceneFacts } from './core';
 import { Client } from './client';
+import type { Geometry, Shape, Thing } from './geometry';
+import type { Of, Version } from './version';
+import { Work } from './work';
 import type { Picture } from './worker';
+
+export type { Shape, Thing } from './geometry';
 
 const OFTEN = 24; // milliseconds that a picture may take to follow the hand
 const SLOW = 200; // milliseconds from which on a second worker makes a picture
+const BEARABLE = 400; // milliseconds that the first worker spends on a picture of direct light
 const UNKNOWN = 8; // the stride of a scene's first picture
 const STRIDES = [1, 2, 4, 8, 16];
+const REST = 120; // milliseconds without a change after which the hand rests
 const MOMENT = 100; // milliseconds that a drag waits for its picture
 const MOST_STEPS = 200; // of the history
 
-export type Topic = 'text' | 'scene' | 'picture' | 'geometry' | 'failure';
+/** What has changed; begin: another scene was opened, of which nothing is known yet; light: numbers have all their light. */
+export type Topic = 'text' | 'begin' | 'scene' | 'geometry' | 'picture' | 'light' | 'work';
 
-/** Objects of the scene that can be grabbed, by the key that moves them. */
-export interface Thing {
-    kind: 'light' | 'aim' | 'direction' | 'surface' | 'observer';
-    index: number;
-    key: string; // "lights[0].position"
-    at: number[];
-    from?: number[]; // of an aim: the light
+/** A version without errors, and what it holds. */
+interface Whole extends Version, Geometry {
+    facts: SceneFacts;
 }
 
-/** A body or outline, as the space view draws it. */
-export interface Shape {
-    kind: 'surface' | 'light';
-    index: number;
-    type: string;
-    center: number[];
-    radius?: number;
-    size?: number[];
-    height?: number;
-    axis?: number[];
-    up?: number[];
-    outline?: number[][];
-    opening?: number; // of a spot, degrees from its axis
-    text?: string; // of a mesh: its mapping in the scene
+/** Exact values at places, all of one version. */
+export interface Told {
+    of: Of;
+    probes: (Probe | null)[];
 }
 
-const HEAD_KEYS = ['screen.width', 'screen.height', 'observer.z', 'observer.position', 'observer.projection', 'units'];
-const SURFACE_KEYS = ['type', 'center', 'radius', 'size', 'height', 'axis', 'up', 'position'];
-const BODIES = ['rectangle', 'disk', 'box', 'sphere', 'cylinder'];
-const PLACE_KEYS = ['position', 'vertices', ...BODIES.map((body) => `${body}.center`)];
-const BODY_KEYS = ['aim', 'outer', 'radius', 'size', 'height'];
-
-/** Values of keys as the scene has them, in YAML. */
-class Values {
-    constructor(private readonly texts: Map<string, string | null>) {}
-
-    text(key: string): string | null {
-        return this.texts.get(key) ?? null;
-    }
-
-    /** The numbers of a value, or lists of them; null: it is something else. */
-    numbers(key: string): number[] | null {
-        try {
-            const numbers: unknown = JSON.parse(this.text(key) ?? 'null');
-            if (typeof numbers === 'number') return [numbers];
-            const isList = Array.isArray(numbers) && numbers.length > 0;
-            return isList && !numbers.flat().some((n) => typeof n !== 'number') ? (numbers as number[]) : null;
-        } catch {
-            return null;
-        }
-    }
-}
-
-/** Where a light's place and size are written. */
-interface Body {
-    base: string; // of the group of keys: "lights[0]", "lights[0].disk"
-    key?: string; // of its place
-    at?: number[];
-    type?: string; // as it is drawn, where that is not the light's own
-    outline?: number[][];
-}
-
-function bodyOf(base: string, values: Values): Body {
-    const position = values.numbers(`${base}.position`);
-    const outline = (values.numbers(`${base}.vertices`) as unknown as number[][] | null) ?? undefined;
-    if (position) return { base, key: `${base}.position`, at: position, outline };
-    for (const type of BODIES) {
-        const center = values.numbers(`${base}.${type}.center`);
-        const group = `${base}.${type}`;
-        if (center) return { base: group, key: `${group}.center`, at: center, type, outline };
-    }
-    return { base, type: 'polygon', outline };
-}
-
-function sizes(base: string, values: Values): Pick<Shape, 'radius' | 'size' | 'height' | 'axis' | 'up'> {
-    const numbers = (key: string) => values.numbers(`${base}.${key}`) ?? undefined;
-    return {
-        radius: numbers('radius')?.[0],
-        size: numbers('size'),
-        height: numbers('height')?.[0],
-        axis: numbers('axis'),
-        up: numbers('up'),
-    };
+/** How values come in parts: whether they are still wanted, and what is done with those that are there. */
+interface Part {
+    isWanted?: () => boolean;
+    onSome?: (told: Told) => void;
 }
 
 export class Model {
     readonly client = new Client();
-    text = '';
-    wholeText = '';
-    messages: Message[] = [];
-    scene: SceneFacts | null = null;
+    version: Version = { number: 0, scene: 0, text: '', irradiance: false, name: 'scene' };
+    /** The last version without errors of the scene that is open; null: there was none yet. */
+    whole: Whole | null = null;
     picture: Picture | null = null;
-    irradiance = false;
+    messages: Message[] = [];
+    /** Whether the present text has errors. */
     stale = false;
+    /** The whole picture with all its light, where that takes long. */
+    work: Work | null = null;
     /** How many drags still change the scene: the last movement is taken after the hand has let go. */
     drags = 0;
-    things: Thing[] = [];
-    shapes: Shape[] = [];
-    screen: number[] = [1, 1]; // width and height in mm
-    observer: { position: number[]; perspective: boolean } | null = null;
-    photometric = false;
     /** The files that the text names, and whether they were given. */
     files: [string, boolean][] = [];
-    private past: string[] = [];
-    private future: string[] = [];
+    private past: Version[] = [];
+    private future: Version[] = [];
     private listeners: ((topic: Topic) => void)[] = [];
+    private followed: { elements: () => HTMLElement[]; of: () => Version | null }[] = [];
+    private versions = 0;
     private judging = false;
-    private rendering = false;
     private wantsJudging = false;
-    private wantsPicture = false;
+    private rendering = false;
+    private rendered = 0; // the number of the version of which pictures were asked for last
     private coarse = 1; // the stride at which a picture follows the hand
     private lastMark = '';
     private wholeTime = 0; // milliseconds that a whole picture takes, by the last one
-    private slow: Client | null = null;
-    private pictureClient = this.client;
     private awaiting: (() => void)[] = [];
     private failing = ''; // the text with which the core failed last
+
+    get text() {
+        return this.version.text;
+    }
+
+    get irradiance() {
+        return this.version.irradiance;
+    }
+
+    get wholeText() {
+        return this.whole?.text ?? '';
+    }
+
+    get scene(): SceneFacts | null {
+        return this.whole?.facts ?? null;
+    }
+
+    get things(): Thing[] {
+        return this.whole?.things ?? [];
+    }
+
+    get shapes(): Shape[] {
+        return this.whole?.shapes ?? [];
+    }
+
+    get screen(): number[] {
+        return this.whole?.screen ?? [1, 1];
+    }
+
+    get observer() {
+        return this.whole?.observer ?? null;
+    }
+
+    get photometric() {
+        return this.whole?.photometric ?? false;
+    }
+
+    /** Whether something belongs to the present version, of which no errors are known.  Nobody else decides it. */
+    isCurrent(of: Version | null | undefined): boolean {
+        return !!of && !this.stale && of.number === this.version.number;
+    }
+
+    /** Whether the picture is whole, current, and has all light. */
+    get isSettled(): boolean {
+        const { picture } = this;
+        return !!picture && picture.stride === 1 && this.isCurrent(picture.of) && !this.isPartial(picture.of);
+    }
+
+    /** Whether long work was stopped, by its user or by a failure. */
+    get isStopped(): boolean {
+        return this.work?.state === 'stopped' || this.work?.state === 'failed';
+    }
+
+    /** Whether something has direct light alone of a scene that has more. */
+    isPartial(of: Of): boolean {
+        return of.direct && !!this.whole?.reflects;
+    }
+
+    /** Dims elements while what they show is of another version than the current one; null: they show nothing. */
+    follow(elements: HTMLElement | (() => HTMLElement[]), of: () => Version | null) {
+        this.followed.push({ elements: typeof elements === 'function' ? elements : () => [elements], of });
+    }
+
+    /** Dims what is to be dimmed now. */
+    dim() {
+        for (const { elements, of } of this.followed) {
+            const shown = of();
+            const isOld = !!shown && !this.isCurrent(shown);
+            for (const element of elements()) element.classList.toggle('old', isOld);
+        }
+    }
 
     listen(listener: (topic: Topic) => void) {
         this.listeners.push(listener);
@@ -137,7 +149,7 @@ export class Model {
 
     /** Waits for a picture of the present text, but no longer than a moment: so a drag asks for no more than is shown. */
     pictured(): Promise<void> {
-        if (this.picture?.text === this.text) return Promise.resolve();
+        if (this.isCurrent(this.picture?.of)) return Promise.resolve();
         return new Promise((resolve) => {
             this.awaiting.push(resolve);
             setTimeout(resolve, MOMENT);
@@ -146,27 +158,43 @@ export class Model {
 
     private tell(topic: Topic) {
         if (topic === 'picture' || this.stale) this.awaiting.splice(0).forEach((resolve) => resolve());
+        this.dim();
         for (const listener of this.listeners) listener(topic);
+        this.dim();
+    }
+
+    // All that was found before is of another version from here on.
+    private renew(change: Partial<Version>) {
+        const { scene } = this.version;
+        this.version = { ...this.version, ...change, number: ++this.versions };
+        this.work?.drop();
+        this.work = null;
+        this.client.forget(this.version.number);
+        if (this.version.scene !== scene) {
+            [this.whole, this.picture, this.messages, this.files, this.stale] = [null, null, [], [], false];
+            this.coarse = UNKNOWN;
+            this.tell('begin');
+        }
+        this.tell('text');
+        void this.judge();
     }
 
     /** Takes a new text; changes with one mark that follow one another are one step of the history. */
-    setText(text: string, mark = '') {
-        if (text === this.text) return;
+    setText(text: string, mark = '', another: Partial<Version> | null = null) {
+        if (text === this.text && !another) return;
         if (this.text && !(mark && mark === this.lastMark)) {
-            this.past.push(this.text);
+            this.past.push(this.version);
             if (this.past.length > MOST_STEPS) this.past.shift();
         }
         this.lastMark = mark;
         this.future = [];
-        this.text = text;
-        this.tell('text');
-        this.judge();
+        this.renew({ text, ...another });
     }
 
-    /** Takes another scene, of which a coarse picture comes first, as nobody knows how long it takes. */
-    begin(text: string) {
-        this.coarse = UNKNOWN;
-        this.setText(text);
+    /** Takes another scene, of which nothing is known yet. */
+    begin(text: string, name = 'scene') {
+        this.lastMark = '';
+        this.setText(text, '', { scene: ++this.versions, name });
     }
 
     /** Ends a step of the history, so that the next change begins one. */
@@ -183,42 +211,58 @@ export class Model {
     }
 
     undo() {
-        const text = this.past.pop();
-        if (text === undefined) return;
-        this.future.push(this.text);
-        this.restore(text);
+        this.restore(this.past, this.future);
     }
 
     redo() {
-        const text = this.future.pop();
-        if (text === undefined) return;
-        this.past.push(this.text);
-        this.restore(text);
+        this.restore(this.future, this.past);
     }
 
-    private restore(text: string) {
+    private restore(from: Version[], to: Version[]) {
+        const version = from.pop();
+        if (!version) return;
+        to.push(this.version);
         this.lastMark = '';
-        this.text = text;
-        this.tell('text');
-        this.judge();
+        this.renew({ text: version.text, scene: version.scene, name: version.name });
     }
 
     setIrradiance(irradiance: boolean) {
-        this.irradiance = irradiance;
-        this.judge();
+        if (irradiance !== this.irradiance) this.renew({ irradiance });
     }
 
-    /** Changes values by assignments and the like; false: it does not go, and messages tell why. */
-    async change(changes: Change[], mark = ''): Promise<boolean> {
-        const before = this.text;
+    /** Gives a file that scenes name. */
+    async give(name: string, bytes: Uint8Array) {
+        await this.client.give(name, bytes);
+        this.renew({});
+    }
+
+    /** Has the core speak another language: numbers stay, words are asked for anew. */
+    async translate(language: string) {
+        const builtins = await this.client.translate(language);
+        const { work } = this;
+        if (work?.state === 'done') await work.client?.speakAs(this.client).catch(() => undefined);
+        await this.judge();
+        return builtins;
+    }
+
+    /**
+     * Changes values of a version by assignments and the like.  False: it does not go, and messages tell why, or the version
+     * is of a scene that is no longer open, or somebody was faster.
+     */
+    async change(changes: Change[], mark = '', of: Version = this.version): Promise<boolean> {
+        const before = this.version;
+        if (of.scene !== before.scene) return false;
         const { interruptions } = this.client;
-        const { text, messages } = await this.client.urgent('edit', before, changes);
-        if (this.client.interruptions !== interruptions) void this.judge(); // a picture was given up
-        if (this.text !== before) return false; // somebody was faster
-        if (text === null) {
-            this.messages = messages;
+        const { text, messages } = await this.client.urgent('edit', before.text, changes);
+        const isInterrupted = this.client.interruptions !== interruptions;
+        if (isInterrupted) this.rendered = 0; // a picture was given up
+        if (this.version !== before) return false;
+        if (text === null || text === before.text) {
+            if (text === null) this.messages = messages;
             this.tell('scene');
-            return false;
+            void this.render();
+            if (isInterrupted) this.tell('light');
+            return text !== null;
         }
         this.setText(text, mark);
         return true;
@@ -235,53 +279,84 @@ export class Model {
         this.judging = false;
     }
 
+    // What was found of an older version of the scene is shown, dimmed, while a newer one is on its way.
     private async judgeOnce() {
-        const text = this.text;
-        const { whole, messages, scene, files } = await this.client.urgent('judge', text, this.irradiance);
-        if (text !== this.text) return;
+        const of = { ...this.version, direct: true };
+        const { messages, files, facts, geometry } = await this.client.urgent('judge', of);
+        if (of.scene !== this.version.scene) return;
+        if (facts && geometry) this.whole = { ...this.versionOf(of), facts, ...geometry };
+        if (of.number !== this.version.number) return this.tell('geometry');
         this.messages = messages;
         this.files = files;
-        this.stale = !whole;
-        if (whole) {
-            this.wholeText = text;
-            this.scene = scene;
-            await this.measure();
+        this.stale = !facts;
+        if (facts) {
             this.tell('geometry');
-            this.render();
+            void this.render();
         }
         this.tell('scene');
     }
 
+    private versionOf({ number, scene, text, irradiance, name }: Version): Version {
+        return { number, scene, text, irradiance, name };
+    }
+
+    /** The last version without errors, for what is asked of the scene itself. */
+    asWhole(): Of | null {
+        return this.whole && { ...this.versionOf(this.whole), direct: this.whole.reflects };
+    }
+
     private async render() {
-        this.wantsPicture = true;
-        this.slow?.stop();
-        this.slow = null;
         if (this.rendering) return;
         this.rendering = true;
-        while (this.wantsPicture) {
-            this.wantsPicture = false;
-            const stride = this.coarse;
-            await this.renderOnce(stride, this.client).catch(() => undefined);
-            if (this.wantsPicture || this.picture?.stride === 1) continue;
-            await new Promise((resolve) => setTimeout(resolve, 120)); // the hand may still be moving
-            if (!this.wantsPicture) await this.renderWhole().catch(() => undefined);
+        while (this.whole && this.rendered !== this.whole.number) {
+            const { whole } = this;
+            this.rendered = whole.number;
+            await this.renderOnce(whole, this.coarse).catch(() => undefined);
+            if (this.isLeft(whole)) continue;
+            if (!whole.reflects && this.picture?.stride === 1) continue;
+            await new Promise((resolve) => setTimeout(resolve, REST)); // the hand may still be moving
+            if (!this.isLeft(whole)) await this.renderWhole(whole).catch(() => undefined);
         }
         this.rendering = false;
     }
 
-    /** A whole picture that takes long is made by a second worker, which is stopped when another one is wanted. */
-    private async renderWhole() {
-        if (this.wholeTime < SLOW) return this.renderOnce(1, this.client);
-        const slow = await this.client.twin();
-        if (this.wantsPicture) return slow.stop();
-        this.slow = slow;
-        await this.renderOnce(1, slow);
+    private isLeft(whole: Whole): boolean {
+        return this.whole?.number !== whole.number || this.rendered !== whole.number || !this.isCurrent(whole);
     }
 
-    private async renderOnce(stride: number, client: Client) {
-        const text = this.wholeText;
-        const picture = await client.ask('render', text, this.irradiance, stride);
+    // All light, and pictures that take long, are a second worker's; meanwhile direct light is shown as finely as is quick.
+    private async renderWhole(whole: Whole) {
+        const isSlow = this.wholeTime >= SLOW;
+        if (whole.reflects || isSlow) this.begins(whole);
+        const finest = STRIDES.find((each) => this.wholeTime / (each * each) <= BEARABLE) ?? this.coarse;
+        const stride = !isSlow ? 1 : whole.reflects ? finest : this.coarse;
+        if (!this.picture || stride < this.picture.stride) await this.renderOnce(whole, stride);
+    }
+
+    private begins(whole: Whole) {
+        this.work?.drop();
+        const work = new Work({ ...this.versionOf(whole), direct: false }, () => this.work === work && this.tell('work'));
+        this.work = work;
+        this.tell('work');
+        void work.begin(this.client).then(async (picture) => {
+            if (this.work !== work || !picture) return;
+            await work.client!.speakAs(this.client).catch(() => undefined); // the language may have been changed meanwhile
+            if (this.work !== work) return;
+            this.take(picture);
+            if (whole.reflects) this.tell('light');
+        });
+    }
+
+    /** Begins long work that was stopped anew. */
+    resume() {
+        if (this.whole && this.isCurrent(this.whole)) this.begins(this.whole);
+    }
+
+    private async renderOnce(whole: Whole, stride: number) {
+        const picture = await this.client.ask('render', { ...this.versionOf(whole), direct: whole.reflects }, stride);
+        if (whole.scene !== this.version.scene) return;
         if ('messages' in picture) {
+            if (whole.number !== this.version.number) return;
             this.messages = picture.messages;
             this.stale = true;
             this.tell('scene');
@@ -290,20 +365,54 @@ export class Model {
         this.failing = '';
         this.wholeTime = picture.milliseconds * stride * stride;
         this.coarse = STRIDES.find((each) => this.wholeTime / (each * each) <= OFTEN) ?? STRIDES[STRIDES.length - 1];
+        const shown = this.picture;
+        const isFinal = shown?.of.number === whole.number && (shown.of.direct !== whole.reflects || shown.stride < stride);
+        if (!isFinal) this.take(picture);
+    }
+
+    private take(picture: Picture) {
         this.picture = picture;
-        this.pictureClient = client;
         this.tell('picture');
     }
 
-    /** Lines of equal value of the picture that is shown. */
-    isophotes(logarithmic: boolean) {
-        return this.pictureClient.ask('isophotes', 8, logarithmic).catch(() => []);
+    /** Who knows numbers of the present version, and what they are of: direct light alone, until all light is known. */
+    source(): { client: Client; of: Of } | null {
+        const { whole, work } = this;
+        if (!whole || !this.isCurrent(whole)) return null;
+        const isDone = work?.state === 'done' && work.client;
+        const of = { ...this.versionOf(whole), direct: whole.reflects && !isDone };
+        return { client: whole.reflects && isDone ? isDone : this.client, of };
+    }
+
+    /** Exact values at places of the screen; null: the scene has changed meanwhile.  They come in small parts. */
+    async valuesAt(
+        places: number[][],
+        { isWanted = () => true, onSome = () => undefined }: Part = {},
+    ): Promise<Told | null> {
+        const source = this.source();
+        if (!source) return null;
+        const { client, of } = source;
+        const told: Told = { of, probes: [] };
+        while (told.probes.length < places.length) {
+            const some = await client.ask('values', of, places.slice(told.probes.length));
+            told.probes.push(...some);
+            if (!this.isCurrent(of) || !isWanted()) return null;
+            onSome(told);
+        }
+        return told;
+    }
+
+    /** Lines of equal value of a picture. */
+    isophotes({ of, stride }: Picture, logarithmic: boolean) {
+        const client = this.work?.state === 'done' && !of.direct ? this.work.client! : this.client;
+        return client.ask('isophotes', of, stride, 8, logarithmic).catch(() => []);
     }
 
     /** After a failure of the core: begins anew, but not with a text that made it fail twice. */
     recover(message: string) {
         const isHopeless = this.failing === this.text;
         this.failing = this.text;
+        this.rendered = 0;
         if (!isHopeless) {
             void this.judge();
             return;
@@ -313,106 +422,23 @@ export class Model {
         this.tell('scene');
     }
 
-    private async valuesOf(keys: string[]): Promise<Values> {
-        const values = await this.client.ask('values', keys);
-        return new Values(new Map(keys.map((key, i) => [key, values[i]])));
-    }
-
-    /** Reads off the scene where its things stand: in two questions, as each waits for the worker. */
-    private async measure() {
-        const scene = this.scene!;
-        const bases = [
-            ...scene.surfaces.map((_, i): [string, string[]] => [`surfaces[${i}]`, SURFACE_KEYS]),
-            ...scene.lights.map((_, i): [string, string[]] => [`lights[${i}]`, PLACE_KEYS]),
-        ];
-        const meshes = scene.surfaces.map((_, i) => `surfaces[${i}]`);
-        const values = await this.valuesOf([
-            ...HEAD_KEYS,
-            ...meshes,
-            ...bases.flatMap(([base, keys]) => keys.map((key) => `${base}.${key}`)),
-        ]);
-        const bodies = scene.lights.map((_, i) => bodyOf(`lights[${i}]`, values));
-        const more = await this.valuesOf(bodies.flatMap(({ base }) => BODY_KEYS.map((key) => `${base}.${key}`)));
-        this.photometric = values.text('units') === 'photometric';
-        this.screen = ['width', 'height'].map((key) => values.numbers(`screen.${key}`)?.[0] ?? 1);
-        const position = values.numbers('observer.position');
-        const at = position ?? [0, 0, values.numbers('observer.z')?.[0] ?? 0];
-        this.observer = { position: at, perspective: values.text('observer.projection') === 'perspective' };
-        this.things = [{ kind: 'observer', index: 0, key: position ? 'observer.position' : 'observer.z', at }];
-        this.shapes = [];
-        scene.surfaces.forEach((_, i) => this.measureSurface(i, values));
-        bodies.forEach((body, i) => this.measureLight(i, body, more));
-    }
-
-    private measureSurface(index: number, values: Values) {
-        const base = `surfaces[${index}]`;
-        const type = values.text(`${base}.type`) ?? '';
-        const center = values.numbers(`${base}.center`);
-        if (type === 'mesh') this.measureMesh(index, values);
-        if (!center) return;
-        this.things.push({ kind: 'surface', index, key: `${base}.center`, at: center });
-        this.shapes.push({ kind: 'surface', index, type, center, ...sizes(base, values) });
-    }
-
-    // Of a mesh the page knows the ball around it; its form the space view asks for.
-    private measureMesh(index: number, values: Values) {
-        const base = `surfaces[${index}]`;
-        const ball = this.scene!.surfaces[index];
-        const at = values.numbers(`${base}.position`) ?? [0, 0, 0];
-        this.things.push({ kind: 'surface', index, key: `${base}.position`, at });
-        const text = values.text(base) ?? '';
-        if (ball)
-            this.shapes.push({ kind: 'surface', index, type: 'mesh', center: ball.center, radius: ball.reach, text });
-    }
-
-    private measureLight(index: number, body: Body, values: Values) {
-        const light = this.scene!.lights[index];
-        const { base, key, at } = body;
-        if (key && at) this.things.push({ kind: 'light', index, key, at });
-        else if (body.outline && light.place)
-            this.things.push({ kind: 'light', index, key: `${base}.vertices`, at: light.place });
-        else if (light.type === 'distant' && light.direction) this.measureDistant(index, light.direction);
-        if (!light.place) return;
-        const aim = values.numbers(`${base}.aim`);
-        if (aim) this.things.push({ kind: 'aim', index, key: `${base}.aim`, at: aim, from: light.place });
-        this.shapes.push({
-            kind: 'light',
-            index,
-            type: body.type ?? light.type,
-            center: light.place,
-            ...sizes(base, values),
-            axis: light.direction ?? undefined,
-            up: undefined,
-            opening: values.numbers(`${base}.outer`)?.[0],
-            outline: body.outline,
-        });
-    }
-
-    // Distant light comes from infinitely far; its handle stands a screen away from the first surface.
-    private measureDistant(index: number, direction: number[]) {
-        const target = this.scene!.surfaces[0]?.center ?? [0, 0, 0];
-        const far = 1.2 * Math.max(...this.screen);
-        const at = target.map((coordinate, axis) => coordinate - far * direction[axis]);
-        this.things.push({ kind: 'direction', index, key: `lights[${index}].direction`, at, from: target });
-    }
-
     /** Moves a thing to a place of the scene. */
-    moveThing(thing: Thing, to: number[], mark: string) {
+    moveThing(thing: Thing, to: number[], mark: string, of: Version = this.version) {
         const whole = to.map((coordinate) => Math.round(coordinate));
         const written = `[${whole.join(', ')}]`;
-        if (thing.key === 'observer.z') return this.change([{ set: `observer.z=${Math.max(1, whole[2])}` }], mark);
+        if (thing.key === 'observer.z') return this.change([{ set: `observer.z=${Math.max(1, whole[2])}` }], mark, of);
         if (thing.kind === 'direction') {
             const along = thing.from!.map((coordinate, axis) => Number((coordinate - to[axis]).toPrecision(4)));
-            return this.change([{ set: `${thing.key}=[${along.join(', ')}]` }], mark);
+            return this.change([{ set: `${thing.key}=[${along.join(', ')}]` }], mark, of);
         }
-        if (thing.key.endsWith('.vertices')) return this.moveVertices(thing, whole, mark);
-        return this.change([{ set: `${thing.key}=${written}` }], mark);
+        if (thing.key.endsWith('.vertices')) return this.moveVertices(thing, whole, mark, of);
+        return this.change([{ set: `${thing.key}=${written}` }], mark, of);
     }
 
-    private moveVertices(thing: Thing, to: number[], mark: string) {
+    private moveVertices(thing: Thing, to: number[], mark: string, of: Version) {
         const shape = this.shapes.find((each) => each.kind === 'light' && each.index === thing.index);
         const by = to.map((coordinate, axis) => Math.round(coordinate - thing.at[axis]));
         const moved = (shape?.outline ?? []).map((corner) => `[${corner.map((c, axis) => c + by[axis]).join(', ')}]`);
-        return this.change([{ set: `${thing.key}=[${moved.join(', ')}]` }], mark);
+        return this.change([{ set: `${thing.key}=[${moved.join(', ')}]` }], mark, of);
     }
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What stands beside the picture: the probe with each light's share, and the explanation.
 import type { Probe } from './core';
+import type { Of, Version } from './version';
 import type { Compare } from './compare';
 import { h, lightColour } from './dom';
 import type { Model } from './model';
@@ -14,13 +15,32 @@ export function lightName(model: Model, index: number): string {
 export class ProbePanel {
     readonly element = h('section', { class: 'probe', 'aria-live': 'polite' });
     onValue: (probe: Probe | null) => void = () => undefined;
+    /** The value as it is shown, in one line. */
+    told = '';
     private busy = false;
     private next: [number, number] | null = null;
+    private of: Of | null = null; // what is shown
 
     constructor(
         private readonly model: Model,
         private readonly compare: Compare,
-    ) {}
+    ) {
+        model.follow(this.element, () => this.of);
+    }
+
+    /** What is shown is of this version; null: nothing is. */
+    get shown(): Version | null {
+        return this.of;
+    }
+
+    /** Shows nothing: another scene was opened. */
+    clear() {
+        this.next = null;
+        this.of = null;
+        this.told = '';
+        this.element.replaceChildren();
+        this.onValue(null);
+    }
 
     /** Asks for the value at a point; the newest one wins. */
     async ask(x: number, y: number) {
@@ -30,16 +50,21 @@ export class ProbePanel {
         while (this.next) {
             const place = this.next;
             this.next = null;
-            const probe = await this.model.client.ask('probe', ...place).catch(() => null);
-            this.show(place, probe);
+            const source = this.model.source();
+            if (!source) continue; // it is asked for when the scene has been judged
+            const { client, of } = source;
+            const probe = await client.ask('probe', of, ...place).catch(() => undefined);
+            if (probe === undefined || !this.model.isCurrent(of)) continue;
+            this.show(of, place, probe);
             this.onValue(probe);
         }
         this.busy = false;
     }
 
-    private show([x, y]: [number, number], probe: Probe | null) {
+    private show(of: Of, [x, y]: [number, number], probe: Probe | null) {
         const { scene } = this.model;
         if (!scene) return;
+        this.of = of;
         const unit = scene.unit === 'relative' ? t('relative') : scene.unit;
         const value = probe?.value ?? null;
         const place = `x = ${number(x, 4)}, y = ${number(y, 4)} ${t('mm')}`;
@@ -57,14 +82,16 @@ export class ProbePanel {
             );
         });
         const before = this.compare.valueOfA(x, y);
+        const partial = this.model.isPartial(of) ? ` (${t('direct light alone')})` : '';
         // Digits that are shown are exact, but for a value whose error may be seen in them.
         const isRough = probe && value !== null && probe.error > 5e-6 * Math.abs(value);
         const bound = isRough ? ` ± ${number(probe.error, 2)}` : '';
+        this.told = value === null ? '—' : `${number(value, 6)}${bound} ${unit}${partial}`;
         this.element.replaceChildren(
             h(
                 'p',
                 {},
-                h('strong', { class: 'value' }, value === null ? '—' : `${number(value, 6)}${bound} ${unit}`),
+                h('strong', { class: 'value' }, this.told),
                 ' ',
                 h(
                     'span',
@@ -77,28 +104,56 @@ export class ProbePanel {
                 : [h('p', { class: 'dim' }, `${t('A, the pixel here')}: ${number(before, 4)} ${unit}`)]),
             h('ul', { class: 'shares', 'aria-label': t('Shares of the lights') }, ...(value === null ? [] : bars)),
         );
+        this.model.dim();
     }
 }
 
 /** The dialog that explains a value: what the core writes as a page of HTML, taken into this one. */
-export async function explain(
-    model: Model,
-    dialog: HTMLDialogElement,
-    x: number,
-    y: number,
-    download: (html: string) => void,
-) {
-    const html = await model.client.ask('explain', x, y, 3, currentLanguage());
-    if (!html) return;
-    // Its own style is for a page of its own, and the policy of this one takes none.
-    const bare = html.replace(/<style>[^]*?<\/style>/g, '').replace(/ style="[^"]*"/g, '');
-    const page = new DOMParser().parseFromString(bare, 'text/html');
-    const body = h('div', { class: 'explanation', tabindex: 0, lang: currentLanguage() });
-    body.append(...[...page.body.childNodes].map((node) => document.importNode(node, true)));
-    const close = h('button', { type: 'button', onclick: () => dialog.close() }, t('Close'));
-    const save = h('button', { type: 'button', onclick: () => download(html) }, `${t('Download')} (HTML)`);
-    dialog.setAttribute('aria-label', t('Why this value?'));
-    dialog.replaceChildren(h('div', { class: 'bar-of-buttons' }, close, save), body);
-    if (!dialog.open) dialog.showModal();
-    close.focus();
+export class Explanation {
+    readonly dialog = h('dialog', { class: 'why' });
+    private of: Version | null = null;
+    private save = h('button', { type: 'button' });
+
+    constructor(
+        private readonly model: Model,
+        private readonly download: (html: string) => void,
+    ) {
+        model.follow(this.dialog, () => this.of);
+        model.listen(() => (this.save.disabled = !this.model.isCurrent(this.of)));
+    }
+
+    /** Explains the value at a place; of a scene with reflected light when that is known. */
+    async show(x: number, y: number) {
+        const source = this.model.source();
+        const { scene } = this.model.version;
+        if (!source) return;
+        const { client, of } = source;
+        this.of = of;
+        if (this.model.isPartial(of)) return this.fill(h('p', {}, t('The value is explained when reflected light is known.')));
+        const html = await client.ask('explain', of, x, y, 3, currentLanguage()).catch(() => null);
+        if (!html || this.model.version.scene !== scene) return;
+        // Its own style is for a page of its own, and the policy of this one takes none.
+        const bare = html.replace(/<style>[^]*?<\/style>/g, '').replace(/ style="[^"]*"/g, '');
+        const page = new DOMParser().parseFromString(bare, 'text/html');
+        const body = h('div', { class: 'explanation', tabindex: 0, lang: currentLanguage() });
+        body.append(...[...page.body.childNodes].map((node) => document.importNode(node, true)));
+        this.save = h('button', { type: 'button', onclick: () => this.download(html) }, `${t('Download')} (HTML)`);
+        this.fill(body, this.save);
+    }
+
+    private fill(body: HTMLElement, ...buttons: HTMLElement[]) {
+        const close = h('button', { type: 'button', onclick: () => this.dialog.close() }, t('Close'));
+        this.dialog.setAttribute('aria-label', t('Why this value?'));
+        this.dialog.replaceChildren(h('div', { class: 'bar-of-buttons' }, close, ...buttons), body);
+        if (!this.dialog.open) this.dialog.showModal();
+        close.focus();
+        this.model.dim();
+        this.save.disabled = !this.model.isCurrent(this.of);
+    }
+
+    /** Closes it: another scene was opened. */
+    clear() {
+        this.of = null;
+        this.dialog.close();
+    }
 }

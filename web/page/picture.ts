@@ -4,7 +4,8 @@ import type { Isophote } from './core';
 import { paint, type Scale } from './colours';
 import type { Compare, Shown } from './compare';
 import { fitted, h, numberMark, styleColour } from './dom';
-import { Drag, followPointer } from './drag';
+import { nextOf } from './choosing';
+import { Drag, followPointer, type Action } from './drag';
 import type { Model, Thing } from './model';
 import type { SectionPanel } from './section';
 import { t } from './words';
@@ -14,8 +15,10 @@ interface Mark {
     seen: number[]; // x and y on the screen, height above it
 }
 
+const CLOSEST = 64; // the largest zoom
+
 export class PictureView {
-    readonly canvas = h('canvas', { tabindex: 0, class: 'picture', role: 'img' });
+    readonly canvas = h('canvas', { tabindex: 0, class: 'picture', role: 'application' });
     readonly scale: Scale = { map: 'grey', logarithmic: false, locked: false, low: 0, high: 1, exposure: 0 };
     showsIsophotes = false;
     selected: Thing | null = null;
@@ -28,8 +31,13 @@ export class PictureView {
     private marks: Mark[] = [];
     private isophotes: Isophote[] = [];
     readonly image = document.createElement('canvas'); // the samples in their colours
+    private imageScreen = ''; // the size of the screen that they are of
     private isDrawn = true;
     private isDragging = false;
+    private zoom = 1;
+    private middle: [number, number] = [0, 0]; // of the view, in mm on the screen
+    /** Told when a finger begins and moves on the picture, which hides what it points at. */
+    onFinger: () => void = () => undefined;
 
     constructor(
         private readonly model: Model,
@@ -39,13 +47,18 @@ export class PictureView {
         new ResizeObserver(() => this.draw()).observe(this.canvas);
         this.canvas.addEventListener('pointermove', (event) => this.hover(event));
         this.canvas.addEventListener('keydown', (event) => this.key(event));
-        followPointer(this.canvas, (x, y) => this.begin(x, y));
+        this.canvas.addEventListener('wheel', (event) => this.wheel(event), { passive: false });
+        followPointer(
+            this.canvas,
+            (x, y, event) => this.begin(x, y, event.pointerType !== 'mouse'),
+            (factor, x, y, dx, dy) => this.zoomAt(factor, x, y, dx, dy),
+        );
     }
 
     relabel() {
         this.canvas.setAttribute(
             'aria-label',
-            t('Picture. Arrow keys move the probe, Shift moves it faster, Enter explains the value.'),
+            t('Picture. Arrow keys move the probe, Shift moves it faster, Enter explains the value. Space selects the next lamp, Ctrl and arrows move it. Plus, minus and 0 zoom.'),
         );
     }
 
@@ -68,14 +81,21 @@ export class PictureView {
         if (!shown) return;
         if (shown.isDifference) Object.assign(this.differences, { low: shown.least, high: shown.most });
         else this.adapt(shown);
-        this.isophotes = this.showsIsophotes ? await this.model.isophotes(this.scale.logarithmic) : [];
+        this.isophotes = [];
         this.repaint();
+        const { picture } = this.model;
+        if (!this.showsIsophotes || !picture) return;
+        const found = await this.model.isophotes(picture, this.scale.logarithmic);
+        if (picture !== this.model.picture || !this.showsIsophotes) return;
+        this.isophotes = found;
+        this.draw();
     }
 
     repaint() {
         const shown = this.compare.shown();
         if (!shown) return;
         const { columns, rows } = shown;
+        this.imageScreen = this.model.screen.join();
         this.image.width = columns;
         this.image.height = rows;
         const pixels = paint(shown.values, shown.mask, shown.isDifference ? this.differences : this.scale);
@@ -84,14 +104,56 @@ export class PictureView {
         this.draw();
     }
 
-    async geometryChanged() {
-        const movable = this.model.things.filter(({ kind }) => kind === 'light' || kind === 'aim');
-        const seen = await this.model.client.ask(
-            'project',
-            movable.map(({ at }) => at),
-        );
-        this.marks = movable.flatMap((thing, i) => (seen[i] ? [{ thing, seen: seen[i]! }] : []));
+    geometryChanged() {
+        this.marks = this.model.things.flatMap((thing) => (thing.seen ? [{ thing, seen: thing.seen }] : []));
         this.draw();
+    }
+
+    /** Shows nothing: another scene was opened. */
+    clear() {
+        this.marks = [];
+        this.isophotes = [];
+        this.selected = null;
+        this.probe = null;
+        [this.zoom, this.middle] = [1, [0, 0]];
+        this.image.width = this.image.height = 1;
+        this.onPaint();
+        this.draw();
+    }
+
+    /** The samples in their colours, if they are of the screen that the scene has now. */
+    get shownImage(): HTMLCanvasElement | null {
+        return this.model.picture && this.imageScreen === this.model.screen.join() ? this.image : null;
+    }
+
+    /** Zooms by a factor around a point of the canvas, which moves by dx and dy. */
+    private zoomAt(factor: number, x: number, y: number, dx = 0, dy = 0) {
+        const [sx, sy] = this.toScreen(x, y);
+        this.zoom = Math.max(1, Math.min(CLOSEST, this.zoom * factor));
+        const [tx, ty] = this.toScreen(x + dx, y + dy);
+        const [w, h] = this.model.screen;
+        const within = (place: number, size: number) => Math.max(-size / 2, Math.min(size / 2, place));
+        this.middle = this.zoom === 1 ? [0, 0] : [within(this.middle[0] + sx - tx, w), within(this.middle[1] + sy - ty, h)];
+        this.draw();
+    }
+
+    /** Zooms around the middle; 0: all of the picture. */
+    zoomBy(factor: number) {
+        const { width, height } = this.canvas.getBoundingClientRect();
+        this.zoomAt(factor || 1 / this.zoom, width / 2, height / 2);
+    }
+
+    private wheel(event: WheelEvent) {
+        if (!event.ctrlKey) return; // else the page is scrolled; pads send Ctrl where two fingers spread
+        event.preventDefault();
+        const { left, top } = this.canvas.getBoundingClientRect();
+        this.zoomAt(Math.exp(-event.deltaY * 0.001), event.clientX - left, event.clientY - top);
+    }
+
+    /** Selects the next lamp or aim, or the one before. */
+    selectNext(step: number) {
+        const things = this.marks.map(({ thing }) => thing);
+        if (things.length) this.onSelect(nextOf(things, this.selected, step));
     }
 
     draw() {
@@ -103,32 +165,36 @@ export class PictureView {
         });
     }
 
-    // The screen in the canvas: whole, with room around it for lamps beside it.
+    // The screen in the canvas: whole, with room around it for lamps beside it, or part of it.
     private frame(width: number, height: number) {
         const [w, h] = this.model.screen;
-        const factor = 0.86 * Math.min(width / w, height / h);
-        return { factor, left: (width - w * factor) / 2, top: (height - h * factor) / 2, w: w * factor, h: h * factor };
+        const [mx, my] = this.middle;
+        const factor = 0.86 * this.zoom * Math.min(width / w, height / h);
+        const [left, top] = [width / 2 - (w / 2 + mx) * factor, height / 2 - (h / 2 - my) * factor];
+        return { factor, left, top, w: w * factor, h: h * factor };
     }
 
     private toCanvas(x: number, y: number, width: number, height: number): [number, number] {
         const { factor } = this.frame(width, height);
-        return [width / 2 + x * factor, height / 2 - y * factor];
+        return [width / 2 + (x - this.middle[0]) * factor, height / 2 - (y - this.middle[1]) * factor];
     }
 
     /** The point of the screen under a point of the canvas, in mm. */
     private toScreen(x: number, y: number): [number, number] {
         const { width, height } = this.canvas.getBoundingClientRect();
         const { factor } = this.frame(width, height);
-        return [(x - width / 2) / factor, (height / 2 - y) / factor];
+        return [(x - width / 2) / factor + this.middle[0], (height / 2 - y) / factor + this.middle[1]];
     }
 
     private drawNow() {
         const [width, height, context] = fitted(this.canvas);
+        if (!this.model.whole) return;
         const { left, top, w, h } = this.frame(width, height);
         context.fillStyle = '#000';
         context.fillRect(left, top, w, h);
         context.imageSmoothingEnabled = (this.model.picture?.stride ?? 1) > 1;
-        if (this.model.picture) context.drawImage(this.image, left, top, w, h);
+        const image = this.shownImage;
+        if (image) context.drawImage(image, left, top, w, h);
         context.strokeStyle = styleColour('--line');
         context.lineWidth = 1;
         context.strokeRect(left - 0.5, top - 0.5, w + 1, h + 1);
@@ -266,7 +332,7 @@ export class PictureView {
         return near.find(({ thing }) => thing.kind === 'aim') ?? near[0] ?? null;
     }
 
-    private begin(x: number, y: number) {
+    private begin(x: number, y: number, isFinger: boolean): Action {
         const mark = this.markAt(x, y);
         const held = mark ? -1 : this.endAt(x, y);
         if (held >= 0) {
@@ -274,8 +340,12 @@ export class PictureView {
             return { move, end: () => undefined };
         }
         if (!mark) {
-            this.moveProbe(...this.toScreen(x, y));
-            return { move: (x: number, y: number) => this.moveProbe(...this.toScreen(x, y)), end: () => undefined };
+            const move = (nx: number, ny: number) => {
+                this.moveProbe(...this.toScreen(nx, ny));
+                if (isFinger) this.onFinger();
+            };
+            move(x, y);
+            return { move, end: () => undefined };
         }
         const drag = new Drag(this.model, mark.thing);
         this.isDragging = true;
@@ -285,8 +355,10 @@ export class PictureView {
         const [ox, oy] = [mark.seen[0] - sx, mark.seen[1] - sy];
         const move = async (x: number, y: number) => {
             const [mx, my] = this.toScreen(x, y);
-            const place = await this.model.client.ask('unproject', mx + ox, my + oy, mark.seen[2]);
-            if (place) drag.to(place);
+            const whole = this.model.asWhole();
+            if (whole?.scene !== drag.scene) return;
+            const place = await this.model.client.ask('unproject', whole, mx + ox, my + oy, mark.seen[2]);
+            if (place) void drag.to(place);
         };
         const end = () => {
             this.isDragging = false;
@@ -319,11 +391,26 @@ export class PictureView {
         };
         const step = steps[event.key];
         if (event.key === 'Enter') this.onWhy();
+        else if (event.key === ' ') this.selectNext(event.shiftKey ? -1 : 1);
+        else if (event.key === '+' || event.key === '=') this.zoomBy(1.25);
+        else if (event.key === '-') this.zoomBy(0.8);
+        else if (event.key === '0') this.zoomBy(0);
+        else if (step && event.ctrlKey) void this.nudge(step, event.shiftKey ? 100 : 10);
         else if (step) {
             const size = (this.model.screen[0] / 100) * (event.shiftKey ? 10 : 1);
             const [x, y] = this.probe ?? [0, 0];
             this.moveProbe(x + step[0] * size, y + step[1] * size);
         } else return;
         event.preventDefault();
+    }
+
+    // What is selected keeps its height above the screen.
+    private async nudge([right, up]: [number, number], size: number) {
+        const mark = this.marks.find(({ thing }) => thing.key === this.selected?.key);
+        const whole = this.model.asWhole();
+        if (!mark || !whole) return;
+        const [x, y, height] = mark.seen;
+        const place = await this.model.client.ask('unproject', whole, x + right * size, y + up * size, height);
+        if (place) await this.model.moveThing(mark.thing, place, `keys ${mark.thing.key}`, whole);
     }
 }

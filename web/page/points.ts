@@ -4,6 +4,7 @@
 // puts in the place of the probe.  The mouse and fingers do the same by cells and buttons.
 import type { Change } from './core';
 import { h } from './dom';
+import type { Of } from './version';
 import type { Model } from './model';
 import { number, t, typedNumber } from './words';
 
@@ -22,24 +23,39 @@ export class PointsPanel {
     private at: [row: number, column: number] = [0, 0];
     private input: HTMLInputElement | null = null; // while a coordinate is typed
 
-    constructor(private readonly model: Model) {}
+    private of: Of | null = null; // what is shown
+
+    constructor(private readonly model: Model) {
+        model.follow(this.element, () => this.of);
+    }
+
+    /** Shows nothing: another scene was opened. */
+    clear() {
+        this.input = null;
+        this.of = null;
+        this.points = [];
+        this.cells = [];
+        this.element.replaceChildren();
+    }
 
     /** After a change of the scene; a coordinate that is being typed stays. */
     async refresh() {
-        const { scene } = this.model;
-        const points = scene?.points ?? [];
-        const probes = points.length ? await this.model.client.ask('table', points) : [];
-        if (this.input || scene !== this.model.scene) return;
+        const points = this.model.scene?.points ?? [];
+        const told = await this.model.valuesAt(points).catch(() => null);
+        if (this.input || !told) return;
         const hadFocus = this.element.contains(document.activeElement);
         this.points = points;
-        this.build(probes.map((probe) => probe?.value));
+        this.of = told.of;
+        this.build(told.probes.map((probe) => probe?.value));
         if (hadFocus) this.focus();
+        this.model.dim();
     }
 
     private build(values: (number | null | undefined)[]) {
         const { scene } = this.model;
         const unit = scene?.unit === 'relative' ? t('relative') : (scene?.unit ?? '');
-        const heads = ['№', `x, ${t('mm')}`, `y, ${t('mm')}`, `${t(scene?.word ?? '')}, ${unit}`];
+        const partial = this.of && this.model.isPartial(this.of) ? ` (${t('direct light alone')})` : '';
+        const heads = [t('No.'), `x, ${t('mm')}`, `y, ${t('mm')}`, `${t(scene?.word ?? '')}, ${unit}${partial}`];
         const head = h('tr', {}, ...heads.map((text) => h('th', { scope: 'col' }, text)));
         this.cells = this.points.map(([x, y], row) => [
             h('th', { scope: 'row', 'aria-label': `${t('Point')} ${row + 1}` }, String(row + 1)),

@@ -54,13 +54,15 @@ export class Reliefs {
 
     private async ask(surface: number, of: string, { right, up, eye }: Side, colour: string, pixels: number) {
         if (this.asking.has(surface)) return;
+        const whole = this.model.asWhole();
+        if (!whole) return;
         this.asking.add(surface);
-        const text = this.model.wholeText;
         const { client } = this.model;
-        const shades = await client.ask('relief', text, surface, eye, up, pixels).catch(() => null);
+        const shades = await client.ask('relief', whole, surface, eye, up, pixels).catch(() => null);
         const lines =
-            pixels === FINE ? await client.ask('silhouette', text, surface, right, up).catch(() => null) : null;
+            pixels === FINE ? await client.ask('silhouette', whole, surface, right, up).catch(() => null) : null;
         this.asking.delete(surface);
+        if (whole.scene !== this.model.version.scene) return this.onMade();
         this.made.set(surface, { of, pixels, image: shades && painted(shades, pixels, colour, !lines), lines });
         this.onMade(); // which asks anew where the view has been turned since
     }

@@ -2,10 +2,12 @@
 // The report as one page of HTML: aim, task, parameters, pictures, results, conclusions, the calculation of the first point, and
 // how to repeat it, in the sentences of the tool's report; each stands only where the numbers make it true.
 import { paint, type Scale } from './colours';
-import type { Extremum, Isophote, Key, Peak, Probe, Section, Summary } from './core';
+import type { Extremum, Isophote, Key, Peak, Probe, Summary } from './core';
 import { NUMBER, NUMBERS, sceneKeys, WHOLE } from './keys';
+import { placeOn, rowOn, type Section } from './line';
 import type { Model } from './model';
 import type { PictureView } from './picture';
+import { Outdated } from './version';
 import { currentLanguage, number, t } from './words';
 
 const INSIDE = 0,
@@ -35,31 +37,44 @@ function place(numbers: number[]): string {
     return `(${numbers.map((value) => number(Math.abs(value) < 1e-9 ? 0 : value, 6)).join('; ')})`;
 }
 
+const SAMPLES = 401; // of a section
+
 async function gather(model: Model, view: PictureView): Promise<Facts | null> {
-    const { client, picture, scene } = model;
-    if (!scene || !picture || model.stale) return null;
-    const [summary, peaks] = [await client.ask('summary'), await client.ask('extrema')];
+    const { picture, scene } = model;
+    const source = model.source();
+    if (!scene || !picture || !source || !model.isSettled) return null;
+    const { client, of } = source;
+    const [summary, peaks] = [await client.ask('summary', of), await client.ask('extrema', of)];
     if (!summary) return null;
     const points = scene.points.length ? scene.points : [[0, 0]];
     const [maximum, minimum] = peaks ?? [null, null];
     const through = maximum ?? { x: 0, y: 0 };
-    const sections = [
-        await client.ask('section', through.x, through.y, 0, 401),
-        await client.ask('section', through.x, through.y, 90, 401),
-    ].filter((section) => section !== null);
+    const valuesAt = async (places: number[][]) => {
+        const told = await model.valuesAt(places);
+        if (!told) throw new Outdated('the scene has changed');
+        return told.probes;
+    };
+    const sections: Section[] = [];
+    for (const degrees of [0, 90]) {
+        const ends = await client.ask('line', of, through.x, through.y, degrees);
+        if (!ends) continue;
+        const [from, to] = ends;
+        const probes = await valuesAt(Array.from({ length: SAMPLES }, (_, i) => placeOn(from, to, SAMPLES, i)));
+        sections.push({ of, from, to, rows: probes.map((probe, i) => rowOn(from, to, SAMPLES, i, probe)) });
+    }
     return {
         model,
-        word: (english) => client.word(english),
+        word: (english) => model.client.word(english),
         quantity: t(scene.word),
         unit: scene.unit === 'relative' ? t('relative') : scene.unit,
         summary,
         maximum,
         minimum,
-        probes: await client.ask('table', scene.points),
-        atMaximum: maximum && (await client.ask('probe', maximum.x, maximum.y)),
+        probes: await valuesAt(scene.points),
+        atMaximum: maximum && (await client.ask('probe', of, maximum.x, maximum.y)),
         sections,
-        isophotes: await model.isophotes(view.scale.logarithmic),
-        explanation: (await client.ask('explain', points[0][0], points[0][1], 3, currentLanguage())) ?? '',
+        isophotes: await model.isophotes(picture, view.scale.logarithmic),
+        explanation: (await client.ask('explain', of, points[0][0], points[0][1], 3, currentLanguage())) ?? '',
     };
 }
 

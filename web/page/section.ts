@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Sections: the value, or each lamp's share of it, along the line through the probe at any angle, or along a line that
 // stays where its ends were put.
-import type { Section } from './core';
 import type { Compare } from './compare';
-import { choice, fitted, h, lightColour, styleColour } from './dom';
+import { choice, fitted, h, lightColour, showIn, styleColour, takeIn } from './dom';
+import { coarseFirst, placeOn, rowOn, type Row, type Section } from './line';
 import { download } from './link';
 import type { Model } from './model';
 import { number, t, typedNumber } from './words';
@@ -15,8 +15,8 @@ const MARGIN = { left: 44, right: 6, bottom: 18, top: 8 };
 
 export class SectionPanel {
     readonly canvas = h('canvas', { class: 'section', role: 'img' });
-    /** The last section; its ends are drawn in the picture. */
-    last: Section | null = null;
+    /** The last section; its ends are drawn in the picture.  While it is being found, samples are missing. */
+    last: (Section & { isKnown: boolean[] }) | null = null;
     /** The ends of a line that stays, in mm on the screen. */
     fixed: [number, number][] | null = null;
     onLine: () => void = () => undefined;
@@ -24,13 +24,40 @@ export class SectionPanel {
     private showsShares = false;
     private probe: [number, number] = [0, 0];
     private timer = 0;
+    private asked = 0; // counts the sections that were wanted
+    private readonly csv = h('button', { type: 'button', onclick: () => this.save() }, 'CSV');
+    private readonly note = h('p', { class: 'dim', hidden: true });
+    /** What stands below the controls. */
+    readonly element = h('div', { class: 'section-box' }, this.canvas, this.note);
     private ends: HTMLInputElement[] = [];
 
     constructor(
         private readonly model: Model,
         private readonly compare: Compare,
     ) {
-        new ResizeObserver(() => this.want()).observe(this.canvas);
+        new ResizeObserver(() => this.draw()).observe(this.canvas);
+        model.follow(this.element, () => this.last?.of ?? null);
+        model.listen(() => this.tell());
+    }
+
+    /** Shows nothing: another scene was opened. */
+    clear() {
+        this.last = null;
+        this.fixed = null;
+        this.asked++;
+        clearTimeout(this.timer);
+        this.draw();
+        this.onLine();
+    }
+
+    // A table is handed over where all of it is known and of the present scene with all its light.
+    private tell() {
+        const { last } = this;
+        const isPartial = !!last && this.model.isPartial(last.of);
+        const isWhole = !!last && !isPartial && last.isKnown.every((each) => each) && this.model.isCurrent(last.of);
+        this.csv.disabled = !isWhole;
+        this.note.hidden = !isPartial;
+        this.note.textContent = t('direct light alone');
     }
 
     /** The controls, in the words of the present language. */
@@ -73,8 +100,8 @@ export class SectionPanel {
                 this.draw();
             },
         );
-        const save = h('button', { type: 'button', onclick: () => this.save() }, 'CSV');
-        save.setAttribute('aria-label', `${t('Section')} (CSV)`);
+        this.csv.setAttribute('aria-label', `${t('Section')} (CSV)`);
+        this.tell();
         return h(
             'div',
             { class: 'controls' },
@@ -82,12 +109,14 @@ export class SectionPanel {
             h('label', {}, t('Angle'), angle, told),
             h('label', {}, box, t('Fix the line')),
             places,
-            save,
+            this.csv,
         );
     }
 
     private typed(i: number) {
         const value = typedNumber(this.ends[i].value);
+        this.ends[i].setAttribute('aria-invalid', String(value === null));
+        takeIn(this.ends[i]);
         if (value === null || !this.fixed) return;
         this.fixed[i >> 1][i & 1] = value;
         this.want();
@@ -112,19 +141,42 @@ export class SectionPanel {
     }
 
     private async ask() {
-        if (!this.model.scene) return;
-        const { client } = this.model;
-        const section = this.fixed
-            ? await client.ask('sectionBetween', this.fixed[0], this.fixed[1], SAMPLES)
-            : await client.ask('section', this.probe[0], this.probe[1], this.degrees, SAMPLES);
-        if (!section) return;
+        const asked = ++this.asked;
+        const isWanted = () => asked === this.asked;
+        const source = this.model.source();
+        if (!source) return;
+        const ends = this.fixed ?? (await source.client.ask('line', source.of, ...this.probe, this.degrees));
+        if (!ends || !isWanted() || ends[0].join() === ends[1].join()) return;
+        const [from, to] = ends.map((end) => [...end]);
+        const order = coarseFirst(SAMPLES);
+        const rows: Row[] = order.map((_, i) => rowOn(from, to, SAMPLES, i, null));
+        const isKnown = order.map(() => false);
+        let taken = 0;
+        const places = order.map((i) => placeOn(from, to, SAMPLES, i));
+        await this.model.valuesAt(places, {
+            isWanted,
+            onSome: ({ of, probes }) => {
+                for (; taken < probes.length; taken++) {
+                    const i = order[taken];
+                    rows[i] = rowOn(from, to, SAMPLES, i, probes[taken]);
+                    isKnown[i] = true;
+                }
+                this.show({ of, from, to, rows, isKnown });
+            },
+        });
+    }
+
+    private show(section: NonNullable<SectionPanel['last']>) {
+        if (section.isKnown.filter((each) => each).length < 3) return; // no curve yet
         this.last = section;
         this.ends.forEach((input, i) => {
             const end = this.fixed?.[i >> 1];
-            if (end && document.activeElement !== input) input.value = number(end[i & 1], 5);
+            if (end) showIn(input, number(end[i & 1], 5));
         });
         this.draw();
         this.onLine();
+        this.tell();
+        this.model.dim();
     }
 
     /** Curves by columns of numbers: colour, thickness, dashes. */
@@ -142,7 +194,7 @@ export class SectionPanel {
         }));
         if (this.showsShares) return shares;
         const whole = { values: rows.map((row) => row[1]), colour: styleColour('--text'), thick: 2 };
-        const before = this.compare.alongA(section.from, section.to, rows.length);
+        const before = this.compare.alongA(section.from, section.to, SAMPLES)?.filter((_, i) => this.last?.isKnown[i]);
         const other = before ? [{ values: before, colour: styleColour('--dim'), thick: 1.5, dashed: true }] : [];
         return [...(lights > 1 ? shares : []), ...other, whole];
     }
@@ -150,11 +202,12 @@ export class SectionPanel {
     draw() {
         const [width, height, context] = fitted(this.canvas);
         const { last } = this;
-        if (!last || !last.rows.length) return;
-        const curves = this.curves(last);
-        const most = this.showsShares
-            ? 100
-            : Math.max(...curves.flatMap(({ values }) => values.map((v) => v ?? 0)), 1e-300);
+        if (!last) return;
+        const known = { ...last, rows: last.rows.filter((_, i) => last.isKnown[i]) };
+        if (known.rows.every((row) => row[1] === null)) return this.drawNothing(context, width, height);
+        const curves = this.curves(known);
+        const greatest = Math.max(...curves.flatMap(({ values }) => values.map((v) => v ?? 0)));
+        const most = this.showsShares ? 100 : greatest || 1;
         const length = last.rows[last.rows.length - 1][0] ?? 1;
         const place = (s: number, value: number): [number, number] => [
             MARGIN.left + ((width - MARGIN.left - MARGIN.right) * s) / length,
@@ -169,8 +222,8 @@ export class SectionPanel {
             let drawing = false;
             values.forEach((value, i) => {
                 if (value !== null) {
-                    if (drawing) context.lineTo(...place(last.rows[i][0]!, value));
-                    else context.moveTo(...place(last.rows[i][0]!, value));
+                    if (drawing) context.lineTo(...place(known.rows[i][0]!, value));
+                    else context.moveTo(...place(known.rows[i][0]!, value));
                 }
                 drawing = value !== null;
             });
@@ -178,6 +231,15 @@ export class SectionPanel {
         }
         context.setLineDash([]);
         this.drawProbe(context, place, most, length);
+    }
+
+    private drawNothing(context: CanvasRenderingContext2D, width: number, height: number) {
+        context.fillStyle = styleColour('--dim');
+        context.font = '13px system-ui, sans-serif';
+        context.textAlign = 'center';
+        context.textBaseline = 'middle';
+        context.fillText(t('off every surface'), width / 2, height / 2);
+        this.canvas.setAttribute('aria-label', `${t('Section')}: ${t('off every surface')}`);
     }
 
     private drawAxes(
@@ -246,7 +308,7 @@ export class SectionPanel {
     /** The section as a table: place on the line and on the screen, value, and each light's share of it. */
     private save() {
         const { last } = this;
-        if (!last) return;
+        if (!last || this.csv.disabled) return;
         const names = (this.model.scene?.lights ?? []).map((_, i) => `light_${i + 1}`);
         const length = last.rows[last.rows.length - 1][0] ?? 1;
         const lines = last.rows.map((row) => {
@@ -254,7 +316,7 @@ export class SectionPanel {
             return [row[0], ...at, ...row.slice(1)].map((value) => value ?? '').join(',');
         });
         download(
-            'section.csv',
+            `${this.model.version.name}-section.csv`,
             [['s_mm', 'x_mm', 'y_mm', 'value', ...names].join(','), ...lines, ''].join('\n'),
             'text/csv',
         );

@@ -3,6 +3,7 @@
 // Lines on a canvas are enough for what it shows, so it needs no library and no WebGL.
 import type { Probe } from './core';
 import { fitted, h, lightColour, numberMark, styleColour } from './dom';
+import { nextOf } from './choosing';
 import { Drag, followPointer } from './drag';
 import type { Model, Shape, Thing } from './model';
 import { Reliefs } from './reliefs';
@@ -14,10 +15,11 @@ export type Side = 'orbit' | 'plan' | 'elevation';
 const NEAR = 18; // pixels within which a thing is grabbed
 
 export class SpaceView {
-    readonly canvas = h('canvas', { tabindex: 0, class: 'space', role: 'img' });
+    readonly canvas = h('canvas', { tabindex: 0, class: 'space', role: 'application' });
     selected: Thing | null = null;
     probe: Probe | null = null;
-    image: HTMLCanvasElement | null = null; // what the screen shows
+    /** What the screen shows. */
+    image: () => HTMLCanvasElement | null = () => null;
     onSelect: (thing: Thing | null) => void = () => undefined;
     onSide: (side: Side) => void = () => undefined;
     side: Side = 'orbit';
@@ -33,7 +35,12 @@ export class SpaceView {
     constructor(private readonly model: Model) {
         this.reliefs = new Reliefs(model, () => this.draw());
         new ResizeObserver(() => this.draw()).observe(this.canvas);
-        followPointer(this.canvas, (x, y, event) => this.begin(x, y, event));
+        model.follow(this.canvas, () => model.whole);
+        followPointer(
+            this.canvas,
+            (x, y, event) => this.begin(x, y, event),
+            (factor, x, y, dx, dy) => this.pinch(factor, x, y, dx, dy),
+        );
         this.canvas.addEventListener('keydown', (event) => this.key(event));
         this.canvas.addEventListener('wheel', (event) => this.wheel(event), { passive: false });
     }
@@ -41,7 +48,7 @@ export class SpaceView {
     relabel() {
         this.canvas.setAttribute(
             'aria-label',
-            t('Space view. Arrow keys and Page Up, Page Down move what is selected; 1, 2, 3 change the view.'),
+            t('Space view. Space selects the next thing, arrow keys and Page Up, Page Down move it; 1, 2, 3 change the view.'),
         );
     }
 
@@ -57,7 +64,16 @@ export class SpaceView {
         this.geometryChanged();
     }
 
+    /** Shows nothing: another scene was opened. */
+    clear() {
+        this.isFitted = false;
+        this.probe = null;
+        this.selected = null;
+        this.draw();
+    }
+
     geometryChanged() {
+        if (!this.model.whole) return;
         if (!this.isFitted) this.fitNow();
         this.draw();
     }
@@ -168,7 +184,8 @@ export class SpaceView {
             [w / 2, h / 2, 0],
             [-w / 2, h / 2, 0],
         ];
-        if (this.image && this.image.width > 1) this.drawPicture(context, this.image);
+        const image = this.image();
+        if (image) this.drawPicture(context, image);
         context.strokeStyle = styleColour('--accent');
         this.path(context, corners, true);
         context.globalAlpha = 0.08;
@@ -445,7 +462,23 @@ export class SpaceView {
         this.zoomBy(Math.exp(-event.deltaY * 0.001));
     }
 
-    private zoomBy(factor: number) {
+    // Two fingers zoom around the point between them, and move it.
+    private pinch(factor: number, x: number, y: number, dx: number, dy: number) {
+        const { width, height } = this.canvas.getBoundingClientRect();
+        const [right, up] = this.axes();
+        const before = this.factor();
+        this.zoomBy(factor);
+        const after = this.factor();
+        // What was under the point comes to where the point is now.
+        const [px, py] = [x - width / 2, y - height / 2];
+        const along = px / before - (px + dx) / after;
+        const upwards = -py / before + (py + dy) / after;
+        this.center = this.center.map((c, axis) => c + along * right[axis] + upwards * up[axis]) as Place;
+        this.draw();
+    }
+
+    zoomBy(factor: number) {
+        if (!factor) return this.fit();
         this.zoom = Math.max(0.2, Math.min(40, this.zoom * factor));
         this.draw();
     }
@@ -464,9 +497,18 @@ export class SpaceView {
         else if (event.key === '+' || event.key === '=') this.zoomBy(1.25);
         else if (event.key === '-') this.zoomBy(0.8);
         else if (event.key === '0') this.fit();
+        else if (event.key === ' ') this.selectNext(event.shiftKey ? -1 : 1);
+        else if (event.key === 'Escape') this.select(null);
         else if (steps[event.key] && this.selected) this.nudge(steps[event.key], event.shiftKey ? 100 : 10);
         else return;
         event.preventDefault();
+    }
+
+    private selectNext(step: number) {
+        const { things } = this.model;
+        const order = ['light', 'direction', 'aim', 'surface', 'observer'];
+        const sorted = [...things].sort((a, b) => order.indexOf(a.kind) - order.indexOf(b.kind));
+        if (sorted.length) this.select(nextOf(sorted, this.selected, step));
     }
 
     private async nudge(step: number[], size: number) {

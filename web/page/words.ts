@@ -18,17 +18,17 @@ const RUSSIAN: Record<string, string> = {
     Download: 'Скачать',
     Quantity: 'Величина',
     brightness: 'яркость',
-    irradiance: 'облучённость',
+    irradiance: 'освещённость',
     luminance: 'яркость',
     illuminance: 'освещённость',
     relative: 'отн. ед.',
     Language: 'Язык',
     Picture: 'Изображение',
-    'Picture. Arrow keys move the probe, Shift moves it faster, Enter explains the value.':
-        'Изображение. Стрелки двигают точку измерения, с Shift быстрее, Enter объясняет значение.',
+    'Picture. Arrow keys move the probe, Shift moves it faster, Enter explains the value. Space selects the next lamp, Ctrl and arrows move it. Plus, minus and 0 zoom.':
+        'Изображение. Стрелки двигают точку измерения, с Shift быстрее, Enter объясняет значение. Пробел выбирает следующий источник, Ctrl со стрелками двигает его. Плюс, минус и 0 меняют масштаб.',
     'Space view': 'Вид в пространстве',
-    'Space view. Arrow keys and Page Up, Page Down move what is selected; 1, 2, 3 change the view.':
-        'Вид в пространстве. Стрелки и Page Up, Page Down двигают выбранное; 1, 2, 3 меняют вид.',
+    'Space view. Space selects the next thing, arrow keys and Page Up, Page Down move it; 1, 2, 3 change the view.':
+        'Вид в пространстве. Пробел выбирает следующий предмет, стрелки и Page Up, Page Down двигают его; 1, 2, 3 меняют вид.',
     Orbit: 'Орбита',
     Plan: 'План',
     Elevation: 'Фасад',
@@ -98,7 +98,7 @@ const RUSSIAN: Record<string, string> = {
     'Open the whole page': 'Открыть страницу целиком',
     mean: 'среднее',
     maximum: 'максимум',
-    'Mean irradiance of the surfaces': 'Средняя облучённость поверхностей',
+    'Mean irradiance of the surfaces': 'Средняя освещённость поверхностей',
     'Mean illuminance of the surfaces': 'Средняя освещённость поверхностей',
     'Balance of the flux': 'Баланс потока',
     'It does not close within its bounds: some number above is wrong.':
@@ -106,8 +106,36 @@ const RUSSIAN: Record<string, string> = {
     'reflected light within': 'отражённый свет с погрешностью до',
     'less exact than it should be': 'больше заданной',
     Messages: 'Сообщения',
-    'The scene has errors. The picture is of the last scene without errors.':
-        'В сцене есть ошибки. Изображение показывает последнюю сцену без ошибок.',
+    'The scene has errors. What is dimmed is of the last scene without errors.':
+        'В сцене есть ошибки. Бледным показано то, что относится к последней сцене без ошибок.',
+    'direct light alone': 'только прямой свет',
+    'Reflected light is being computed; until then all is of direct light alone.':
+        'Вычисляется отражённый свет; до тех пор всё показано только для прямого света.',
+    'The whole picture is being computed.': 'Вычисляется полное изображение.',
+    'Reflected light was not computed: all is of direct light alone.':
+        'Отражённый свет не вычислен: всё показано только для прямого света.',
+    'The whole picture was not computed.': 'Полное изображение не вычислено.',
+    about: 'ещё около',
+    s: 'с',
+    min: 'мин',
+    Stop: 'Остановить',
+    Continue: 'Продолжить',
+    'The value is explained when reflected light is known.':
+        'Значение будет объяснено, когда станет известен отражённый свет.',
+    'There is no file of a scene with errors.': 'Файла нет: в сцене есть ошибки.',
+    'Reflected light is not known yet: there is no file without it.':
+        'Отражённый свет ещё не известен, а без него файл не создаётся.',
+    'The file is being made.': 'Файл создаётся.',
+    'The scene has changed: the file was not made.': 'Сцена изменилась, файл не создан.',
+    'There is no built-in scene of this name': 'Встроенной сцены с таким именем нет',
+    'The words of that language could not be loaded. The page keeps its own.':
+        'Не удалось загрузить слова этого языка. Язык страницы остаётся прежним.',
+    'A number is needed here.': 'Здесь нужно число.',
+    'is not a number.': '— не число.',
+    'Zoom in': 'Крупнее',
+    'Zoom out': 'Мельче',
+    'Show all': 'Показать всё',
+    'No.': '№',
     line: 'строка',
     'The core failed and was started anew. Nothing is lost.': 'Ядро дало сбой и запущено заново. Ничего не потеряно.',
     'This browser cannot run Luxel: it needs WebAssembly with SIMD (Chromium 91, Firefox 89, Safari 16.4 or newer).':
@@ -153,8 +181,8 @@ export function number(value: number | null | undefined, digits = 5): string {
     if (value === null || value === undefined || !Number.isFinite(value)) return '—';
     if (value === 0) return '0';
     const size = Math.abs(value);
-    const text =
-        size >= 1e7 || size < 1e-4 ? value.toExponential(digits - 1) : String(Number(value.toPrecision(digits)));
+    const rounded = Number(value.toPrecision(digits));
+    const text = size >= 1e7 || size < 1e-4 ? rounded.toExponential() : String(rounded);
     return (language === 'ru' ? text.replace('.', ',') : text).replace('-', '−');
 }
 

@@ -1,16 +1,22 @@
 // SPDX-License-Identifier: MIT
-// The worker: the core, and the questions of the page to it in the order in which they come.  It begins with the core's
-// first part.  A question that needs the second one before that has come waits for it, and those behind it, too: a call
-// that was given up halfway leaves the core in no known state, so that the question is asked of a new one.
-import { Core, CoreFailure, PartMissing, type Change } from './core';
+// The worker: the core, and the questions of the page to it, one after the other.  A question about the scene brings the
+// version that it is about, which is opened where it is not the present one.  The worker begins with the core's first part.
+// A question that needs the second one before that has come waits for it: a call that was given up halfway leaves the core
+// in no known state, so that the question is asked of a new one.
+import { Core, CoreFailure, PartMissing, type Change, type Probe } from './core';
 import { lastPart } from './folder';
+import { geometryOf } from './geometry';
+import { Outdated, type Of } from './version';
+
+const SLICE = 25; // milliseconds of values after which what is more urgent has its turn
+const BETWEEN = 100; // milliseconds between two tidings of progress
 
 export interface Picture {
+    of: Of;
     facts: ReturnType<Core['picture']>;
     values: Float32Array<ArrayBuffer>;
     mask: Uint8Array<ArrayBuffer>;
     stride: number;
-    text: string; // of its scene
     milliseconds: number;
 }
 
@@ -19,51 +25,99 @@ interface Told {
     module: WebAssembly.Module;
     words: Record<string, string>;
     files: Map<string, Uint8Array>;
-    irradiance: boolean;
-    text: string | null; // of the present scene
-    picture: [text: string, irradiance: boolean, stride: number] | null;
 }
 
 let core: Core;
 let openText: string | null = null;
+let drawn = ''; // what the core's last picture is of
 let told: Told;
 let second: WebAssembly.Module | null = null;
 let secondCame: () => void;
 const arrival = new Promise<void>((resolve) => (secondCame = resolve));
+let present = 0; // the number of the question that is being answered
+let lastTidings = 0;
 
-function open(text: string) {
+/** Makes a version the present scene of the core; false: its text has errors. */
+function open({ text, irradiance, direct }: Of): boolean {
+    core.quantity(irradiance);
+    core.direct(direct);
     if (text === openText) return true;
     core.folder.asked.clear();
     const whole = core.open(text);
     openText = whole ? text : null;
-    if (whole) told.text = text;
     return whole;
 }
 
-function measure(irradiance: boolean) {
-    core.quantity(irradiance);
-    told.irradiance = irradiance;
+/** The same for what is asked of scenes without errors only. */
+function opened(of: Of): Core {
+    if (!open(of)) throw new Outdated('the scene has errors');
+    return core;
+}
+
+function draw(of: Of, stride: number): boolean {
+    const name = [of.number, of.direct, stride].join();
+    const isDrawn = drawn === name || core.render(stride);
+    if (isDrawn) drawn = name;
+    return isDrawn;
 }
 
 async function begin() {
     core = await Core.start(told.module, second);
+    core.onProgress = (done) => {
+        const now = performance.now();
+        if (now - lastTidings < BETWEEN) return;
+        lastTidings = now;
+        self.postMessage({ id: present, progress: done });
+    };
     openText = null;
+    drawn = '';
     core.translate(told.words);
     for (const [name, bytes] of told.files) core.folder.put(name, bytes);
 }
 
-/** A new core in the place and the state of the one before. */
-async function beginAnew() {
-    const { text, irradiance, picture } = told;
-    await begin();
-    if (picture) questions.render(...picture);
-    measure(irradiance);
-    if (text !== null) open(text);
+/** Judges a text; what it holds where it is whole, and the files that it names: whether each is there. */
+function judge(of: Of) {
+    openText = null;
+    const whole = open(of);
+    const messages = core.messages();
+    const facts = whole ? core.scene() : null;
+    // Those that the scene before named are looked at, too.
+    const files = [...core.folder.asked].filter(([name, found]) => !found || of.text.includes(lastPart(name)));
+    const geometry =
+        facts &&
+        geometryOf(
+            facts,
+            (key) => core.get(key),
+            (place) => core.project(place),
+        );
+    return { messages, files, facts, geometry };
+}
+
+/** Computes a picture, or each n-th column and row of it. */
+function render(of: Of, stride: number): Picture | { messages: ReturnType<Core['messages']> } {
+    if (!open(of)) return { messages: core.messages() };
+    const before = performance.now();
+    drawn = '';
+    if (!draw(of, stride)) return { messages: core.messages() };
+    const milliseconds = performance.now() - before;
+    return { of, facts: core.picture(), ...core.samples(), stride, milliseconds };
+}
+
+/** Exact values at the first of some places, as many as go within a slice of time. */
+function values(of: Of, places: number[][]): (Probe | null)[] {
+    const until = performance.now() + SLICE;
+    const found: (Probe | null)[] = [];
+    opened(of);
+    for (const [x, y] of places) {
+        found.push(core.probe(x, y));
+        if (performance.now() > until) break;
+    }
+    return found;
 }
 
 const questions = {
     async start(module: WebAssembly.Module, words: Record<string, string>, files: Map<string, Uint8Array>) {
-        told = { module, words, files, irradiance: false, text: null, picture: null };
+        told = { module, words, files };
         await begin();
         return core.builtins();
     },
@@ -79,49 +133,30 @@ const questions = {
         return core.builtins();
     },
     parameters: () => core.parameters(),
-    /** Judges a text; what it holds where it is whole, and the files that it names: whether each is there. */
-    judge(text: string, irradiance: boolean) {
-        openText = null;
-        measure(irradiance);
-        const whole = open(text);
-        const messages = core.messages();
-        // Those that the scene before named are looked at, too.
-        const files = [...core.folder.asked].filter(([name, found]) => !found || text.includes(lastPart(name)));
-        return { whole, messages, scene: whole ? core.scene() : null, files };
-    },
-    /** Computes a picture of a text that was found to be whole, or of each n-th pixel. */
-    render(text: string, irradiance: boolean, stride: number): Picture | { messages: ReturnType<Core['messages']> } {
-        measure(irradiance);
-        if (!open(text)) return { messages: core.messages() };
-        const before = performance.now();
-        if (!core.render(stride)) return { messages: core.messages() };
-        const milliseconds = performance.now() - before;
-        told.picture = [text, irradiance, stride];
-        return { facts: core.picture(), ...core.samples(), stride, text, milliseconds };
-    },
-    probe: (x: number, y: number) => core.probe(x, y),
-    table: (points: number[][]) => points.map(([x, y]) => core.probe(x, y)),
-    explain: (x: number, y: number, format: number, language: string) => core.explain(x, y, format, language),
-    section: (x: number, y: number, degrees: number, samples: number) => core.section(x, y, degrees, samples),
-    sectionBetween: (from: number[], to: number[], samples: number) => core.sectionBetween(from, to, samples),
-    summary: () => core.summary(),
-    balance: (text: string) => (open(text) ? core.balance() : null),
     version: () => core.version(),
-    isophotes: (wanted: number, logarithmic: boolean) => core.isophotes(wanted, logarithmic),
-    extrema: () => core.extrema(),
-    values: (keys: string[]) => keys.map((key) => core.get(key)),
-    relief: (text: string, surface: number, eye: number[], up: number[], pixels: number) =>
-        open(text) ? core.relief(surface, eye, up, pixels) : null,
-    silhouette: (text: string, surface: number, right: number[], up: number[]) =>
-        open(text) ? core.silhouette(surface, right, up) : null,
-    project: (places: number[][]) => places.map((place) => core.project(place)),
-    unproject: (x: number, y: number, height: number) => core.unproject(x, y, height),
     edit: (text: string | Uint8Array, changes: Change[]) => {
         const changed = core.edit(text, changes);
         return { text: changed, messages: changed === null ? core.messages() : [] };
     },
-    file: (name: string) => {
-        const bytes = core.file(name);
+    judge,
+    render,
+    probe: (of: Of, x: number, y: number) => opened(of).probe(x, y),
+    values,
+    line: (of: Of, x: number, y: number, degrees: number) => opened(of).line(x, y, degrees),
+    explain: (of: Of, x: number, y: number, format: number, language: string) =>
+        opened(of).explain(x, y, format, language),
+    summary: (of: Of) => opened(of).summary(),
+    balance: (of: Of) => opened(of).balance(),
+    isophotes: (of: Of, stride: number, wanted: number, logarithmic: boolean) =>
+        opened(of) && draw(of, stride) ? core.isophotes(wanted, logarithmic) : [],
+    extrema: (of: Of) => opened(of).extrema(),
+    keys: (of: Of, keys: string[]) => opened(of) && keys.map((key) => core.get(key)),
+    relief: (of: Of, surface: number, eye: number[], up: number[], pixels: number) =>
+        opened(of).relief(surface, eye, up, pixels),
+    silhouette: (of: Of, surface: number, right: number[], up: number[]) => opened(of).silhouette(surface, right, up),
+    unproject: (of: Of, x: number, y: number, height: number) => opened(of).unproject(x, y, height),
+    file: (of: Of, name: string) => {
+        const bytes = opened(of).file(name);
         return { bytes, messages: bytes ? [] : core.messages() };
     },
     /** Ends the core as a fault in it would, for the test of what the page does then. */
@@ -134,6 +169,7 @@ export type Questions = typeof questions;
 
 interface Asked {
     id: number;
+    version: number | null; // that it is about; null: about no scene
     name: keyof Questions;
     arguments: unknown[];
 }
@@ -146,19 +182,20 @@ async function answerTo({ name, arguments: values }: Asked): Promise<unknown> {
     } catch (error) {
         if (!(error instanceof PartMissing)) throw error;
     }
-    if (!second) self.postMessage({ isWaiting: true });
+    if (!second) self.postMessage({ id: present, isWaiting: true });
     await arrival;
-    await beginAnew();
+    await begin();
     return question(...values);
 }
 
 async function answer(asked: Asked) {
-    const { id } = asked;
+    const { id, version } = asked;
+    present = id;
     try {
-        self.postMessage({ id, answer: await answerTo(asked) });
+        self.postMessage({ id, version, answer: await answerTo(asked) });
     } catch (error) {
         // Whatever ended the core has left its memory in no known state.
-        self.postMessage({ id, failure: String(error) });
+        self.postMessage({ id, version, failure: String(error), isOutdated: error instanceof Outdated });
     }
 }
 

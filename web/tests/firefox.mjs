@@ -81,12 +81,12 @@ const INSIDE = 'const { model } = window.wrappedJSObject?.luxel?.inside ?? windo
 async function smoke(firefox, url, value) {
     await firefox.ask('WebDriver:NewSession', { capabilities: {} });
     await firefox.ask('WebDriver:Navigate', { url: `${url}#scene=report` });
-    await firefox.until(`${INSIDE} return model?.picture?.stride === 1 && document.querySelector('.value') !== null`);
+    await firefox.until(`${INSIDE} return model?.isSettled && document.querySelector('.value') !== null`);
     equal(await firefox.run(`${INSIDE} return model.picture.facts.maximum.value`), value, 'maximum');
     await firefox.run(
         `${INSIDE} model.moveThing(model.things.find(({ kind }) => kind === 'light'), [1500, 200, 1900], '')`,
     );
-    await firefox.until(`${INSIDE} return model.picture.text.includes('[1500, 200, 1900]')`);
+    await firefox.until(`${INSIDE} return model.picture?.of.text.includes('[1500, 200, 1900]')`);
     check(await firefox.run("return document.querySelector('.failure') === null"), 'the page failed');
 }
 

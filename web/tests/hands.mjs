@@ -28,15 +28,13 @@ export async function begun(browser, url, options = {}) {
 /** A page with all that it fetches. */
 export async function opened(browser, url, options = {}) {
     const page = await begun(browser, url, options);
-    await until(page, 'model.client.isWhole');
+    await until(page, 'model.client.isWhole && model.client.hasWords');
     return page;
 }
 
-/** Waits until the picture is whole. */
+/** Waits until the picture is whole, of the present scene, and has all its light. */
 export async function ready(page) {
-    await page.waitForFunction(
-        () => window.luxel?.inside.model.picture?.stride === 1 && document.querySelector('.value'),
-    );
+    await page.waitForFunction(() => window.luxel?.inside.model.isSettled && document.querySelector('.value'));
 }
 
 export const inside = (page, what) =>
@@ -46,11 +44,13 @@ export const inside = (page, what) =>
 
 /** Waits until something inside is as it should be. */
 export async function until(page, what) {
+    let trouble = '';
     for (let i = 0; i < PATIENCE / 50; i++) {
-        if (await inside(page, what)) return;
+        // there may be no picture or scene yet
+        if (await inside(page, what).catch((error) => void (trouble = `: ${error.message}`))) return;
         await page.waitForTimeout(50);
     }
-    throw new Error(`it never came that ${what}`);
+    throw new Error(`it never came that ${what}${trouble}`);
 }
 
 export async function shot(page, name) {
@@ -70,7 +70,7 @@ export async function openText(page, text) {
     await page.evaluate((text) => window.luxel.inside.open(text), text);
     await page.waitForFunction((text) => {
         const { model } = window.luxel.inside;
-        return model.wholeText === text && model.picture?.stride === 1 && model.picture.text === text;
+        return model.text === text && model.isSettled;
     }, text);
 }
 

@@ -34,21 +34,24 @@ async function begins(page) {
     const before = await inside(page, 'model.scene.lights[0].place');
     await dragBy(page, await lampIn(page, 'space'), -60, 30);
     await until(page, `model.scene.lights[0].place.join() !== '${before.join()}' && model.drags === 0`);
-    await until(page, 'model.picture.text === model.text && model.picture.stride === 1');
+    await until(page, 'model.isSettled');
     equal(await page.locator('.loading').isVisible(), false, 'the notice');
 }
 
-const isMesh = `model.picture.text === ${JSON.stringify(MESH)}`;
+const isMesh = `model.picture?.of.text === ${JSON.stringify(MESH)}`;
 
 async function showsMesh(page, tool) {
-    await until(page, `${isMesh} && model.picture.stride === 1`);
+    await until(page, `${isMesh} && model.isSettled`);
     await page.locator('.loading').waitFor({ state: 'hidden' });
     const folder = fs.mkdtempSync(path.join(os.tmpdir(), 'luxel-loading-'));
     try {
         const scene = path.join(folder, 'scene.yaml');
         fs.writeFileSync(scene, MESH);
         const answer = JSON.parse(execFileSync(tool, ['probe', scene, '-p', '20,30', '--json'])).points[0];
-        const probe = await page.evaluate(() => window.luxel.inside.model.client.ask('probe', 20, 30));
+        const probe = await page.evaluate(() => {
+            const { model } = window.luxel.inside;
+            return model.client.ask('probe', model.asWhole(), 20, 30);
+        });
         equal(probe.value, answer.value, 'value');
     } finally {
         fs.rmSync(folder, { recursive: true });
@@ -72,7 +75,10 @@ async function waits(browser, folder, tool) {
 async function makesWay(browser, folder, tool) {
     const { page, release, end } = await pageWithoutSecond(browser, folder);
     const plain = await inside(page, 'model.text');
-    await page.evaluate(() => void window.luxel.inside.model.client.ask('file', 'scene.png').catch(() => undefined));
+    await page.evaluate(() => {
+        const { model } = window.luxel.inside;
+        void model.client.ask('file', model.asWhole(), 'scene.png').catch(() => undefined);
+    });
     await page.getByText(COMING).waitFor();
     const changed = plain.replace('luxel: 1', 'luxel: 1 # another');
     await openText(page, changed);

@@ -57,7 +57,7 @@ async function joins(page) {
     check(cube.reach > 50 && cube.center[2] > ball.center[2] + ball.reach, JSON.stringify([ball, cube]));
     await page.locator('#file').setInputFiles(file('lamp.ies', LAMP));
     await until(page, "model.scene.lights.length === 2 && model.scene.lights[1].type === 'luminaire' && !model.stale");
-    await until(page, 'model.picture.text === model.text && model.picture.stride === 1');
+    await until(page, 'model.isSettled');
     await shot(page, 'joined');
     await page.getByRole('button', { name: 'Undo' }).click();
     await page.getByRole('button', { name: 'Undo' }).click();
@@ -69,7 +69,7 @@ async function compares(page) {
     await page.getByRole('button', { name: 'Keep as A' }).click();
     const kept = await inside(page, 'model.picture.facts.maximum.value');
     await inside(page, "void model.change([{ set: 'lights[0].intensity=11' }])");
-    await until(page, 'model.picture.facts.maximum.value > 1.09 * 11.7 && model.picture.stride === 1');
+    await until(page, 'model.isSettled && model.picture.facts.maximum.value > 1.09 * 11.7');
     await page.getByLabel('Compare').selectOption('difference');
     await page.waitForFunction(() => /= 10 %/.test(document.querySelector('.compare + p').textContent));
     const scale = await inside(page, '[picture.shownScale.low, picture.shownScale.high]');
@@ -123,7 +123,7 @@ async function cuts(page, tool) {
         await page.getByLabel(`${name}, mm`).fill(value);
         await page.getByLabel(`${name}, mm`).press('Enter');
     }
-    await until(page, 'section.last.to[0] === 120 && section.last.to[1] === 80 && section.last.from[1] === -50');
+    await until(page, 'section.last.to[0] === 120 && section.last.to[1] === 80 && section.last.from[1] === -50 && section.last.isKnown.every(Boolean)');
     await axis('s: 0 … 255.54');
     await page.getByLabel('Curves').selectOption('shares');
     const row = await inside(page, 'section.last.rows[240]');
@@ -200,8 +200,8 @@ points: [[-350, 0]]
 
 async function reportsReflections(page, browser, tool) {
     await page.evaluate((text) => window.luxel.inside.open(text), REFLECTING);
-    await until(page, `model.wholeText === ${JSON.stringify(REFLECTING)} && model.picture?.text === model.wholeText`);
-    await until(page, 'model.picture.stride === 1');
+    await until(page, `model.wholeText === ${JSON.stringify(REFLECTING)} && model.picture?.of.text === model.wholeText`);
+    await until(page, 'model.isSettled');
     const [download] = await Promise.all([
         page.waitForEvent('download'),
         page.getByLabel('Download').selectOption('.html'),
@@ -222,7 +222,7 @@ async function reportsReflections(page, browser, tool) {
 /** The balance of the flux is the tool's, comes by itself, in both languages, and goes where there is no reflected light. */
 async function balances(page, tool) {
     await page.evaluate((text) => window.luxel.inside.open(text), REFLECTING);
-    await until(page, `model.picture?.text === ${JSON.stringify(REFLECTING)} && model.picture.stride === 1`);
+    await until(page, `model.picture?.of.text === ${JSON.stringify(REFLECTING)} && model.isSettled`);
     const tables = page.locator('.balance:not(.old) table');
     await tables.last().waitFor();
     const scene = path.join(fs.mkdtempSync(path.join(os.tmpdir(), 'luxel-')), 'ball.yaml');
@@ -265,7 +265,7 @@ async function embeds(browser, url) {
     await page.goto(url.replace('index.html', 'course.html'));
     const whole = (frame) =>
         frame.waitForFunction(
-            () => window.luxel?.inside.model.picture?.stride === 1 && !window.luxel.inside.model.stale,
+            () => window.luxel?.inside.model.isSettled,
         );
     const frameOf = async (id) => (await page.locator(`#${id} iframe`).elementHandle()).contentFrame();
     const named = await frameOf('named');
@@ -294,7 +294,7 @@ async function embeds(browser, url) {
     await named.waitForFunction(
         () =>
             window.luxel.inside.model.text.includes('radius: 329') &&
-            window.luxel.inside.model.picture.text.includes('radius: 329'),
+            window.luxel.inside.model.picture?.of.text.includes('radius: 329'),
     );
     const heights = await page
         .locator('iframe')

@@ -81,22 +81,23 @@ async function dragsQuickly(page) {
     await until(page, `model.text === ${JSON.stringify(before)}`);
 }
 
-/** Where things stand is asked in two questions, however many lights there are: each waits for the worker. */
+/** Where things stand comes with the judgement of the text, in one answer, so that no two versions are mixed. */
 async function readsOffAtOnce(page) {
     await openScene(page, 'all-sources');
     const asked = await page.evaluate(async () => {
         const { model } = window.luxel.inside;
-        const { post } = model.client;
+        const { ask } = model.client;
         const names = [];
-        model.client.post = function (name, ...values) {
+        model.client.ask = function (name, ...values) {
             names.push(name);
-            return post.call(this, name, ...values);
+            return ask.call(this, name, ...values);
         };
-        await model.measure();
-        model.client.post = post;
+        await model.judge();
+        model.client.ask = ask;
         return names;
     });
-    check(asked.filter((name) => name === 'values').length <= 4, `asked ${asked}`); // the form may ask, too
+    equal(asked.filter((name) => name === 'judge').length, 1, `judgements among ${asked}`);
+    check(asked.filter((name) => name === 'keys').length <= 2, `asked ${asked}`); // the form's
     const kinds = await inside(page, "model.shapes.filter(({ kind }) => kind === 'light').map(({ type }) => type)");
     check(['point', 'spot', 'rectangle', 'box'].every((kind) => kinds.includes(kind)), `lights are drawn as ${kinds}`);
     const [distant] = await inside(page, "model.things.filter(({ kind }) => kind === 'direction')");
@@ -317,10 +318,10 @@ async function endsLongWork(page) {
     // so large that its whole picture is still on its way whenever this is looked at
     const text = room.replace(/resolution: \[(\d+), (\d+)\]/, (_, columns, rows) => `resolution: [${4 * columns}, ${4 * rows}]`);
     await inside(page, `void model.begin(${JSON.stringify(text)})`);
-    await until(page, `model.slow !== null && model.picture.text === ${JSON.stringify(text)} && model.picture.stride > 1`);
+    await until(page, `model.work?.state === 'working' && model.picture?.of.text === ${JSON.stringify(text)} && model.picture.stride > 1`);
     const start = Date.now();
     await inside(page, 'void model.change([{ set: "lights[0].enabled=false" }])');
-    await until(page, "model.slow === null && model.wholeText.includes('enabled: false')");
+    await until(page, "!model.work?.of.text.includes('enabled: true') && model.wholeText.includes('enabled: false')");
     return `${Date.now() - start} ms until a long picture gives way`;
 }
 
@@ -335,7 +336,7 @@ async function changesDoNotWait(page) {
     await until(page, "model.wholeText.includes('enabled: false')");
     const time = Date.now() - start;
     await inside(page, "void model.change([{ set: 'reflections=none' }])");
-    await until(page, "model.picture.text.includes('reflections: none')");
+    await until(page, "model.picture?.of.text.includes('reflections: none')");
     return `${time} ms until a change is taken`;
 }
 
@@ -498,7 +499,7 @@ async function quick(page) {
         const { model } = window.luxel.inside;
         const all = [];
         for (let i = 0; i < 12; i++)
-            all.push((await model.client.ask('render', model.wholeText, false, 1)).milliseconds);
+            all.push((await model.client.ask('render', model.asWhole(), 1)).milliseconds);
         return all;
     });
     const best = Math.min(...times);

@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: MIT
+// Where the things of a scene stand, read off it by its keys: what the views draw, and what of it can be grabbed.
+import type { SceneFacts } from './core';
+
+/** Objects of the scene that can be grabbed, by the key that moves them. */
+export interface Thing {
+    kind: 'light' | 'aim' | 'direction' | 'surface' | 'observer';
+    index: number;
+    key: string; // "lights[0].position"
+    at: number[];
+    from?: number[]; // of an aim: the light
+    seen?: number[] | null; // of lights and aims: x and y on the screen, height above it; null: seen nowhere
+}
+
+/** A body or outline, as the space view draws it. */
+export interface Shape {
+    kind: 'surface' | 'light';
+    index: number;
+    type: string;
+    center: number[];
+    radius?: number;
+    size?: number[];
+    height?: number;
+    axis?: number[];
+    up?: number[];
+    outline?: number[][];
+    opening?: number; // of a spot, degrees from its axis
+    text?: string; // of a mesh: its mapping in the scene
+}
+
+export interface Geometry {
+    things: Thing[];
+    shapes: Shape[];
+    screen: number[]; // width and height in mm
+    observer: { position: number[]; perspective: boolean };
+    photometric: boolean;
+    /** Whether surfaces light each other. */
+    reflects: boolean;
+}
+
+const BODIES = ['rectangle', 'disk', 'box', 'sphere', 'cylinder'];
+
+/** Values of keys as the scene has them. */
+class Values {
+    constructor(readonly text: (key: string) => string | null) {}
+
+    /** The numbers of a value, or lists of them; null: it is something else. */
+    numbers(key: string): number[] | null {
+        try {
+            const numbers: unknown = JSON.parse(this.text(key) ?? 'null');
+            if (typeof numbers === 'number') return [numbers];
+            const isList = Array.isArray(numbers) && numbers.length > 0;
+            return isList && !numbers.flat().some((n) => typeof n !== 'number') ? (numbers as number[]) : null;
+        } catch {
+            return null;
+        }
+    }
+
+    sizes(base: string): Pick<Shape, 'radius' | 'size' | 'height' | 'axis' | 'up'> {
+        const numbers = (key: string) => this.numbers(`${base}.${key}`) ?? undefined;
+        return {
+            radius: numbers('radius')?.[0],
+            size: numbers('size'),
+            height: numbers('height')?.[0],
+            axis: numbers('axis'),
+            up: numbers('up'),
+        };
+    }
+}
+
+/** Where a light's place and size are written. */
+interface Body {
+    base: string; // of the group of keys: "lights[0]", "lights[0].disk"
+    key?: string; // of its place
+    at?: number[];
+    type?: string; // as it is drawn, where that is not the light's own
+    outline?: number[][];
+}
+
+function bodyOf(base: string, values: Values): Body {
+    const position = values.numbers(`${base}.position`);
+    const outline = (values.numbers(`${base}.vertices`) as unknown as number[][] | null) ?? undefined;
+    if (position) return { base, key: `${base}.position`, at: position, outline };
+    for (const type of BODIES) {
+        const center = values.numbers(`${base}.${type}.center`);
+        const group = `${base}.${type}`;
+        if (center) return { base: group, key: `${group}.center`, at: center, type, outline };
+    }
+    return { base, type: 'polygon', outline };
+}
+
+class Measuring {
+    readonly things: Thing[] = [];
+    readonly shapes: Shape[] = [];
+    readonly screen: number[];
+
+    constructor(
+        private readonly scene: SceneFacts,
+        private readonly values: Values,
+    ) {
+        this.screen = ['width', 'height'].map((key) => values.numbers(`screen.${key}`)?.[0] ?? 1);
+    }
+
+    observer(): Geometry['observer'] {
+        const { values } = this;
+        const position = values.numbers('observer.position');
+        const at = position ?? [0, 0, values.numbers('observer.z')?.[0] ?? 0];
+        this.things.push({ kind: 'observer', index: 0, key: position ? 'observer.position' : 'observer.z', at });
+        return { position: at, perspective: values.text('observer.projection') === 'perspective' };
+    }
+
+    surface(index: number) {
+        const base = `surfaces[${index}]`;
+        const type = this.values.text(`${base}.type`) ?? '';
+        const center = this.values.numbers(`${base}.center`);
+        if (type === 'mesh') this.mesh(index);
+        if (!center) return;
+        this.things.push({ kind: 'surface', index, key: `${base}.center`, at: center });
+        this.shapes.push({ kind: 'surface', index, type, center, ...this.values.sizes(base) });
+    }
+
+    // Of a mesh the page knows the ball around it; its form the space view asks for.
+    private mesh(index: number) {
+        const base = `surfaces[${index}]`;
+        const ball = this.scene.surfaces[index];
+        const at = this.values.numbers(`${base}.position`) ?? [0, 0, 0];
+        this.things.push({ kind: 'surface', index, key: `${base}.position`, at });
+        const text = this.values.text(base) ?? '';
+        if (ball)
+            this.shapes.push({ kind: 'surface', index, type: 'mesh', center: ball.center, radius: ball.reach, text });
+    }
+
+    light(index: number) {
+        const light = this.scene.lights[index];
+        const { base, key, at, type, outline } = bodyOf(`lights[${index}]`, this.values);
+        if (key && at) this.things.push({ kind: 'light', index, key, at });
+        else if (outline && light.place)
+            this.things.push({ kind: 'light', index, key: `${base}.vertices`, at: light.place });
+        else if (light.type === 'distant' && light.direction) this.distant(index, light.direction);
+        if (!light.place) return;
+        const aim = this.values.numbers(`${base}.aim`);
+        if (aim) this.things.push({ kind: 'aim', index, key: `${base}.aim`, at: aim, from: light.place });
+        this.shapes.push({
+            kind: 'light',
+            index,
+            type: type ?? light.type,
+            center: light.place,
+            ...this.values.sizes(base),
+            axis: light.direction ?? undefined,
+            up: undefined,
+            opening: this.values.numbers(`${base}.outer`)?.[0],
+            outline,
+        });
+    }
+
+    // Distant light comes from infinitely far; its handle stands a screen away from the first surface.
+    private distant(index: number, direction: number[]) {
+        const target = this.scene.surfaces[0]?.center ?? [0, 0, 0];
+        const far = 1.2 * Math.max(...this.screen);
+        const at = target.map((coordinate, axis) => coordinate - far * direction[axis]);
+        this.things.push({ kind: 'direction', index, key: `lights[${index}].direction`, at, from: target });
+    }
+}
+
+/** Reads off a scene, whose keys have the values in YAML that `get` tells; `project` tells where places are seen. */
+export function geometryOf(
+    scene: SceneFacts,
+    get: (key: string) => string | null,
+    project: (place: number[]) => number[] | null,
+): Geometry {
+    const values = new Values(get);
+    const measuring = new Measuring(scene, values);
+    const observer = measuring.observer();
+    scene.surfaces.forEach((_, i) => measuring.surface(i));
+    scene.lights.forEach((_, i) => measuring.light(i));
+    for (const thing of measuring.things)
+        if (thing.kind === 'light' || thing.kind === 'aim') thing.seen = project(thing.at);
+    return {
+        things: measuring.things,
+        shapes: measuring.shapes,
+        screen: measuring.screen,
+        observer,
+        photometric: values.text('units') === 'photometric',
+        reflects: (values.text('reflections') ?? 'none') !== 'none',
+    };
+}

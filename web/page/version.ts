@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: MIT
+// Versions of the scene.  Each question to a worker tells of which version it is, and each result keeps it; the model alone
+// decides which one is current.
+
+/** A text and the quantity that is asked of it, under a number that is given once. */
+export interface Version {
+    readonly number: number;
+    /** Counts the scenes that were opened: versions of one scene follow from each other by changes. */
+    readonly scene: number;
+    readonly text: string;
+    readonly irradiance: boolean;
+    readonly name: string; // what the scene is called, for the names of files
+}
+
+/** A version as it is computed: with all its light, or direct light alone. */
+export interface Of extends Version {
+    readonly direct: boolean;
+}
+
+/** Why a question has no answer: it is of a version that is no longer wanted. */
+export class Outdated extends Error {}
