@@ -6,6 +6,15 @@
 #include "json.h"
 #include "message.h"
 
+int advice_check_view(const struct loaded *loaded)
+{
+    const luxel_status status = luxel_scene_surface_count(loaded->scene) > 0
+                                    ? luxel_scene_check_view(loaded->scene, loaded->diagnostics)
+                                    : LUXEL_OK;
+
+    return status == LUXEL_OK ? EXIT_DONE : message_failure(status, loaded->diagnostics);
+}
+
 int advice_gather(const struct options *options, const struct loaded *loaded)
 {
     luxel_status status = LUXEL_OK;

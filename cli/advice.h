@@ -6,6 +6,9 @@
 #include "load.h"
 #include "meshes.h"
 
+/* Whether pictures can be made of a scene that is ready, if it has surfaces; else that is told. An enum exit_code. */
+int advice_check_view(const struct loaded *loaded);
+
 /* Appends all advice about a scene that is ready to its diagnostics.  Returns an enum exit_code. */
 int advice_gather(const struct options *options, const struct loaded *loaded);
 

@@ -11,7 +11,10 @@
 
 static int advise(const struct options *options, const struct loaded *loaded)
 {
-    const int code = advice_gather(options, loaded);
+    int code = advice_check_view(loaded);
+
+    if (code == EXIT_DONE)
+        code = advice_gather(options, loaded);
 
     if (code != EXIT_DONE)
         return code;

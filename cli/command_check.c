@@ -43,6 +43,8 @@ static int run(const struct options *options)
     struct meshes meshes = {.list = NULL};
     int code = load_scene(options, false, &loaded);
 
+    if (code == EXIT_DONE)
+        code = advice_check_view(&loaded);
     code = report(options, &loaded, &meshes, code);
     meshes_clear(&meshes);
     load_clear(&loaded);

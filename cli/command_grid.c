@@ -4,6 +4,7 @@
  * printed.
  */
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 
 #include <luxel/luxel.h>
@@ -287,10 +288,9 @@ static void add_peak(struct text_table *table, const char *name, const luxel_gri
     char value[TEXT_SIZE], bound[TEXT_SIZE], cell[TEXT_SIZE], position[TEXT_SIZE];
 
     if (peak->exists)
-        text_table_row(table,
-                       TEXT_CELLS(name, text_value(value, 6, peak->value),
-                                  text_format(cell, "± %s", text_bound(bound, peak->value, peak->error)),
-                                  text_lengths(peak->position_mm, 3, position)));
+        text_table_row(table, TEXT_CELLS(name, text_value(value, 6, peak->value),
+                                         text_format(cell, "± %s", text_bound(bound, peak->value, peak->error)),
+                                         text_lengths(peak->position_mm, 3, position)));
 }
 
 /* A number in as many digits as may hold, with its bound. */
@@ -370,8 +370,7 @@ static void print_grid(const luxel_grid *grid, const luxel_grid_extrema *extrema
 static void print_text(const struct grids *grids, const char *name)
 {
     text_print_escaped(stdout, name);
-    printf(_(": %s in %s\n\n"), _(luxel_scene_quantity_word(grids->scene, LUXEL_IRRADIANCE)),
-           _(grids->unit));
+    printf(_(": %s in %s\n\n"), _(luxel_scene_quantity_word(grids->scene, LUXEL_IRRADIANCE)), _(grids->unit));
     for (size_t i = 0; i < grids->count; i++)
         print_grid(grids->list[i], &grids->extrema[i], i);
     result_print_conventions(grids->scene, &of_planes);
@@ -393,8 +392,20 @@ static int write_outputs(const struct options *options, const struct grids *grid
     return code;
 }
 
+/* Whether the cells of a grid are as many as a rule wants. */
+static bool has_spacing(const luxel_scene *scene, size_t i)
+{
+    char key[64], *spacing = NULL;
+    bool is_there;
+
+    snprintf(key, sizeof key, "grids[%zu].spacing", i);
+    is_there = luxel_scene_get(scene, key, NULL, NULL, &spacing) == LUXEL_OK && spacing;
+    luxel_text_free(spacing);
+    return is_there;
+}
+
 /* What somebody who reads the average alone should know. */
-static void warn(const luxel_grid *grid, size_t i)
+static void warn(const luxel_scene *scene, const luxel_grid *grid, size_t i)
 {
     const double size = fabs(grid->has_mean ? grid->mean : grid->average);
     char label[TEXT_SIZE], *name = grid->name ? luxel_escaped_text(grid->name) : NULL;
@@ -404,7 +415,12 @@ static void warn(const luxel_grid *grid, size_t i)
     else
         text_format(label, _("grid %zu"), i + 1);
     luxel_text_free(name);
-    if (grid->is_coarse)
+    if (grid->is_coarse && has_spacing(scene, i))
+        message_note(
+            _("note: %s: the average of the %u × %u values, spaced by its rule, is off the mean over the plane "
+              "by %.2g %%"),
+            label, grid->columns, grid->rows, 100.0 * grid->sampling_error / size);
+    else if (grid->is_coarse)
         message_note(_("warning: %s: %u × %u cells are too coarse for this light: the average of the values is off the "
                        "mean over the plane by %.2g %%; raise n"),
                      label, grid->columns, grid->rows, 100.0 * grid->sampling_error / size);
@@ -427,7 +443,7 @@ static int finish(const struct options *options, const struct loaded *loaded, co
     else if (standard_output_is_free(options))
         print_text(grids, loaded->name);
     for (size_t i = 0; i < grids->count && !options->quiet; i++)
-        warn(grids->list[i], i);
+        warn(loaded->scene, grids->list[i], i);
     if (missed > 0)
         message_tolerance(missed, grids->count);
     return code == EXIT_DONE && missed > 0 ? EXIT_TOLERANCE : code;

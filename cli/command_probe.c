@@ -94,9 +94,12 @@ static void print_surface(const struct result *result, const luxel_probe *probe)
         return;
     }
     printf(_("  view (%.9g, %.9g, %.9g)\n"), probe->view[0] + 0.0, probe->view[1] + 0.0, probe->view[2] + 0.0);
-    printf(probe->lies_on_surface ? _("  lies on %s, whose material it has\n")
-                                  : _("  lies on no surface; has the material of %s\n"),
-           name_surface(probe, name));
+    if (luxel_scene_surface_count(result->scene) == 0)
+        puts(_("  lies on no surface, as there is none; its material has all keys by default"));
+    else
+        printf(probe->lies_on_surface ? _("  lies on %s, whose material it has\n")
+                                      : _("  lies on no surface; has the material of %s\n"),
+               name_surface(probe, name));
     if (probe->is_enclosed)
         printf(_("  inside the body of surfaces[%zu]\n"), probe->enclosing_surface);
 }

@@ -142,6 +142,68 @@ static void print_entry(FILE *stream, const luxel_diagnostics *diagnostics, size
     luxel_text_free(hint);
 }
 
+/* Whether two diagnostics say the same of two elements of one list, whose numbers are set. */
+static bool are_alike(const luxel_diagnostic *a, const luxel_diagnostic *b, unsigned long index[2])
+{
+    const size_t list = a->key ? strcspn(a->key, "[") : 0;
+    char *ends[2];
+
+    if (!a->key || !b->key || !a->key[list] || strcmp(a->id, b->id) != 0 || strncmp(a->key, b->key, list + 1) != 0)
+        return false;
+    index[0] = strtoul(a->key + list + 1, &ends[0], 10);
+    index[1] = strtoul(b->key + list + 1, &ends[1], 10);
+    return strcmp(ends[0], ends[1]) == 0;
+}
+
+static bool is_told_before(const luxel_diagnostics *diagnostics, size_t i)
+{
+    unsigned long index[2];
+
+    for (size_t k = 0; k < i; k++)
+        if (are_alike(luxel_diagnostics_get(diagnostics, k), luxel_diagnostics_get(diagnostics, i), index))
+            return true;
+    return false;
+}
+
+static void print_range(FILE *stream, const luxel_diagnostic *entry, unsigned long first, unsigned long last,
+                        bool is_first)
+{
+    const int list = (int)strcspn(entry->key, "[");
+
+    fputs(is_first ? _("  likewise: ") : ", ", stream);
+    fprintf(stream, "%.*s[%lu]", list, entry->key, first);
+    if (last > first)
+        fprintf(stream, last > first + 1 ? " … %.*s[%lu]" : ", %.*s[%lu]", list, entry->key, last);
+}
+
+/* The other elements of the list of which entry i goes, too.  Returns how many there are. */
+static size_t print_alike(FILE *stream, const luxel_diagnostics *diagnostics, size_t i)
+{
+    const luxel_diagnostic *entry = luxel_diagnostics_get(diagnostics, i);
+    unsigned long index[2], first = 0, last = 0;
+    size_t found = 0;
+    bool is_first = true;
+
+    for (size_t k = i + 1; k < luxel_diagnostics_count(diagnostics); k++) {
+        if (!are_alike(entry, luxel_diagnostics_get(diagnostics, k), index))
+            continue;
+        if (found++ > 0 && index[1] == last + 1) {
+            last++;
+            continue;
+        }
+        if (found > 1) {
+            print_range(stream, entry, first, last, is_first);
+            is_first = false;
+        }
+        first = last = index[1];
+    }
+    if (found > 0) {
+        print_range(stream, entry, first, last, is_first);
+        fputc('\n', stream);
+    }
+    return found;
+}
+
 void message_diagnostics(FILE *stream, const luxel_diagnostics *diagnostics, luxel_severity severity,
                          luxel_severity shown_as)
 {
@@ -149,10 +211,12 @@ void message_diagnostics(FILE *stream, const luxel_diagnostics *diagnostics, lux
     size_t left = luxel_diagnostics_total(diagnostics, severity);
 
     for (size_t i = 0; i < count; i++) {
-        if (luxel_diagnostics_get(diagnostics, i)->severity != severity)
+        const bool groups = severity == LUXEL_SEVERITY_ADVICE; /* what is wrong is told one by one */
+
+        if (luxel_diagnostics_get(diagnostics, i)->severity != severity || (groups && is_told_before(diagnostics, i)))
             continue;
         print_entry(stream, diagnostics, i, shown_as);
-        left--;
+        left -= groups ? 1 + print_alike(stream, diagnostics, i) : 1;
     }
     if (left > 0 && shown_as == LUXEL_SEVERITY_ERROR)
         fprintf(stream, ngettext("and %zu more error\n", "and %zu more errors\n", left), left);

@@ -112,7 +112,7 @@ luxel_use places_use(const struct options *options, const luxel_scene *scene, co
         elements += !probes[i].has_screen;
         use.screen = use.screen || probes[i].has_screen;
         use.pixels = use.pixels || probes[i].has_pixel;
-        if (probes[i].on_surface) {
+        if (probes[i].on_surface && probes[i].surface != SIZE_MAX) {
             materials += !surfaces[probes[i].surface];
             surfaces[probes[i].surface] = true;
         }

@@ -51,7 +51,7 @@ static void write_line(struct csv *csv, const luxel_probe *probe, size_t number)
     write_numbers_if(csv, probe->on_surface, probe->position_mm, 3);
     write_numbers_if(csv, probe->on_surface, probe->normal, 3);
     write_numbers_if(csv, probe->has_value, (const double[]){probe->value, probe->error}, 2);
-    if (probe->on_surface)
+    if (probe->on_surface && probe->surface != SIZE_MAX)
         csv_whole(csv, probe->surface);
     else
         csv_blank(csv);

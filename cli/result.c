@@ -154,7 +154,10 @@ static void write_element(struct json *json, const luxel_probe *probe)
 {
     json_numbers(json, "view", probe->view, 3);
     json_open(json, "material", '{');
-    json_whole(json, "surface", probe->surface);
+    if (probe->surface != SIZE_MAX)
+        json_whole(json, "surface", probe->surface);
+    else
+        json_null(json, "surface");
     json_text(json, "name", probe->surface_name);
     if (probe->part_name)
         json_text(json, "wall", probe->part_name);

@@ -72,8 +72,8 @@ typedef struct luxel_probe {
     double position_mm[3];    /* the element's place, where on_surface */
     double normal[3];         /* the element's unit normal, where on_surface */
     double view[3];           /* the unit vector V to the observer that was used, where on_surface */
-    size_t surface;           /* the surface whose material counts, as an index in the scene's list, where on_surface; 0
-                               * where the list is empty */
+    size_t surface;           /* the surface whose material counts, as an index in the scene's list, where on_surface;
+                               * SIZE_MAX where the list is empty */
     const char *surface_name; /* its name in the scene, NULL where it has none; lives as long as the probe */
     unsigned part;            /* the part of it that the element lies on, of a room a wall; else 0 */
     const char *part_name;    /* what that is called, such as "floor"; NULL where the surface has no parts */

@@ -43,7 +43,7 @@ static PyObject *probe_tuple(const luxel_probe *probe)
         probe->tolerance_reached && probe->reflected_reached ? Py_True : Py_False,
         number_or_none(probe->has_pixel_value, probe->pixel_value),
         triple_or_none(probe->on_surface, probe->position_mm), triple_or_none(probe->on_surface, probe->normal),
-        triple_or_none(probe->on_surface, probe->view), index_or_none(probe->on_surface, probe->surface),
+        triple_or_none(probe->on_surface, probe->view), index_or_none(probe->on_surface && probe->surface != SIZE_MAX, probe->surface),
         text_or_none(probe->on_surface ? probe->surface_name : NULL),
         text_or_none(probe->on_surface ? probe->part_name : NULL), probe->lies_on_surface ? Py_True : Py_False,
         index_or_none(probe->is_enclosed, probe->enclosing_surface),

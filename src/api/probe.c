@@ -53,7 +53,7 @@ void luxel_probe_free(luxel_probe *probe)
 static int copy_names(const struct lx_scene_parameters *scene, const bool *on, struct probes *probes)
 {
     probes->named = lx_new_array(scene->lights.count, sizeof *probes->named);
-    probes->surface_names = lx_new_array(lx_material_count(scene), sizeof *probes->surface_names);
+    probes->surface_names = lx_new_array(scene->surfaces.count, sizeof *probes->surface_names);
     if (!probes->named || !probes->surface_names)
         return -1;
     for (size_t i = 0; i < scene->lights.count; i++) {
@@ -203,13 +203,13 @@ static void probe_element(const struct probing *probing, const luxel_place *plac
     probe->on_surface = true;
     probe->share_count = probing->probes->named_count;
     probe->lies_on_surface = element->own != NULL;
-    probe->surface = place->surface;
+    probe->surface = prepared->surface_count > 0 ? place->surface : SIZE_MAX;
     if (element->own) {
         probe->surface = element->own->authored;
         probe->part = element->own->part;
         probe->part_name = lx_part_name(kind_of(prepared, probe->surface), probe->part);
     }
-    probe->surface_name = probing->probes->surface_names[probe->surface];
+    probe->surface_name = prepared->surface_count > 0 ? probing->probes->surface_names[probe->surface] : NULL;
     copy3(probe->position_mm, element->place_mm);
     copy3(probe->normal, element->normal);
     copy3(probe->view, element->view);

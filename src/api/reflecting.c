@@ -73,8 +73,7 @@ static luxel_status ask(const struct lx_reflecting *reflecting, const struct lx_
 luxel_status lx_ask_places(const struct lx_reflecting *reflecting, const struct lx_radiosity *reflected,
                            luxel_diagnostics *diagnostics)
 {
-    const luxel_status status =
-        ask(reflecting, reflected, lx_thread_count(reflecting->settings->threads, MOST_WORTH));
+    const luxel_status status = ask(reflecting, reflected, lx_thread_count(reflecting->settings->threads, MOST_WORTH));
     return status == LUXEL_ERROR_MEMORY ? lx_out_of_memory(diagnostics) : status;
 }
 

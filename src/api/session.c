@@ -70,9 +70,9 @@ static luxel_status check_group(const struct lx_scene_parameters *scene, const l
         const size_t light = settings->lights[i];
         char number[LX_NUMBER_SIZE], count[LX_NUMBER_SIZE], key[64];
         if (light >= scene->lights.count) {
-            lx_report(diagnostics, LUXEL_SEVERITY_ERROR, NULL, LX_MSG_NO_SUCH_LIGHT,
-                      LX_ARGS(lx_write_number((double)light, number),
-                              lx_write_number((double)scene->lights.count, count)));
+            lx_report(
+                diagnostics, LUXEL_SEVERITY_ERROR, NULL, LX_MSG_NO_SUCH_LIGHT,
+                LX_ARGS(lx_write_number((double)light, number), lx_write_number((double)scene->lights.count, count)));
             status = LUXEL_ERROR_ARGUMENT;
             continue;
         }

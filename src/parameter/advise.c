@@ -1,28 +1,42 @@
 /* SPDX-License-Identifier: MIT */
 /* Advice that follows from the tables alone: what was written outside an advised range, or without effect. */
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "../base/number.h"
 #include "decode.h"
 
+/* What is advised, or usual in a scene of this size. */
+static struct lx_interval usual_range(const struct lx_walk *walk, const struct lx_parameter *parameter,
+                                      const struct lx_interval *advised)
+{
+    struct lx_interval range = *advised;
+    if (!walk->lengths.given || parameter->unit != LX_UNIT_MM || range.high < LX_USUAL_MM)
+        return range;
+    range.high = fmax(range.high, walk->lengths.high);
+    if (parameter->count == 3) /* a place, which may be on either side of the screen */
+        range.low = fmin(range.low, walk->lengths.low);
+    return range;
+}
+
 static void advise_number(struct lx_walk *walk, const struct lx_step *step, const struct lx_parameter *parameter,
                           const struct lx_interval *advised, lx_node_id id)
 {
     double value;
-    if (!advised->given || !lx_read_real(walk->document, id, &value) ||
-        (value >= advised->low && value <= advised->high))
+    const struct lx_interval usual = usual_range(walk, parameter, advised);
+    if (!usual.given || !lx_read_real(walk->document, id, &value) || (value >= usual.low && value <= usual.high))
         return;
     const bool is_kept = lx_keeps(walk->diagnostics, LUXEL_SEVERITY_ADVICE);
     struct lx_text range = {0};
     char number[LX_NUMBER_SIZE];
-    lx_add_range(&range, advised, lx_unit_word(parameter->unit, walk->photometric));
+    lx_add_range(&range, &usual, lx_unit_word(parameter->unit, walk->photometric));
     char *words = lx_text_take(&range);
     lx_walk_report(walk, LUXEL_SEVERITY_ADVICE, lx_document_place(walk->document, id), step, LX_MSG_NOT_ADVISED,
                    words ? words : "", lx_write_number(value, number));
     free(words);
     if (walk->mend && is_kept)
-        walk->mend(walk, step, value < advised->low ? advised->low : advised->high);
+        walk->mend(walk, step, value < usual.low ? usual.low : usual.high);
 }
 
 static void advise_numbers(struct lx_walk *walk, const struct lx_step *step, const struct lx_parameter *parameter,

@@ -8,6 +8,9 @@
 #include "table.h"
 #include "words.h"
 
+/* Lengths up to this are advised to scenes of any kind; how large they really are says the scene. */
+#define LX_USUAL_MM 10000.0
+
 /* What a walk over a document and its tables carries along. */
 struct lx_walk {
     const struct lx_document *document;
@@ -21,6 +24,7 @@ struct lx_walk {
     /* Gives the advice just reported a hint at what brings a number to the nearest advised one; NULL: none. */
     void (*mend)(struct lx_walk *walk, const struct lx_step *step, double nearest);
     const struct luxel_scene *scene; /* for mend() */
+    struct lx_interval lengths;      /* in mm, that are usual beyond those that are advised */
 };
 
 /*

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /*
  * Advice about a committed scene, luxel_scene_advise() itself included: what the tables advise, surfaces that
- * are not wholly in view, lights that no visible part of a surface can see, luminaires too near to be points.
+ * are not wholly in view, lights that no visible part of a surface can see.
  */
 #include <math.h>
 #include <string.h>
@@ -166,48 +166,6 @@ static void mend_behind(struct lx_walk *walk, const struct lx_scene_parameters *
     lx_mend_hint(walk, &text);
 }
 
-/* A share of a surface's size: what is no farther away lies on it. */
-static const double MOUNTED = 1e-9;
-
-/* How far a place is from the nearest part of a surface. */
-static double distance_to(const struct lx_item *surface, const double place_mm[3])
-{
-    const struct lx_surface_kind *kind = (const struct lx_surface_kind *)surface->variant;
-    double least = HUGE_VAL, offset[3], direction[3];
-    for (unsigned k = 0; k < lx_part_count(kind); k++) {
-        struct lx_part part;
-        lx_part_make(kind, surface->parameters, k, &part);
-        for (int i = 0; i < 3; i++)
-            offset[i] = place_mm[i] - part.shape.anchor_mm[i];
-        const double distance = fabs(lx_shape_distance(&part.shape, offset, direction));
-        /* a luminaire that is mounted on a wall does not light it */
-        least = distance > MOUNTED * part.shape.radius_mm ? fmin(least, distance) : least;
-    }
-    return least;
-}
-
-/* A luminaire so near to a surface that it is no point. */
-static void advise_near(struct lx_walk *walk, const struct lx_scene_parameters *scene, size_t light, lx_node_id id,
-                        const double place_mm[3])
-{
-    static const double TIMES = 5;
-    const struct lx_item *item = &scene->lights.items[light];
-    const struct lx_light_kind *kind = (const struct lx_light_kind *)item->variant;
-    const double opening_mm = kind->opening_mm ? kind->opening_mm(item->parameters) : 0;
-    struct lx_step list = {NULL, "lights", 0}, element = {&list, NULL, light}, step = {&element, "position", 0};
-    for (size_t s = 0; opening_mm > 0 && s < scene->surfaces.count; s++) {
-        char number[LX_NUMBER_SIZE], away[LX_NUMBER_SIZE], length[LX_NUMBER_SIZE];
-        const double distance = distance_to(&scene->surfaces.items[s], place_mm);
-        if (!(distance < TIMES * opening_mm))
-            continue;
-        lx_walk_tell(walk, LUXEL_SEVERITY_ADVICE, lx_document_place(walk->document, id), &step, LX_MSG_LUMINAIRE_NEAR,
-                     LX_ARGS(lx_write_number((double)s, number), lx_write_digits(distance, 4, away),
-                             lx_write_digits(opening_mm, 4, length)));
-        lx_hint(walk->diagnostics, LX_MSG_HINT_OPENING, NULL);
-        return;
-    }
-}
-
 static void advise_lights(struct lx_walk *walk, const struct lx_scene_parameters *scene, lx_node_id lights)
 {
     lx_node_id id = lx_document_node(walk->document, lights)->first;
@@ -218,7 +176,6 @@ static void advise_lights(struct lx_walk *walk, const struct lx_scene_parameters
         if (!position || !common->enabled)
             continue;
         const double *place_mm = lx_const_member(position, light->parameters);
-        advise_near(walk, scene, i, lx_document_find(walk->document, id, "position"), place_mm);
         if (!is_behind(scene, place_mm))
             continue;
         struct lx_step list = {NULL, "lights", 0}, item = {&list, NULL, i}, step = {&item, "position", 0};
@@ -231,6 +188,30 @@ static void advise_lights(struct lx_walk *walk, const struct lx_scene_parameters
     }
 }
 
+/* Which lengths are usual in a scene beyond those that are advised: as far as its rooms and large surfaces reach. */
+static struct lx_interval lengths_of(const struct lx_scene_parameters *scene)
+{
+    struct lx_interval lengths = {.low = 0, .high = 0};
+    for (size_t s = 0; s < scene->surfaces.count; s++) {
+        const struct lx_item *surface = &scene->surfaces.items[s];
+        const struct lx_surface_kind *kind = (const struct lx_surface_kind *)surface->variant;
+        const struct lx_shape shape = lx_surface_shape(kind, surface->parameters);
+        double low[3], high[3], largest = 0;
+        kind->extent(surface->parameters, low, high);
+        for (int i = 0; i < 3; i++)
+            largest = fmax(largest, high[i] - low[i]);
+        if (!lx_surface_surrounds(kind, surface->parameters, shape.anchor_mm) && !(largest > LX_USUAL_MM))
+            continue;
+        lengths.given = true;
+        lengths.high = fmax(lengths.high, largest);
+        for (int i = 0; i < 3; i++) {
+            lengths.low = fmin(lengths.low, low[i]);
+            lengths.high = fmax(lengths.high, high[i]);
+        }
+    }
+    return lengths;
+}
+
 luxel_status luxel_scene_advise(const luxel_scene *scene, luxel_diagnostics *diagnostics)
 {
     if (!luxel_scene_is_committed(scene)) {
@@ -241,9 +222,11 @@ luxel_status luxel_scene_advise(const luxel_scene *scene, luxel_diagnostics *dia
     walk.mend = lx_mend_number;
     walk.scene = scene;
     lx_node_id root = scene->document.root;
+    walk.lengths = lengths_of(&scene->parameters);
     lx_advise_parameters(&walk, &lx_scene_table, &scene->parameters);
     advise_view(&walk, &scene->parameters, lx_document_find(&scene->document, root, "surfaces"));
     lx_advise_unseen(&walk, scene);
     advise_lights(&walk, &scene->parameters, lx_document_find(&scene->document, root, "lights"));
+    lx_advise_design(&walk, scene);
     return walk.out_of_memory ? lx_out_of_memory(diagnostics) : LUXEL_OK;
 }

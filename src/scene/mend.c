@@ -86,9 +86,8 @@ static bool is_valid_with(const luxel_scene *scene, const char *assignment)
     if (scene->document.node_count > MOST_NODES)
         return false;
     luxel_scene *copy = luxel_scene_copy(scene);
-    bool valid =
-        copy && luxel_scene_set(copy, assignment, NULL) == LUXEL_OK && luxel_scene_commit(copy, NULL) == LUXEL_OK &&
-        luxel_scene_check_view(copy, NULL) == LUXEL_OK;
+    bool valid = copy && luxel_scene_set(copy, assignment, NULL) == LUXEL_OK &&
+                 luxel_scene_commit(copy, NULL) == LUXEL_OK && luxel_scene_check_view(copy, NULL) == LUXEL_OK;
     luxel_scene_free(copy);
     return valid;
 }

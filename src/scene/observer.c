@@ -19,7 +19,8 @@ static const struct lx_parameter observer_parameters[] = {
         .offset = offsetof(struct lx_observer, z_mm),
         .unit = LX_UNIT_MM,
         .advised = {LX_BETWEEN(100, 10000)},
-        .meaning = "the height of the observer above the screen, at (0, 0, z); for pictures, outside of all surfaces and above "
+        .meaning = "the height of the observer above the screen, at (0, 0, z); for pictures, outside of all surfaces "
+                   "and above "
                    "them",
     },
     {

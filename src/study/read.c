@@ -105,8 +105,7 @@ static luxel_status decode(struct luxel_study *study, luxel_diagnostics *diagnos
     struct lx_study_parameters *parameters = &study->parameters;
     luxel_status status = lx_decode(&walk, &lx_study_table, parameters);
     /* what is wrong elsewhere is told all the same, as far as it is known what it is about */
-    if (status == LUXEL_ERROR_MEMORY ||
-        (status != LUXEL_OK && !lx_is_given(&lx_study_table, parameters, "scene")))
+    if (status == LUXEL_ERROR_MEMORY || (status != LUXEL_OK && !lx_is_given(&lx_study_table, parameters, "scene")))
         return status;
     if (!lx_is_given(&lx_study_table, parameters, "outputs")) {
         parameters->outputs.given = 1 << LUXEL_STUDY_BRIGHTNESS;

@@ -96,6 +96,8 @@ void expect_text_error(const char *text, struct expected expected)
     luxel_scene *scene;
     assert_non_null(diagnostics);
     luxel_status status = load(text, diagnostics, &scene);
+    if (status == LUXEL_OK)
+        status = luxel_scene_check_view(scene, diagnostics);
     if (status != LUXEL_ERROR_SCENE)
         fail_msg("no error %s, but status %d", expected.id, (int)status);
     assert_int_equal(luxel_diagnostics_total(diagnostics, LUXEL_SEVERITY_ERROR), 1);

@@ -43,10 +43,10 @@ struct expected {
 /* Asserts that entry i is as expected. */
 void expect_entry(const luxel_diagnostics *diagnostics, size_t i, struct expected expected);
 
-/* Asserts that the good scene, so changed, has exactly one error, as expected. */
+/* Asserts that the good scene, so changed, or its picture, has exactly one error, as expected. */
 void expect_error(const char *old, const char *new_words, struct expected expected);
 
-/* Asserts that the text has exactly one error, as expected. */
+/* Asserts that the scene of the text, or its picture, has exactly one error, as expected. */
 void expect_text_error(const char *text, struct expected expected);
 
 #endif

@@ -266,8 +266,8 @@ static void standing(void **state)
         enum lx_standing parallel = lx_surface_standing(body.kind, body.parameters, &own, z, false);
         bool dark = lx_surface_is_dark(body.kind, body.parameters, &own, place);
         if (n % 2) {
-            assert_int_equal(central, dot(eye, body.axis) > 0 ? LX_STANDS_BEFORE : LX_STANDS_BEHIND);
-            assert_int_equal(parallel, body.axis[2] <= 0 ? LX_TURNED_AWAY
+            assert_int_equal(central, dot(eye, body.axis) > 0 ? LX_STANDS_BEFORE : LX_SEES_BACK);
+            assert_int_equal(parallel, body.axis[2] <= 0 ? LX_SEES_BACK
                                        : z > high[2]     ? LX_STANDS_BEFORE
                                                          : LX_STANDS_TOO_LOW);
             assert_int_equal(dark, dot(from, body.axis) <= 0);

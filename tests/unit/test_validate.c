@@ -200,7 +200,7 @@ static void wants_the_observer_above(void **state)
                  one, WANTED("observer-too-low", 4, 15, "observer.z", "surfaces[1]", "> 1700 mm"));
     expect_error("  - type: sphere\n    center: [0, 0, 1000]\n    radius: 300\n"
                  "    material: {model: phong, diffuse: 0.8, shininess: 20}\n",
-                 "  []\n", WANTED("too-few", 6, 3, "surfaces"));
+                 "  []\n", WANTED("no-surfaces", 6, 3, "surfaces"));
 }
 
 static void reports_all_errors_at_once(void **state)
@@ -209,8 +209,8 @@ static void reports_all_errors_at_once(void **state)
     static const char text[] =
         "luxel: 3\nscreen: {width: -1, height: x, resolution: [1, 2], foo: 1}\nobserver: {z: true}\n"
         "surfaces: []\nlights: [{type: point}, {type: sun}, 5]\n";
-    static const char *const ids[] = {"out-of-range", "out-of-range", "wrong-type",  "unknown-key",    "wrong-type",
-                                      "too-few",      "missing-key",  "missing-key", "unknown-choice", "wrong-type"};
+    static const char *const ids[] = {"out-of-range", "out-of-range", "wrong-type",     "unknown-key", "wrong-type",
+                                      "missing-key",  "missing-key",  "unknown-choice", "wrong-type"};
     luxel_diagnostics *diagnostics = luxel_diagnostics_new();
     luxel_scene *scene;
     assert_int_equal(load(text, diagnostics, &scene), LUXEL_ERROR_SCENE);
