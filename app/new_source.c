@@ -170,11 +170,14 @@ static void aim_pattern(AppDocument *trial, gsize light)
 
 /* ---- strength ---- */
 
-/* The greatest irradiance that a source alone gives in view; 0 where it gives none, or that is not known. */
+/* The greatest direct irradiance that a source alone gives in view; 0 where it gives none, or that is not known. */
 static double greatest_irradiance(const AppDocument *document, gsize light)
 {
     luxel_diagnostics *faults = luxel_diagnostics_new();
-    AppMoment *moment = app_moment_new(app_document_copy_scene(document), 0, (gssize)light, faults);
+    luxel_scene *scene = app_document_copy_scene(document);
+    if (scene)
+        app_scene_leave_direct(scene);
+    AppMoment *moment = app_moment_new(scene, 0, (gssize)light, faults);
     luxel_settings settings;
     luxel_field *field = NULL;
     unsigned columns, rows;
