@@ -193,11 +193,12 @@ static void save_as(GSimpleAction *action, GVariant *argument, gpointer data)
 static void save(GSimpleAction *action, GVariant *argument, gpointer data)
 {
     AppWindow *self = data;
-    const char *path = app_document_path(self->document);
+    char *path = g_strdup(app_document_path(self->document)); /* which saving replaces */
     if (path)
         save_chosen(self, path, NULL);
     else
         save_as(action, argument, data);
+    g_free(path);
 }
 
 static void save_path(GSimpleAction *action, GVariant *path, gpointer data)
