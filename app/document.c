@@ -17,6 +17,7 @@ struct _AppDocument {
     char *path, *name;
     AppHistory *history;
     guint64 serial, origin;
+    char *file_sum;     /* of what the file had when it was opened or saved; NULL: there is none */
     gint64 last_change; /* monotonic time */
     guint gestures;
     const char *topic;       /* of every change; NULL: each has its own */
@@ -37,6 +38,7 @@ static void app_document_finalize(GObject *object)
     app_history_free(self->history);
     g_free(self->text);
     g_free(self->saved_text);
+    g_free(self->file_sum);
     g_free(self->path);
     g_free(self->name);
     G_OBJECT_CLASS(app_document_parent_class)->finalize(object);
@@ -88,6 +90,32 @@ static void tell(AppDocument *self, gboolean renamed)
     g_object_unref(self);
 }
 
+/* What tells the content of a file from another; NULL: it cannot be read. */
+static char *sum_of_file(const char *path)
+{
+    char *content, *sum;
+    gsize length;
+    if (!path || !g_file_get_contents(path, &content, &length, NULL))
+        return NULL;
+    sum = g_compute_checksum_for_data(G_CHECKSUM_SHA256, (const guchar *)content, length);
+    g_free(content);
+    return sum;
+}
+
+void app_document_know_file(AppDocument *self)
+{
+    g_free(self->file_sum);
+    self->file_sum = sum_of_file(self->path);
+}
+
+gboolean app_document_is_changed_outside(const AppDocument *self)
+{
+    char *sum = sum_of_file(self->path);
+    const gboolean is_changed = sum && self->file_sum && strcmp(sum, self->file_sum) != 0;
+    g_free(sum);
+    return is_changed;
+}
+
 /* Takes the scene over.  `saved` FALSE: all of it is unsaved work. */
 static gboolean adopt(AppDocument *self, luxel_scene *scene, const char *path, const char *name, gboolean saved)
 {
@@ -110,6 +138,7 @@ static gboolean adopt(AppDocument *self, luxel_scene *scene, const char *path, c
     self->path = new_path;
     self->name = new_name;
     app_history_clear(self->history);
+    app_document_know_file(self);
     self->origin++;
     tell(self, TRUE);
     return TRUE;
@@ -182,6 +211,7 @@ gboolean app_document_save(AppDocument *self, const char *path, luxel_diagnostic
     luxel_scene_free(self->opened);
     self->opened = luxel_scene_copy(self->scene);
     self->was_modified = FALSE;
+    app_document_know_file(self);
     g_signal_emit(self, signals[RENAMED], 0);
     return TRUE;
 }

@@ -36,6 +36,11 @@ gboolean app_document_open_unsaved(AppDocument *self, const char *text, const ch
 /* Saves the text to a file, which becomes the document's. */
 gboolean app_document_save(AppDocument *self, const char *path, luxel_diagnostics *diagnostics);
 
+/* Whether another program has changed the file since it was opened or saved; a file that is gone has not. */
+gboolean app_document_is_changed_outside(const AppDocument *self);
+/* What the file has now counts as known. */
+void app_document_know_file(AppDocument *self);
+
 /* The file that it belongs to, or NULL; a name to show; the present text; whether there is unsaved work. */
 const char *app_document_path(const AppDocument *self);
 const char *app_document_name(const AppDocument *self);

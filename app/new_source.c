@@ -112,6 +112,30 @@ static void choose_place(const double center[3], const double chosen[3], double 
         place[1] = center[1] - aside[1];
 }
 
+/* Whether another source stands there, or nearly. */
+static gboolean is_taken(const AppDocument *trial, gsize light, const double place[3])
+{
+    static const double NEAR_MM = 1;
+    double other[3];
+    for (gsize i = 0; i < light; i++)
+        if (read_place(trial, APP_MARK_SOURCE, i, other) &&
+            hypot(hypot(other[0] - place[0], other[1] - place[1]), other[2] - place[2]) < NEAR_MM)
+            return TRUE;
+    return FALSE;
+}
+
+/* Where one stands already, the new one stands an eighth of a turn further around the surface, or another one. */
+static void give_way(const AppDocument *trial, gsize light, const double center[3], double place[3])
+{
+    enum { PLACES = 8 };
+    const double aside[2] = {place[0] - center[0], place[1] - center[1]};
+    for (int i = 1; i < PLACES && is_taken(trial, light, place); i++) {
+        const double turn = 2 * G_PI * i / PLACES;
+        place[0] = round(center[0] + aside[0] * cos(turn) - aside[1] * sin(turn));
+        place[1] = round(center[1] + aside[0] * sin(turn) + aside[1] * cos(turn));
+    }
+}
+
 static void put(AppDocument *trial, gsize light, const double place[3])
 {
     char *key = app_place_key(trial, APP_MARK_SOURCE, light), *value = app_list_write(place, 3);
@@ -142,6 +166,7 @@ static void stand(AppDocument *trial, gsize light, gsize chosen)
     if (text && app_list_read(text, center, 3) == 3) {
         if (chosen != light && read_place(trial, APP_MARK_SOURCE, chosen, old)) {
             choose_place(center, old, place);
+            give_way(trial, light, center, place);
             put(trial, light, place);
         } else if (read_place(trial, APP_MARK_SOURCE, light, place)) {
             for (int k = 0; k < 3; k++)
@@ -170,11 +195,14 @@ static void aim_pattern(AppDocument *trial, gsize light)
 
 /* ---- strength ---- */
 
-/* The greatest irradiance that a source alone gives in view; 0 where it gives none, or that is not known. */
+/* The greatest direct irradiance that a source alone gives in view; 0 where it gives none, or that is not known. */
 static double greatest_irradiance(const AppDocument *document, gsize light)
 {
     luxel_diagnostics *faults = luxel_diagnostics_new();
-    AppMoment *moment = app_moment_new(app_document_copy_scene(document), 0, (gssize)light, faults);
+    luxel_scene *scene = app_document_copy_scene(document);
+    if (scene)
+        app_scene_leave_direct(scene);
+    AppMoment *moment = app_moment_new(scene, 0, (gssize)light, faults);
     luxel_settings settings;
     luxel_field *field = NULL;
     unsigned columns, rows;

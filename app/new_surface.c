@@ -7,6 +7,7 @@
 
 #include "marks.h"
 #include "number.h"
+#include "picture.h"
 
 enum { PLACES = 24 /* of the screen, across and down, at which is looked what it shows */ };
 static const double WANTED = 0.15;     /* radius, of the shorter side of the screen */
@@ -42,6 +43,8 @@ static void write_key(AppDocument *document, gsize surface, const char *name, co
 static luxel_scene *committed(const AppDocument *document)
 {
     luxel_scene *scene = app_document_copy_scene(document);
+    if (scene)
+        app_scene_leave_direct(scene); /* what is asked of it needs no other light */
     if (scene && luxel_scene_commit(scene, NULL) == LUXEL_OK)
         return scene;
     luxel_scene_free(scene);

@@ -23,16 +23,31 @@ G_DEFINE_FINAL_TYPE(AppNumbers, app_numbers, GTK_TYPE_BOX)
 
 /* ---- points ---- */
 
-static GtkWidget *cell(AppNumbers *self, int column, guint row)
+/* A point has two lines, so that no number is cut where the pane is narrow: its name, place and value, and below the place
+ * the grey level, below the value that of the pixel. */
+enum { LINES_OF_POINT = 2 };
+static const int places_of_columns[POINT_COLUMNS][2] = {{0, 0}, {1, 0}, {2, 0}, {2, 1}, {1, 1}};
+
+static void put_cell(AppNumbers *self, GtkWidget *label, int column, guint row)
 {
-    GtkWidget *label = gtk_grid_get_child_at(GTK_GRID(self->points), column, (int)row + 1);
+    const int *place = places_of_columns[column];
+    gtk_label_set_xalign(GTK_LABEL(label), column == 0 ? 0 : 1);
+    gtk_grid_attach(GTK_GRID(self->points), label, place[0], (int)row * LINES_OF_POINT + place[1], 1, 1);
+    if (place[1] > 0)
+        gtk_widget_add_css_class(label, "note");
+}
+
+/* Of the i-th point; the head of the table is above it. */
+static GtkWidget *cell(AppNumbers *self, int column, guint i)
+{
+    const int *place = places_of_columns[column], line = ((int)i + 1) * LINES_OF_POINT + place[1];
+    GtkWidget *label = gtk_grid_get_child_at(GTK_GRID(self->points), place[0], line);
     if (label)
         return label;
     label = gtk_label_new(NULL);
-    gtk_label_set_xalign(GTK_LABEL(label), column == 0 ? 0 : 1);
     gtk_label_set_selectable(GTK_LABEL(label), column > 0);
     gtk_widget_add_css_class(label, "numeric");
-    gtk_grid_attach(GTK_GRID(self->points), label, column, (int)row + 1, 1, 1);
+    put_cell(self, label, column, i + 1);
     return label;
 }
 
@@ -88,8 +103,8 @@ static void show_points(AppNumbers *self, const AppMeasures *measures)
     const guint count = (guint)measures->point_count;
     for (guint row = 0; row < count; row++)
         show_point(self, &measures->points[row], row);
-    for (guint row = self->point_rows; row > count; row--)
-        gtk_grid_remove_row(GTK_GRID(self->points), (int)row);
+    for (guint line = self->point_rows * LINES_OF_POINT; line > count * LINES_OF_POINT; line--)
+        gtk_grid_remove_row(GTK_GRID(self->points), (int)line + LINES_OF_POINT - 1);
     self->point_rows = count;
     char *left =
         g_strdup_printf(ngettext("and %zu more", "and %zu more", measures->points_left), measures->points_left);
@@ -105,12 +120,11 @@ static GtkWidget *new_points(AppNumbers *self)
     self->points_left = gtk_label_new(NULL);
     self->unit = gtk_label_new(NULL);
     gtk_grid_set_column_spacing(GTK_GRID(self->points), 9);
-    gtk_grid_set_row_spacing(GTK_GRID(self->points), 4);
+    gtk_grid_set_row_spacing(GTK_GRID(self->points), 2);
     for (int i = 0; i < POINT_COLUMNS; i++) {
         GtkWidget *head = gtk_label_new(heads[i]);
-        gtk_label_set_xalign(GTK_LABEL(head), i == 0 ? 0 : 1);
         gtk_widget_add_css_class(head, "heading");
-        gtk_grid_attach(GTK_GRID(self->points), head, i, 0, 1, 1);
+        put_cell(self, head, i, 0);
     }
     gtk_label_set_xalign(GTK_LABEL(self->unit), 0);
     gtk_label_set_xalign(GTK_LABEL(self->points_left), 0);

@@ -134,17 +134,21 @@ AppMoment *app_moment_new(luxel_scene *scene, guint64 serial, gssize solo, luxel
     return moment;
 }
 
+gboolean app_scene_leave_direct(luxel_scene *scene)
+{
+    char *reflections = NULL;
+    const gboolean reflects = luxel_scene_get(scene, "reflections", NULL, NULL, &reflections) == LUXEL_OK &&
+                              g_strcmp0(reflections, "none") != 0;
+    luxel_text_free(reflections);
+    return reflects && luxel_scene_set(scene, "reflections=none", NULL) == LUXEL_OK;
+}
+
 /* The moment without what its surfaces reflect; NULL: they reflect nothing, or the scene has faults. */
 static AppMoment *direct_moment(const AppWish *wish)
 {
-    char *reflections = NULL;
+    luxel_scene *scene = luxel_scene_copy(wish->scene);
     AppMoment *moment = NULL;
-    luxel_scene *scene = NULL;
-    if (luxel_scene_get(wish->scene, "reflections", NULL, NULL, &reflections) == LUXEL_OK &&
-        g_strcmp0(reflections, "none") != 0)
-        scene = luxel_scene_copy(wish->scene);
-    luxel_text_free(reflections);
-    if (scene && luxel_scene_set(scene, "reflections=none", NULL) == LUXEL_OK)
+    if (scene && app_scene_leave_direct(scene))
         moment = app_moment_new(g_steal_pointer(&scene), wish->serial, wish->solo, NULL);
     luxel_scene_free(scene);
     if (moment)

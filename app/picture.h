@@ -103,6 +103,8 @@ gboolean app_painter_is_busy(AppPainter *painter);
 
 /* A moment made at once, in the calling thread, for files and tests; NULL: it has faults. */
 AppMoment *app_moment_new(luxel_scene *scene, guint64 serial, gssize solo, luxel_diagnostics *faults);
+/* Leaves a scene that is not committed the direct light alone, which is there at once; FALSE: it has no other. */
+gboolean app_scene_leave_direct(luxel_scene *scene);
 /* Which lights are seen: sets the group of the settings, which point into the moment then. */
 void app_moment_light(const AppMoment *moment, luxel_settings *settings);
 gboolean app_moment_is_on(const AppMoment *moment, gsize light);

@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "document.h"
+#include "picture.h"
 #include "runner.h"
 
 static const double PATIENCE_SECONDS = 2; /* for a scene */
@@ -36,6 +37,8 @@ static luxel_scene *open_scene(const char *name)
     const luxel_status status = g_str_has_prefix(name, APP_BUILTIN)
                                     ? luxel_scene_open_builtin(name + strlen(APP_BUILTIN), NULL, &scene)
                                     : luxel_scene_read_file(name, NULL, &scene);
+    if (status == LUXEL_OK)
+        app_scene_leave_direct(scene);
     if (status == LUXEL_OK && luxel_scene_commit(scene, NULL) == LUXEL_OK)
         return scene;
     if (status == LUXEL_OK)

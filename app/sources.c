@@ -33,6 +33,7 @@ struct _AppSources {
     gsize count;            /* of the sources, as it was last */
     gssize solo;
     gboolean is_updating;
+    int is_to_reveal; /* frames since it was wished that the list shows what is chosen; -1: it does */
 };
 
 enum { CHOSEN, SOLO, HOVERED, SIGNALS };
@@ -209,6 +210,29 @@ static void show_chosen(AppSources *self)
     g_free(type);
 }
 
+/* Scrolls to the one that the form shows, once the rows have their places. */
+static gboolean reveal_shown(GtkWidget *list, GdkFrameClock *clock, gpointer data)
+{
+    AppSources *self = data;
+    GtkListBoxRow *row = gtk_list_box_get_row_at_index(GTK_LIST_BOX(list), (int)self->chosen);
+    graphene_rect_t at;
+    (void)clock;
+    if (self->is_to_reveal++ == 0) /* the layout comes behind this */
+        return G_SOURCE_CONTINUE;
+    if (row && gtk_widget_compute_bounds(GTK_WIDGET(row), list, &at))
+        gtk_adjustment_clamp_page(gtk_scrolled_window_get_vadjustment(GTK_SCROLLED_WINDOW(self->scrolled)),
+                                  (double)at.origin.y, (double)(at.origin.y + at.size.height));
+    self->is_to_reveal = -1;
+    return G_SOURCE_REMOVE;
+}
+
+static void reveal(AppSources *self)
+{
+    if (self->is_to_reveal < 0)
+        gtk_widget_add_tick_callback(self->list, reveal_shown, self, NULL);
+    self->is_to_reveal = 0;
+}
+
 /* The list shows what is chosen. */
 static void show_rows(AppSources *self)
 {
@@ -297,6 +321,7 @@ void app_sources_choose(AppSources *self, gsize index)
 {
     choose_alone(self, index);
     app_sources_refresh(self);
+    reveal(self);
 }
 
 void app_sources_toggle(AppSources *self, gsize index)
@@ -560,6 +585,7 @@ static void app_sources_init(AppSources *self)
     self->together = g_array_new(FALSE, FALSE, sizeof(gsize));
     choose_alone(self, 0);
     self->solo = -1;
+    self->is_to_reveal = -1;
     gtk_orientable_set_orientation(GTK_ORIENTABLE(self), GTK_ORIENTATION_VERTICAL);
     gtk_box_set_spacing(GTK_BOX(self), 6);
 }

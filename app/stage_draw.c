@@ -61,8 +61,8 @@ static void set_look(const Sheet *sheet, const AppLine *line)
     static const double dashes[] = {3, 3};
     cairo_t *cairo = sheet->cairo;
     const AppStage *stage = sheet->stage;
-    const gboolean is_chosen = line->kind == APP_LINE_LAMP && (app_stage_is_chosen(stage, line->index) ||
-                                                               (gssize)line->index == stage->hovered);
+    const gboolean is_chosen = line->kind == APP_LINE_LAMP &&
+                               (app_stage_is_chosen(stage, line->index) || (gssize)line->index == stage->hovered);
     cairo_set_line_width(cairo, is_chosen ? 2.2 : 1.3);
     cairo_set_dash(cairo, dashes, line->kind == APP_LINE_SIGHT ? 2 : 0, 0);
     switch (line->kind) {
@@ -294,10 +294,10 @@ static void draw_scale(const Sheet *sheet, double width, double height)
     g_free(text);
 }
 
-/* Its name, and which way its two coordinates run. */
+/* Which way it is looked, and its two coordinates run: whether that is a plan depends on what is up in the scene. */
 static void draw_title(const Sheet *sheet, double top)
 {
-    char *text = g_strdup_printf("%s, x → %s ↑", sheet->projection == APP_PLAN ? _("Plan") : _("Elevation"),
+    char *text = g_strdup_printf("%s, x → %s ↑", sheet->projection == APP_PLAN ? _("Seen along z") : _("Seen along y"),
                                  sheet->projection == APP_PLAN ? "y" : "z");
     set_ink(sheet, 0.7);
     draw_text(sheet, text, 6, top + 3, FALSE);

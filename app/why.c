@@ -283,14 +283,15 @@ static void app_why_init(AppWhy *self)
     gtk_widget_add_css_class(self->where, "numeric");
     gtk_label_set_xalign(GTK_LABEL(self->where), 0);
     gtk_label_set_ellipsize(GTK_LABEL(self->where), PANGO_ELLIPSIZE_END);
-    gtk_widget_set_hexpand(self->where, TRUE);
+    gtk_widget_set_halign(self->whole, GTK_ALIGN_END);
+    gtk_widget_set_hexpand(self->whole, TRUE);
     gtk_widget_set_visible(self->whole, FALSE);
     gtk_widget_set_size_request(scrolled, -1, HEIGHT);
     gtk_scrolled_window_set_policy(GTK_SCROLLED_WINDOW(scrolled), GTK_POLICY_NEVER, GTK_POLICY_AUTOMATIC);
     gtk_scrolled_window_set_child(GTK_SCROLLED_WINDOW(scrolled), self->formula);
     gtk_box_append(GTK_BOX(line), self->toggle);
-    gtk_box_append(GTK_BOX(line), self->where);
     gtk_box_append(GTK_BOX(line), self->whole);
+    gtk_box_append(GTK_BOX(self->revealed), self->where); /* on a line of its own, where it is never cut */
     gtk_box_append(GTK_BOX(self->revealed), scrolled);
     gtk_widget_set_visible(self->revealed, FALSE);
     gtk_box_append(GTK_BOX(self), self->revealed);

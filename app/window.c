@@ -198,6 +198,7 @@ static void document_renamed(AppWindow *self)
                                   *name ? name : _("a new scene"));
     gtk_window_set_title(GTK_WINDOW(self), title);
     app_window_update_actions(self);
+    app_window_watch_file(self);
     g_free(title);
 }
 
@@ -487,6 +488,7 @@ static void app_window_dispose(GObject *object)
     g_clear_handle_id(&self->pulse_timer, g_source_remove);
     g_clear_handle_id(&self->say_timer, g_source_remove);
     g_clear_handle_id(&self->late_timer, g_source_remove);
+    app_window_end_watch(self);
     for (int i = 0; i < 2; i++)
         g_clear_pointer(&self->status_tabs[i], pango_tab_array_free);
     g_clear_pointer(&self->painter, app_painter_free);
@@ -535,6 +537,8 @@ static void app_window_class_init(AppWindowClass *class)
     BIND(discard_button);
     BIND(fault_bar);
     BIND(fault_label);
+    BIND(outside_bar);
+    BIND(outside_label);
     BIND(direct_label);
     BIND(stale_box);
     BIND(stale_label);
@@ -582,6 +586,7 @@ static void app_window_init(AppWindow *self)
     show_surface(self);
     app_window_add_actions(self);
     app_window_add_file_actions(self);
+    app_window_add_outside_actions(self);
     app_window_add_chosen_actions(self);
     app_window_add_surface_actions(self);
     app_window_add_focus_actions(self);

@@ -73,6 +73,8 @@ static void answered(GtkNativeDialog *dialog, int response, Asked *asked)
     }
     g_free(path);
     g_clear_object(&file);
+    if (app_window_is_open(asked->window))
+        app_window_take_keyboard(asked->window);
     g_object_unref(asked->window);
     g_free(asked);
     g_object_unref(dialog);
@@ -156,9 +158,11 @@ static void new_action(GSimpleAction *action, GVariant *name, gpointer data)
 
 static void save_chosen(AppWindow *self, const char *path, const AppExport *how)
 {
-    luxel_diagnostics *faults = luxel_diagnostics_new();
     char *text;
     (void)how;
+    if (!app_window_may_overwrite(self, path))
+        return;
+    luxel_diagnostics *faults = luxel_diagnostics_new();
     if (app_document_save(self->document, path, faults)) {
         app_recent_add(path);
         text = g_strdup_printf(_("saved: %s"), path);
@@ -189,11 +193,12 @@ static void save_as(GSimpleAction *action, GVariant *argument, gpointer data)
 static void save(GSimpleAction *action, GVariant *argument, gpointer data)
 {
     AppWindow *self = data;
-    const char *path = app_document_path(self->document);
+    char *path = g_strdup(app_document_path(self->document)); /* which saving replaces */
     if (path)
         save_chosen(self, path, NULL);
     else
         save_as(action, argument, data);
+    g_free(path);
 }
 
 static void save_path(GSimpleAction *action, GVariant *path, gpointer data)

@@ -20,6 +20,14 @@ static int pane_in_focus(AppWindow *self)
     return -1;
 }
 
+void app_window_take_keyboard(AppWindow *self)
+{
+    GtkWidget *focus = gtk_window_get_focus(GTK_WINDOW(self));
+    if (pane_in_focus(self) < 0 || !gtk_widget_get_mapped(focus))
+        gtk_widget_grab_focus(GTK_WIDGET(self->view));
+    gtk_window_present(GTK_WINDOW(self));
+}
+
 /* FALSE where the pane is hidden or nothing of it takes the keyboard. */
 static gboolean focus_pane(AppWindow *self, Pane pane)
 {

@@ -47,7 +47,9 @@ struct _AppWindow {
     gboolean pointer_inside;
     GPtrArray *unsaved;    /* AppUnsaved's that are still to be offered */
     gboolean is_discarded; /* the first of them, which can be taken back until the bar is closed */
-    guint progress_timer, pulse_timer, say_timer, late_timer;
+    guint progress_timer, pulse_timer, say_timer, late_timer, outside_timer;
+    GFileMonitor *monitor;       /* of the document's file, */
+    GFile *watched;              /* which is this one; NULL: it has none */
     int left_width, right_width; /* of the panes, as a hand left them */
     gboolean is_placed;          /* they are where they belong */
     gboolean is_pressed;         /* a button of the mouse, in this window */
@@ -58,7 +60,7 @@ struct _AppWindow {
     /* of the template */
     AppView *view;
     GtkWidget *pages, *left_pane, *right_pane, *left_scroll, *left_box, *right_box, *compare_box, *compare_label, *bar;
-    GtkWidget *unsaved_bar, *unsaved_label, *discard_button, *fault_bar, *fault_label;
+    GtkWidget *unsaved_bar, *unsaved_label, *discard_button, *fault_bar, *fault_label, *outside_bar, *outside_label;
     GtkWidget *direct_label; /* what the picture is, before reflected light has come */
     GtkWidget *progress_label, *stop_button;
     GtkWidget *stale_box, *stale_label, *repair_button, *repair_label;
@@ -118,6 +120,8 @@ void app_window_watch_panes(AppWindow *self);
 
 /* window_focus.c: the keyboard goes from pane to pane. */
 void app_window_add_focus_actions(AppWindow *self);
+/* A dialog has gone: the keyboard is in the window again, on the picture where it was nowhere. */
+void app_window_take_keyboard(AppWindow *self);
 
 /* window_report.c: who hands a report in is asked before its file is. */
 void app_window_ask_report(AppWindow *self, void (*done)(AppWindow *self));
@@ -138,6 +142,12 @@ void app_window_add_begin_actions(AppWindow *self);
 void app_window_begin_hint(AppWindow *self);
 void app_window_update_hint(AppWindow *self);
 gboolean app_window_gallery_is_open(AppWindow *self);
+/* window_outside.c: the file is watched, as other programs may change it. */
+void app_window_add_outside_actions(AppWindow *self);
+void app_window_watch_file(AppWindow *self);
+void app_window_end_watch(AppWindow *self);
+/* Whether nothing is lost by saving to a path; else it is asked. */
+gboolean app_window_may_overwrite(AppWindow *self, const char *path);
 /* window_files.c */
 void app_window_add_file_actions(AppWindow *self);
 void app_window_fill_menus(AppWindow *self);

@@ -6,6 +6,17 @@ from desk import trial
 from waiting import wait
 
 
+HALL = b"""\
+luxel: 1
+screen: {width: 3000, height: 2000, resolution: [90, 60]}
+observer: {position: [0, 0, 3800], target: [0, 0, 0], projection: perspective}
+surfaces:
+  - {type: room, center: [0, 0, 2000], size: [4000, 2600, 4400], material: {model: lambert, diffuse: 0.6}}
+lights:
+  - {type: point, position: [-600, 700, 1800], intensity: 30}
+points: [[300, 200]]
+"""
+
 def numbers(scene, key):
     """The numbers of the first list of this key in a saved scene."""
     found = re.search(re.escape(key) + r" *\[+([^\]]*)\]", scene.decode())
@@ -70,8 +81,15 @@ def point(tap, desk):
 
 def sphere(tap, desk):
     window = desk.start().window()
+    before, scale = window.save(), window.map()[0]
     start, end = window.pixel(-60, -100), window.pixel(-20, -70)
     window.pointed(*start)  # what is under the pointer is known
+    tap.equal(drag(window, start, end), before, "a surface that is not chosen is not moved: the view is")
+    window.act("fit")
+    wait("the whole picture", lambda: abs(window.map()[0] - scale) < 1e-3)
+    window.pointed(*start)
+    desk.click(*start)
+    tap.equal(drag(window, start, (start[0] + 2, start[1] + 2)), before, "nor is one that was clicked by a hand that trembles")
     after = drag(window, start, end)
     center = numbers(after, "center:")
     tap.ok(abs(center[0] - 40) <= 2 and abs(center[1] - 30) <= 2, "the sphere follows the mouse", center)
@@ -83,6 +101,21 @@ def sphere(tap, desk):
     center = numbers(after, "center:")
     tap.equal(center[:2], [0, 0], "with Alt it does not move aside")
     tap.ok(center[2] > 1000, "but rises", center)
+
+
+def room(tap, desk):
+    """In a room every place is one of its walls: a hand takes none of them, however often it clicks."""
+    with open(desk.path("hall.yaml"), "wb") as file:
+        file.write(HALL)
+    window = desk.start(desk.path("hall.yaml")).window()
+    before = window.save()
+    start = window.pixel(-900, 500)
+    for _ in range(2):
+        window.pointed(*start)
+        tap.equal(drag(window, start, (start[0] + 40, start[1] + 30)), before, "a room is never moved from within")
+        window.act("fit")
+        desk.click(*start)
+    tap.equal(window.save(), before, "nor by a click")
 
 
 def view(tap, desk):
@@ -111,4 +144,4 @@ def view(tap, desk):
     tap.equal(window.save(), before, "none of it changes the scene")
 
 
-trial(source, point, sphere, view)
+trial(source, point, sphere, room, view)

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: MIT
 """What the app writes is what the tool writes, byte for byte; scenes keep their comments; pictures bring them back."""
+import json
 import os
 
 from gi.repository import GLib
@@ -97,4 +98,41 @@ def not_opened(tap, desk):
     tap.ok(window.says("was not opened. Still shown: "), "and what is shown instead", window.labels())
 
 
-trial(exports, the_screen_does_not_count, there_and_back, nowhere, not_opened)
+def outside(tap, desk):
+    """Another program changes the file: it is read anew, but for unsaved work, which is asked about and not lost."""
+    path, text = desk.path("shared.yaml"), luxel("scene", "report")
+
+    def write(intensity):
+        with open(path + "~", "wb") as file:
+            file.write(text.replace(b"intensity: 10", b"intensity: %d" % intensity))
+        os.replace(path + "~", path)  # as most editors do
+
+    def of_file():
+        return ["%.7g" % point["value"] for point in json.loads(luxel("probe", path, "--json"))["points"]]
+
+    write(10)
+    window = desk.start(path).window()
+    write(33)
+    tap.ok(wait("the file as it is", lambda: window.values() == of_file()), "a file without unsaved work is read anew")
+    window.enter("Intensity", "12")
+    wait("unsaved work", lambda: window.title.startswith("•"))
+    write(44)
+    tap.ok(wait("the question", lambda: window.says("Another program has changed ", "shared.yaml")), "else it is asked")
+    window.act("save")
+    tap.ok(b"intensity: 44" in read(path), "saving overwrites nothing")
+    window.press("Overwrite the file")
+    wait("the file", lambda: b"intensity: 12" in read(path))
+    tap.ok(not window.says("Another program"), "the work here holds where that is wished")
+    window.enter("Intensity", "13")
+    wait("unsaved work", lambda: window.title.startswith("•"))
+    write(55)
+    wait("the question", lambda: window.says("Another program"))
+    window.press("Read the file")
+    tap.ok(wait("the file as it is", lambda: window.values() == of_file()), "or that of the file")
+    window.enter("Intensity", "14")
+    window.act("save")
+    wait("the file", lambda: b"intensity: 14" in read(path))
+    tap.ok(not window.says("Another program"), "what is saved here is no change of another program")
+
+
+trial(outside, exports, the_screen_does_not_count, there_and_back, nowhere, not_opened)

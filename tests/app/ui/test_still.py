@@ -43,6 +43,7 @@ def drag_moves_nothing(tap, desk):
     place = (x, y + 100 * scale)  # off the lamps, on the surface
     start = window.save()
     window.pointed(*place)
+    desk.click(*place)  # which chooses the surface
     desk.hand("mousedown", 1)
     before = layout(window)
     moved, seen = [], start

@@ -144,6 +144,9 @@ def open_slow(tap, desk):
     tap.ok(len(values) == 2 and all(truth.has_value(i, values[i]) for i in range(2)), "as does what is copied", text)
     window.act("source-duplicate")
     tap.equal(watch(window, 6, two, truth), [], "a change of the whole scene")
+    start = time.monotonic()
+    window.act("source-add", "spot")
+    tap.ok(time.monotonic() - start < 15, "a lamp is added without waiting for reflected light")
     tap.ok(not copies(window), "is not copied before it is computed")
     start = time.monotonic()
     tap.equal(app.quit(), 0, "closing meanwhile")
@@ -156,7 +159,10 @@ def beside(tap, desk):
     with open(slow, "wb") as file:
         file.write(SLOW)
     truth = Truth(desk, SLOW)
-    app = desk.start("report")
+    fast = desk.path("fast.yaml")
+    with open(fast, "wb") as file:
+        file.write(luxel("scene", "report"))
+    app = desk.start(fast)
     quick = app.window()
     quick.act("open-path", slow)
     window = wait("the slow one", lambda: next((widget for widget in app.windows() if "slow.yaml" in widget.name), None))
@@ -167,7 +173,7 @@ def beside(tap, desk):
         quick.act(name, *words)
         now = Truth(desk, quick.save())
         tap.equal(watch(quick, FOLLOWS + 2, now, before), [], "so it has after " + name)
-    wait("all of it", lambda: copies(quick))
+    wait("all of it", lambda: copies(quick), LONG)
     text, values = copied_values(desk, quick)
     tap.ok(all(now.has_value(i, value) for i, value in enumerate(values)) and len(values) == 3,
            "and that is what it copies", text)
