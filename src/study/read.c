@@ -103,8 +103,7 @@ static luxel_status decode(struct luxel_study *study, luxel_diagnostics *diagnos
     struct lx_study_parameters *parameters = &study->parameters;
     luxel_status status = lx_decode(&walk, &lx_study_table, parameters);
     /* what is wrong elsewhere is told all the same, as far as it is known what it is about */
-    if (status == LUXEL_ERROR_MEMORY ||
-        (status != LUXEL_OK && !lx_is_given(&lx_study_table, parameters, "scene")))
+    if (status == LUXEL_ERROR_MEMORY || (status != LUXEL_OK && !lx_is_given(&lx_study_table, parameters, "scene")))
         return status;
     if (!lx_is_given(&lx_study_table, parameters, "outputs")) {
         parameters->outputs.given = 1 << LUXEL_STUDY_BRIGHTNESS;
@@ -214,6 +213,16 @@ unsigned luxel_study_shard(const luxel_study *study)
 const luxel_scene *luxel_study_base(const luxel_study *study)
 {
     return study ? study->base : NULL;
+}
+
+unsigned luxel_study_seed(const luxel_study *study)
+{
+    return study ? study->parameters.seed : 0;
+}
+
+const char *luxel_study_text(const luxel_study *study)
+{
+    return study ? lx_document_place(&study->document, study->document.root).text : NULL;
 }
 
 luxel_study_type luxel_study_wanted(const luxel_study *study, luxel_study_output output)
