@@ -1,8 +1,9 @@
 /* SPDX-License-Identifier: MIT */
 /*
  * All shards as one HDF5 file, for luxel-hdf5: a dataset for each output, chunked by scenes, with dimension scales, so
- * that h5py and xarray name its axes, and with all that is needed to read it alone: names, words, units, places, the study
- * and its scene.  Times are not tracked and unused space is not kept, so that the bytes depend on the numbers alone.
+ * that h5py and xarray name its axes, and with all that is needed to read it alone: names, words, units, places, the
+ * study and its scene.  Times are not tracked and unused space is not kept, so that the bytes depend on the numbers
+ * alone.
  */
 #include <errno.h>
 #include <fcntl.h>

@@ -472,13 +472,13 @@ outputs: {brightness: float16, irradiance: float32, mask: uint8, normals: float6
         tap.equal(list(file["statistics"].attrs["names"]), ["maximum", "minimum", "mean", "lit", "surface_pixels"],
                   "names of the statistics")
         units = {name: file[name].attrs["units"].decode() for name in file if "units" in file[name].attrs}
-        tap.equal(units, {"brightness": "W/(sr·m²)", "irradiance": "W/m²", "probes": "W/(sr·m²)", "mask": "1", "normals": "1",
-                          "surfaces": "1", "depth": "mm", "positions": "mm", "light_positions": "mm", "x_mm": "mm",
+        tap.equal(units, {"brightness": "W/(sr·m²)", "irradiance": "W/m²", "probes": "W/(sr·m²)", "mask": "1",
+                          "normals": "1", "surfaces": "1", "depth": "mm", "positions": "mm", "light_positions": "mm", "x_mm": "mm",
                           "y_mm": "mm"}, "units")
         seen = file["mask"][0] == 1
         x, y = numpy.meshgrid(file["x_mm"][:], file["y_mm"][:])
         tap.ok(numpy.allclose(numpy.array(rows, float), numpy.stack([x[seen], y[seen]], 1)), "places of the pixels")
-        tap.equal([list(file[name].dims[0].keys()) for name in ("x_mm", "y_mm")], [["column"], ["row"]], "along its axes")
+        tap.equal([list(file[name].dims[0].keys()) for name in ("x_mm", "y_mm")], [["column"], ["row"]], "its axes")
         attributes = {name: value.decode() if isinstance(value, bytes) else value for name, value in file.attrs.items()}
         tap.equal((int(attributes["seed"]), attributes["study"], attributes["instruction_set"]),
                   (4294967295, text, whole(tool, "data")["instruction_set"]), "seed, study and instruction set")
@@ -502,8 +502,8 @@ def dry_runs(tap, tool):
     tap.ok(result.code == 3 and "too large for its type" in result.err, "a depth that float16 does not hold", result)
     tool.write("d.yaml", STUDY.replace("brightness: float32", "depth: float16, normals: float16, surfaces: int32"))
     result = tool.run("sweep", "d.yaml", "--dry-run", "--json")
-    tap.ok(result.code == 0 and result.json()["seconds_per_scene"] > 0 and tool.files() == ["d.yaml"], "and one that it does",
-           result, tool.files())
+    tap.ok(result.code == 0 and result.json()["seconds_per_scene"] > 0 and tool.files() == ["d.yaml"],
+           "and one that it does", result, tool.files())
 
 
 def words(tap, tool):
@@ -563,6 +563,6 @@ def missed_bounds(tap, tool):
 
 
 tap = Tap()
-run_tests(tap, workers, scenes, grids, outputs, wrong, folders, kills, merging, instruction_sets, alone, dry_runs, words,
-          missed_bounds)
+run_tests(tap, workers, scenes, grids, outputs, wrong, folders, kills, merging, instruction_sets, alone, dry_runs,
+          words, missed_bounds)
 tap.finish()
