@@ -473,8 +473,8 @@ outputs: {brightness: float16, irradiance: float32, mask: uint8, normals: float6
                   "names of the statistics")
         units = {name: file[name].attrs["units"].decode() for name in file if "units" in file[name].attrs}
         tap.equal(units, {"brightness": "W/(sr·m²)", "irradiance": "W/m²", "probes": "W/(sr·m²)", "mask": "1",
-                          "normals": "1", "surfaces": "1", "depth": "mm", "positions": "mm", "light_positions": "mm", "x_mm": "mm",
-                          "y_mm": "mm"}, "units")
+                          "normals": "1", "surfaces": "1", "depth": "mm", "positions": "mm",
+                          "light_positions": "mm", "x_mm": "mm", "y_mm": "mm"}, "units")
         seen = file["mask"][0] == 1
         x, y = numpy.meshgrid(file["x_mm"][:], file["y_mm"][:])
         tap.ok(numpy.allclose(numpy.array(rows, float), numpy.stack([x[seen], y[seen]], 1)), "places of the pixels")
