@@ -34,7 +34,8 @@ def definition(name, parameters, result):
 def class_of(name, rest, source):
     """A type of a stub; one whose numbers are a buffer says so by the method of PEP 688."""
     slots = re.search(r"PyType_Slot %s\[\] = \{(.*?)\};" % re.search(r"\.slots = (\w+)", rest).group(1), source, re.S)
-    body = "\n    def __buffer__(self, flags: int, /) -> memoryview: ..." if "Py_bf_getbuffer" in slots.group(1) else " ..."
+    method = "\n    def __buffer__(self, flags: int, /) -> memoryview: ..."
+    body = method if "Py_bf_getbuffer" in slots.group(1) else " ..."
     return ("" if "Py_TPFLAGS_BASETYPE" in rest else "@final\n") + "class %s:%s" % (name, body)
 
 

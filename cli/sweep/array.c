@@ -20,6 +20,7 @@ size_t array_item_size(luxel_study_type type)
 {
     switch (type) {
     case LUXEL_STUDY_FLOAT16: return 2;
+    case LUXEL_STUDY_INT32:
     case LUXEL_STUDY_FLOAT32: return 4;
     case LUXEL_STUDY_FLOAT64: return 8;
     default: return 1;
@@ -90,7 +91,8 @@ static int write_header(struct array *array, const size_t *shape)
     static const char *const kinds[] = {[LUXEL_STUDY_FLOAT16] = ORDER "f2",
                                         [LUXEL_STUDY_FLOAT32] = ORDER "f4",
                                         [LUXEL_STUDY_FLOAT64] = ORDER "f8",
-                                        [LUXEL_STUDY_UINT8] = "|u1"};
+                                        [LUXEL_STUDY_UINT8] = "|u1",
+                                        [LUXEL_STUDY_INT32] = ORDER "i4"};
     char header[ARRAY_HEADER + 1], numbers[ARRAY_HEADER] = "";
     size_t used = 0;
     int length;

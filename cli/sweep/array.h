@@ -22,9 +22,9 @@ struct array {
 size_t array_item_size(luxel_study_type type);
 
 /*
- * Creates NAME.npy, or NAME.lp, in an open folder, or nowhere where that is below 0; the shape ends with 0.  Each function returns 0 or an errno value;
- * ERANGE: a number is too large for its type.  array_close() is due in either case; it makes the file durable unless
- * `hex`, which takes its sum, is NULL.
+ * Creates NAME.npy, or NAME.lp, in an open folder, or nowhere where that is below 0; the shape ends with 0.  Each
+ * function returns 0 or an errno value; ERANGE: a number is too large for its type.  array_close() is due in
+ * either case; it makes the file durable unless `hex`, which takes its sum, is NULL.
  */
 int array_open(struct array *array, int folder, const char *name, luxel_study_type type, const size_t *shape,
                bool by_instructions);

@@ -41,9 +41,13 @@ int sweep_worker_init(struct sweep_worker *worker, struct sweep *sweep)
     *worker = (struct sweep_worker){.sweep = sweep, .diagnostics = message_new_diagnostics()};
     worker->row = message_allocate(places + SWEEP_STATISTICS, sizeof *worker->row);
     if (wanted(sweep, LUXEL_STUDY_DEPTH) != LUXEL_STUDY_NONE)
-        worker->depth = message_allocate(pixels, sizeof *worker->depth);
+        worker->geometry.depth_mm = message_allocate(pixels, sizeof(double));
     if (wanted(sweep, LUXEL_STUDY_NORMALS) != LUXEL_STUDY_NONE)
-        worker->normals = message_allocate(pixels, sizeof *worker->normals);
+        worker->geometry.normals = message_allocate(pixels, sizeof(double[3]));
+    if (wanted(sweep, LUXEL_STUDY_POSITIONS) != LUXEL_STUDY_NONE)
+        worker->geometry.positions_mm = message_allocate(pixels, sizeof(double[3]));
+    if (wanted(sweep, LUXEL_STUDY_SURFACES) != LUXEL_STUDY_NONE)
+        worker->geometry.surfaces = message_allocate(pixels, sizeof(int32_t));
     status = luxel_study_maker_new(sweep->study, worker->diagnostics, &worker->maker);
     return status == LUXEL_OK ? EXIT_DONE : message_failure(status, worker->diagnostics);
 }
@@ -52,8 +56,10 @@ void sweep_worker_clear(struct sweep_worker *worker)
 {
     luxel_study_maker_free(worker->maker);
     luxel_diagnostics_free(worker->diagnostics);
-    free(worker->depth);
-    free(worker->normals);
+    free(worker->geometry.depth_mm);
+    free(worker->geometry.normals);
+    free(worker->geometry.positions_mm);
+    free(worker->geometry.surfaces);
     free(worker->row);
 }
 
@@ -184,20 +190,30 @@ static luxel_status add_probes(struct making *making, const luxel_scene *scene, 
     return LUXEL_OK;
 }
 
+static bool wants_geometry(const luxel_geometry *geometry)
+{
+    return geometry->depth_mm || geometry->normals || geometry->positions_mm || geometry->surfaces;
+}
+
 static luxel_status add_geometry(struct making *making, const luxel_scene *scene, int *failed)
 {
-    struct sweep_worker *worker = making->worker;
+    const struct sweep_worker *worker = making->worker;
+    const luxel_geometry *geometry = &worker->geometry;
     const size_t pixels = (size_t)worker->sweep->columns * worker->sweep->rows;
-    const luxel_geometry wanted = {.depth_mm = worker->depth, .normals = worker->normals};
     luxel_settings settings;
+
     luxel_settings_init(&settings);
     settings.threads = 1;
-    const luxel_status status = luxel_find_geometry(scene, &settings, worker->diagnostics, &wanted);
+    const luxel_status status = luxel_find_geometry(scene, &settings, worker->diagnostics, geometry);
 
-    if (status == LUXEL_OK && worker->depth)
-        *failed = array_add_doubles(&making->arrays[LUXEL_STUDY_DEPTH], worker->depth, pixels);
-    if (status == LUXEL_OK && *failed == 0 && worker->normals)
-        *failed = array_add_doubles(&making->arrays[LUXEL_STUDY_NORMALS], worker->normals[0], 3 * pixels);
+    if (status == LUXEL_OK && geometry->depth_mm)
+        *failed = array_add_doubles(&making->arrays[LUXEL_STUDY_DEPTH], geometry->depth_mm, pixels);
+    if (status == LUXEL_OK && *failed == 0 && geometry->normals)
+        *failed = array_add_doubles(&making->arrays[LUXEL_STUDY_NORMALS], geometry->normals[0], 3 * pixels);
+    if (status == LUXEL_OK && *failed == 0 && geometry->positions_mm)
+        *failed = array_add_doubles(&making->arrays[LUXEL_STUDY_POSITIONS], geometry->positions_mm[0], 3 * pixels);
+    if (status == LUXEL_OK && *failed == 0 && geometry->surfaces)
+        *failed = array_add_bytes(&making->arrays[LUXEL_STUDY_SURFACES], geometry->surfaces, pixels * sizeof(int32_t));
     return status;
 }
 
@@ -233,7 +249,7 @@ static luxel_status add_scene(struct making *making, uint64_t i, int *failed)
         status = add_picture(making, scene, LUXEL_STUDY_BRIGHTNESS, true, failed);
     if (status == LUXEL_OK && *failed == 0 && irradiance)
         status = add_picture(making, scene, LUXEL_STUDY_IRRADIANCE, !brightness, failed);
-    if (status == LUXEL_OK && *failed == 0 && (worker->depth || worker->normals))
+    if (status == LUXEL_OK && *failed == 0 && wants_geometry(&worker->geometry))
         status = add_geometry(making, scene, failed);
     if (status == LUXEL_OK && *failed == 0 && wanted(sweep, LUXEL_STUDY_PROBES) != LUXEL_STUDY_NONE)
         status = add_probes(making, scene, failed);

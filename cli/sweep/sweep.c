@@ -70,11 +70,13 @@ void sweep_shape(const struct sweep *sweep, luxel_study_output output, size_t sh
 {
     memset(shape, 0, ARRAY_DIMENSIONS * sizeof *shape);
     switch (output) {
-    case LUXEL_STUDY_NORMALS: shape[2] = 3; /* fall through */
+    case LUXEL_STUDY_NORMALS:
+    case LUXEL_STUDY_POSITIONS: shape[2] = 3; /* fall through */
     case LUXEL_STUDY_BRIGHTNESS:
     case LUXEL_STUDY_IRRADIANCE:
     case LUXEL_STUDY_MASK:
     case LUXEL_STUDY_DEPTH:
+    case LUXEL_STUDY_SURFACES:
         shape[0] = sweep->rows;
         shape[1] = sweep->columns;
         break;

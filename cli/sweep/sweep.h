@@ -42,7 +42,8 @@ struct sweep_worker {
     struct sweep *sweep;
     luxel_study_maker *maker;
     luxel_diagnostics *diagnostics;
-    double *depth, (*normals)[3], *row;
+    luxel_geometry geometry; /* room for what of it is wanted */
+    double *row;
 };
 
 /* The names of the numbers of an output `statistics`. */

@@ -35,6 +35,8 @@ typedef enum luxel_study_output {
     LUXEL_STUDY_PROBES,          /* the exact values of the scene's points */
     LUXEL_STUDY_STATISTICS,      /* maximum, minimum, mean, lit and how many pixels show a surface */
     LUXEL_STUDY_LIGHT_POSITIONS, /* the place of each light in mm; NaN where it has none */
+    LUXEL_STUDY_POSITIONS,       /* the place that a pixel shows, in mm; 0, 0, 0 where that is nothing */
+    LUXEL_STUDY_SURFACES,        /* the index of the surface that a pixel shows; -1: nothing */
     LUXEL_STUDY_OUTPUTS          /* how many there are */
 } luxel_study_output;
 
@@ -45,7 +47,8 @@ typedef enum luxel_study_type {
     LUXEL_STUDY_FLOAT32, /* single precision */
     LUXEL_STUDY_FLOAT64, /* double precision; pictures are then computed in it */
     LUXEL_STUDY_UINT8,   /* of the mask */
-    LUXEL_STUDY_LP       /* of light positions: a text for programs that relight (.lp) */
+    LUXEL_STUDY_LP,      /* of light positions: a text for programs that relight (.lp) */
+    LUXEL_STUDY_INT32    /* of surfaces */
 } luxel_study_type;
 
 /*
@@ -73,6 +76,10 @@ LUXEL_API luxel_study_type luxel_study_wanted(const luxel_study *study, luxel_st
 LUXEL_API const char *luxel_study_output_name(luxel_study_output output);
 /* The word for a type, such as "float32"; NULL of LUXEL_STUDY_NONE. */
 LUXEL_API const char *luxel_study_type_name(luxel_study_type type);
+
+/* The seed of what is random, and the study as the file has it, as UTF-8; the text is the study's. */
+LUXEL_API unsigned luxel_study_seed(const luxel_study *study);
+LUXEL_API const char *luxel_study_text(const luxel_study *study);
 
 /* How many numbers tell what varies: a vector has three, a word or a value that is no number has its index. */
 LUXEL_API size_t luxel_study_parameter_count(const luxel_study *study);

@@ -5,7 +5,8 @@ from __future__ import annotations
 import json
 import os
 from _thread import allocate_lock
-from typing import TYPE_CHECKING, Any, Dict, Iterable, Iterator, List, Mapping, Optional, Sequence, Tuple, Union, overload
+from typing import (TYPE_CHECKING, Any, Dict, Iterable, Iterator, List, Mapping, Optional, Sequence, Tuple, Union,
+                    overload)
 
 from . import _flow, _luxel
 from ._arrays import floats, spacing
@@ -297,11 +298,12 @@ class Scene:
         """Computes the picture, with the interpreter's lock released; Ctrl-C ends it.
 
         `quantity`: "brightness" or "irradiance".  `precision`: "single" (float32, within 2e-6 of the maximum) or
-        "double" (float64, 1e-11); where values of scenes are subtracted, as finite differences are by SciPy's optimizers,
-        "double" is needed: a step of 1e-8 changes nothing in float32.  `threads` 0: as many as pay.  `stride` n: a quick look at each n-th pixel.
-        `light_error` E: many points may be taken together, within E of the value.  `reflected_error`: the bound wanted
-        of what surfaces reflect, as a share of the maximum, 0.01 unless it is given; `statistics` tell which was
-        reached.  `progress` is called with the share done; where it returns False, the work ends with a LuxelError.
+        "double" (float64, 1e-11); where values of scenes are subtracted, as by SciPy's optimizers for derivatives,
+        "double" is needed: a step of 1e-8 changes nothing in float32.  `threads` 0: as many as pay.  `stride` n: a
+        quick look at each n-th pixel.  `light_error` E: many points may be taken together, within E of the value.
+        `reflected_error`: the bound wanted of what surfaces reflect, as a share of the maximum, 0.01 unless it is given;
+        `statistics` tell which was reached.  `progress` is called with the share done; where it returns False, the work
+        ends with a LuxelError.
         The same bytes for any number of threads.
 
         `lights`: a name, an index or several: these alone give light, whether they are enabled or not, as everywhere

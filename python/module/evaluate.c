@@ -58,8 +58,8 @@ static bool arrays_take(PyObject *tuple, size_t lights, struct arrays *arrays)
     PyObject *places, *normals, *views, *values, *errors, *shares, *tolerances = Py_None, *moved = Py_None;
 
     *arrays = (struct arrays){0};
-    if (!is_tuple(tuple) ||
-        !PyArg_ParseTuple(tuple, "OOOOOO|OO", &places, &normals, &views, &values, &errors, &shares, &tolerances, &moved))
+    if (!is_tuple(tuple) || !PyArg_ParseTuple(tuple, "OOOOOO|OO", &places, &normals, &views, &values, &errors, &shares,
+                                              &tolerances, &moved))
         return false;
     bool good =
         strided_take(places, "places", 2, false, &arrays->places) &&

@@ -217,6 +217,16 @@ const luxel_scene *luxel_study_base(const luxel_study *study)
     return study ? study->base : NULL;
 }
 
+unsigned luxel_study_seed(const luxel_study *study)
+{
+    return study ? study->parameters.seed : 0;
+}
+
+const char *luxel_study_text(const luxel_study *study)
+{
+    return study ? lx_document_place(&study->document, study->document.root).text : NULL;
+}
+
 luxel_study_type luxel_study_wanted(const luxel_study *study, luxel_study_output output)
 {
     return study && (unsigned)output < LUXEL_STUDY_OUTPUTS ? lx_study_wanted(&study->parameters.outputs, output)

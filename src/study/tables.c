@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* The tables of study files, and what must hold between the keys of one thing that varies. */
 #include <math.h>
+#include <stdint.h>
 #include <string.h>
 
 #include "../parameter/any.h"
@@ -12,6 +13,7 @@ static const char *const random_names[] = {"uniform", "log", "box", "sphere", "c
 static const char *const float_names[] = {"float16", "float32", "float64", NULL};
 static const char *const exact_names[] = {"float32", "float64", NULL};
 static const char *const mask_names[] = {"uint8", NULL};
+static const char *const index_names[] = {"int32", NULL};
 static const char *const place_names[] = {"lp", "float32", "float64", NULL};
 
 /* ---- what varies ---- */
@@ -204,6 +206,22 @@ static const struct lx_parameter output_parameters[] = {
         .choices = place_names,
         .meaning = "where the lights stand: numbers in mm, or a text of directions for programs that relight (lp)",
     },
+    {
+        .name = "positions",
+        .label = "Positions",
+        .type = LX_CHOICE,
+        .offset = offsetof(struct lx_wanted, words[LUXEL_STUDY_POSITIONS]),
+        .choices = exact_names,
+        .meaning = "the place that a pixel shows, in mm; 0, 0, 0 where that is nothing",
+    },
+    {
+        .name = "surfaces",
+        .label = "Surfaces",
+        .type = LX_CHOICE,
+        .offset = offsetof(struct lx_wanted, words[LUXEL_STUDY_SURFACES]),
+        .choices = index_names,
+        .meaning = "the index of the surface that a pixel shows, from 0 on; -1: nothing",
+    },
 };
 
 luxel_study_type lx_study_wanted(const struct lx_wanted *wanted, luxel_study_output output)
@@ -211,7 +229,7 @@ luxel_study_type lx_study_wanted(const struct lx_wanted *wanted, luxel_study_out
     if (!(wanted->given >> output & 1))
         return LUXEL_STUDY_NONE;
     const char *word = output_parameters[output].choices[wanted->words[output]];
-    for (luxel_study_type type = LUXEL_STUDY_FLOAT16; type <= LUXEL_STUDY_LP; type++)
+    for (luxel_study_type type = LUXEL_STUDY_FLOAT16; luxel_study_type_name(type); type++)
         if (strcmp(luxel_study_type_name(type), word) == 0)
             return type;
     return LUXEL_STUDY_NONE;
@@ -224,7 +242,7 @@ const char *luxel_study_output_name(luxel_study_output output)
 
 const char *luxel_study_type_name(luxel_study_type type)
 {
-    static const char *const names[] = {NULL, "float16", "float32", "float64", "uint8", "lp"};
+    static const char *const names[] = {NULL, "float16", "float32", "float64", "uint8", "lp", "int32"};
     return (unsigned)type < LX_COUNT(names) ? names[type] : NULL;
 }
 
@@ -265,7 +283,7 @@ static const struct lx_parameter study_parameters[] = {
         .label = "Count",
         .type = LX_WHOLE,
         .offset = offsetof(struct lx_study_parameters, count),
-        .legal = LX_FROM(1),
+        .legal = LX_BETWEEN(1, UINT32_MAX),
         .meaning = "how many scenes are drawn where something is random, for each cell of a grid; of a grid alone "
                    "it is the product of its axes",
     },
@@ -275,7 +293,7 @@ static const struct lx_parameter study_parameters[] = {
         .type = LX_WHOLE,
         .offset = offsetof(struct lx_study_parameters, seed),
         .initial = "0",
-        .legal = LX_FROM(0),
+        .legal = LX_BETWEEN(0, UINT32_MAX),
         .meaning = "another seed draws other scenes",
     },
     {

@@ -121,7 +121,7 @@ def ply_files(tap, tool):
         capital = capital.replace(" %s\n" % name, " %s\n" % name.upper())
     is_the_box(tap, tool, "capital.ply", capital)
     is_refused(tap, tool, "index.ply", strip_ply("ascii").replace(b" 7\n", b" 8\n"), "a corner that is not in the file")
-    is_refused(tap, tool, "minus.ply", strip_ply("ascii").replace(b" 7\n", b" -2\n"), "a corner that is not in the file")
+    is_refused(tap, tool, "minus.ply", strip_ply("ascii").replace(b" 7\n", b" -2\n"), "a corner that is not in the")
 
 
 FORMS = {5120: ("b", 127), 5121: ("B", 255), 5122: ("h", 32767), 5123: ("H", 65535)}

@@ -13,6 +13,7 @@ import subprocess
 import time
 
 import numpy
+import yaml
 
 from tap import Tap
 from tool import run_tests, wait_until_caught
@@ -138,13 +139,13 @@ count: 6
 vary: [{key: 'lights[0].position', random: sphere, center: [0, 0, 1000], radius: 3000},
        {key: units, random: choice, values: [radiometric, photometric]}]
 outputs: {brightness: float16, irradiance: float32, mask: uint8, normals: float64, depth: float64, probes: float64,
-          statistics: float32, light_positions: float64}
+          statistics: float32, light_positions: float64, positions: float64, surfaces: int32}
 """)
     result = tool.run("sweep", "o.yaml", "-o", "all", "-q")
     tap.equal((result.code, result.err), (0, ""), "all outputs")
     load = {name: numpy.load(tool.file("all/shard-000000/%s.npy" % name)) for name in (
         "brightness", "irradiance", "mask", "normals", "depth", "probes", "statistics", "light_positions",
-        "parameters")}
+        "positions", "surfaces", "parameters")}
     for i in (0, 5):
         tool.write("scene.yaml", tool.run("sweep", "o.yaml", "--show", str(i)).out)
         tool.run("render", "scene.yaml", "-o", "b.npy", "-q")
@@ -158,6 +159,16 @@ outputs: {brightness: float16, irradiance: float32, mask: uint8, normals: float6
         for p in probes:
             column, row = p["pixel"]
             tap.equal(bool(load["mask"][i][row][column]), p["on_surface"], "the mask")
+        places, owners = load["positions"][i][load["mask"][i] == 1], load["surfaces"][i][load["mask"][i] == 1]
+        balls = yaml.safe_load(tool.read("scene.yaml"))["surfaces"]
+        away = numpy.stack([numpy.linalg.norm(places - ball["center"], axis=1) - ball["radius"] for ball in balls])
+        tap.ok((owners == numpy.abs(away).argmin(0)).all() and numpy.abs(away).min(0).max() < 1e-9 and
+               set(owners) == {0, 1} and (load["surfaces"][i][load["mask"][i] == 0] == -1).all(), "places, surfaces")
+        shown = tool.run("probe", "scene.yaml", "--json", "--quantity", "irradiance", *[
+            word for place, normal in list(zip(places, load["normals"][i][load["mask"][i] == 1]))[::37]
+            for word in ("--at", ",".join(repr(float(x)) for x in (*place, *normal)))]).json()["points"]
+        tap.ok(numpy.allclose([p["value"] for p in shown], load["irradiance"][i][load["mask"][i] == 1][::37], rtol=1e-5,
+                              atol=1e-5), "places and normals are those of the pixels")
     place = load["light_positions"][:, 0]
     tap.ok(numpy.allclose(numpy.linalg.norm(place - [0, 0, 1000], axis=1), 3000), "places on the sphere")
     tap.ok((place == load["parameters"][:, :3]).all(), "light positions are the parameters")
@@ -210,6 +221,9 @@ WRONG = [
     ("study: 1\nvary: [{key: 'lights[0].position', values: [[0, 0, 2000]]},\n"
      "       {key: 'lights.0.position[1]', values: [1]}]", ["varies already"]),
     ("study: 1\nvary: [{key: screen.resolution, values: [[8, 8]]}]", ["2:14", "same size"]),
+    ("study: 1\ncount: 2000000000000\nvary: [{key: observer.z, random: uniform, from: 1500, to: 1600}]",
+     ["2:8", "count", "4294967295"]),
+    ("study: 1\nseed: -1", ["2:7", "seed", "4294967295"]),
     ("study: 1\noutputs: {brightness: float8}", ["2:23", "float16, float32, float64"]),
     ("study: 1\noutputs: {brigthness: float32}", ["2:11", "did you mean", "brightness"]),
     ("study: 1\nshard: 0", ["2:8", "shard"]),
@@ -420,6 +434,78 @@ def instruction_sets(tap, tool):
     tap.equal(tool.run("sweep", "s.yaml", "-o", "new", "-q").code, 0, "and it works without")
 
 
+def alone(tap, tool):
+    """An HDF5 file that travels alone: names, words, units, places, the study and its seed are in it."""
+    if not has_hdf5(tool):
+        tap.skip("an HDF5 file that explains itself", "HDF5 is not built in")
+        return
+    try:
+        import h5py
+    except ImportError:
+        tap.skip("an HDF5 file that explains itself, by h5py", "no h5py")
+        return
+    text = """study: 1   # a lamp
+scene: two-spheres
+set: ['screen.resolution=[20, 16]', 'points=[[0, 0], [100, 0]]']
+count: 6
+seed: 4294967295
+shard: 4
+vary:
+  - {key: 'lights[0].position', random: sphere, center: [0, 0, 1000], radius: 3000}
+  - {key: 'surfaces[0].material.model', random: choice, values: [lambert, phong, blinn-phong]}
+outputs: {brightness: float16, irradiance: float32, mask: uint8, normals: float64, depth: float64, probes: float64,
+          statistics: float32, light_positions: float64, positions: float32, surfaces: int32}
+"""
+    tool.write("a.yaml", text)
+    tool.run("sweep", "a.yaml", "-o", "data", "-q")
+    result = tool.run("sweep", "a.yaml", "-o", "data", "--merge", "a.h5")
+    tap.equal((result.code, result.err), (0, ""), "merging all outputs")
+    tool.write("scene.yaml", tool.run("sweep", "a.yaml", "--show", "0").out)
+    tool.run("render", "scene.yaml", "-o", "picture.csv", "-q")
+    rows = [line.split(",")[:2] for line in tool.read("picture.csv").decode().splitlines()[1:]]
+    with h5py.File(tool.file("a.h5")) as file:
+        parameters = file["parameters"]
+        names = [entry["name"] for entry in whole(tool, "data")["parameters"]]
+        tap.equal(list(parameters.attrs["names"]), names, "a name for each column")
+        tap.equal(list(parameters.attrs["values_3"]), ["lambert", "phong", "blinn-phong"], "what its words stand for")
+        tap.ok("values_0" not in parameters.attrs, "numbers have none")
+        tap.equal(list(file["statistics"].attrs["names"]), ["maximum", "minimum", "mean", "lit", "surface_pixels"],
+                  "names of the statistics")
+        units = {name: file[name].attrs["units"].decode() for name in file if "units" in file[name].attrs}
+        tap.equal(units, {"brightness": "W/(sr·m²)", "irradiance": "W/m²", "probes": "W/(sr·m²)", "mask": "1",
+                          "normals": "1", "surfaces": "1", "depth": "mm", "positions": "mm",
+                          "light_positions": "mm", "x_mm": "mm", "y_mm": "mm"}, "units")
+        seen = file["mask"][0] == 1
+        x, y = numpy.meshgrid(file["x_mm"][:], file["y_mm"][:])
+        tap.ok(numpy.allclose(numpy.array(rows, float), numpy.stack([x[seen], y[seen]], 1)), "places of the pixels")
+        tap.equal([list(file[name].dims[0].keys()) for name in ("x_mm", "y_mm")], [["column"], ["row"]], "its axes")
+        attributes = {name: value.decode() if isinstance(value, bytes) else value for name, value in file.attrs.items()}
+        tap.equal((int(attributes["seed"]), attributes["study"], attributes["instruction_set"]),
+                  (4294967295, text, whole(tool, "data")["instruction_set"]), "seed, study and instruction set")
+        tool.write("again.yaml", attributes["study"])
+        tap.equal(tool.run("sweep", "again.yaml", "--dry-run", "--json").json()["identity"], attributes["identity"],
+                  "the study is the sweep's")
+    tool.write("b.yaml", STUDY.replace("'surfaces[0].material.shininess'", "screen.width").replace(
+        "random: log, from: 5, to: 200", "values: [400]").replace(
+            "['screen", "['screen.width=400', 'screen.height=400', 'screen"))
+    tool.run("sweep", "b.yaml", "-o", "varied", "-q")
+    tap.equal(tool.run("sweep", "b.yaml", "-o", "varied", "--merge", "b.h5").code, 0, "a screen that varies")
+    with h5py.File(tool.file("b.h5")) as file:
+        tap.ok("x_mm" not in file and "row" in file, "it has no places of its own")
+
+
+def dry_runs(tap, tool):
+    """What is timed is what is asked: a value that is too large for its type is found, and nothing is written."""
+    tool.write("d.yaml", STUDY.replace("brightness: float32", "depth: float16").replace(
+        "['screen", "['observer.z=100000', 'screen"))
+    result = tool.run("sweep", "d.yaml", "--dry-run")
+    tap.ok(result.code == 3 and "too large for its type" in result.err, "a depth that float16 does not hold", result)
+    tool.write("d.yaml", STUDY.replace("brightness: float32", "depth: float16, normals: float16, surfaces: int32"))
+    result = tool.run("sweep", "d.yaml", "--dry-run", "--json")
+    tap.ok(result.code == 0 and result.json()["seconds_per_scene"] > 0 and tool.files() == ["d.yaml"],
+           "and one that it does", result, tool.files())
+
+
 def words(tap, tool):
     tool.write("s.yaml", STUDY)
     lines = tool.run("sweep", "s.yaml", "-o", "data", "--json").out.splitlines()
@@ -477,6 +563,6 @@ def missed_bounds(tap, tool):
 
 
 tap = Tap()
-run_tests(tap, workers, scenes, grids, outputs, wrong, folders, kills, merging, instruction_sets, words,
-          missed_bounds)
+run_tests(tap, workers, scenes, grids, outputs, wrong, folders, kills, merging, instruction_sets, alone, dry_runs,
+          words, missed_bounds)
 tap.finish()

@@ -340,5 +340,5 @@ def test_text(tap, tool):
     tap.equal(field.scene_text, expected, "the text is that of the scene as it was rendered")
 
 
-run_tests(Tap(), test_array_like, test_precision, test_text, test_lights, test_tables, test_files, test_read, test_of, test_statistics,
-          test_missed_bound, test_extrema, test_lines, test_profiles, test_compare, test_xarray)
+run_tests(Tap(), test_array_like, test_precision, test_text, test_lights, test_tables, test_files, test_read, test_of,
+          test_statistics, test_missed_bound, test_extrema, test_lines, test_profiles, test_compare, test_xarray)

@@ -161,8 +161,10 @@ def test_rounded(tap, tool):
 
 def test_materials(tap, tool):
     """What is put onto a surface has its material; names of surfaces are taken as their indices."""
-    dark = {"type": "disk", "center": [0, 0, 0], "radius": 900, "name": "floor", "material": {**MATERIAL, "diffuse": 0.1}}
-    ball = {"type": "sphere", "center": [0, 0, 300], "radius": 200, "name": "ball", "material": {**MATERIAL, "diffuse": 0.9}}
+    dark = {"type": "disk", "center": [0, 0, 0], "radius": 900, "name": "floor",
+            "material": {**MATERIAL, "diffuse": 0.1}}
+    ball = {"type": "sphere", "center": [0, 0, 300], "radius": 200, "name": "ball",
+            "material": {**MATERIAL, "diffuse": 0.9}}
     scene = luxel.Scene({**scene_of(KINDS["disk"]), "surfaces": [dark, ball]})
     top = numpy.array([[0, 0, 500.00001]], "f4").astype("f8") + [[0, 0, 2e-5]]
     lit = [scene.evaluate(top, [0, 0, 1], surface=surface, surface_tolerance=near)["value"][0]
@@ -172,7 +174,7 @@ def test_materials(tap, tool):
     tap.equal(scene.probe_element([0, 0, 600], [0, 0, 1], surface="ball").value,
               scene.probe_element([0, 0, 600], [0, 0, 1], surface=1).value, "names in probe_element(), too")
     tap.ok("floor, ball" in str(raises(KeyError, scene.evaluate, [0, 0, 0], [0, 0, 1], surface="bowl")), "no such name")
-    tap.ok("the scene has 2" in str(raises(IndexError, scene.evaluate, [0, 0, 0], [0, 0, 1], surface=2)), "no such index")
+    tap.ok("the scene has 2" in str(raises(IndexError, scene.evaluate, [0, 0, 0], [0, 0, 1], surface=2)), "no index")
     tap.ok("a name or an index" in str(raises(TypeError, scene.evaluate, [0, 0, 0], [0, 0, 1], surface=1.5)), "neither")
 
 

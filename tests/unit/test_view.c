@@ -181,7 +181,6 @@ static bool stop_at_once(double done, void *data)
 static void geometry(void **state)
 {
     (void)state;
-    enum { SIDE = 360, COUNT = SIDE * SIDE };
     luxel_scene *scene = NULL;
     assert_int_equal(luxel_scene_open_builtin("two-spheres", NULL, &scene), LUXEL_OK);
     const luxel_geometry nothing = {.depth_mm = NULL};
@@ -189,29 +188,29 @@ static void geometry(void **state)
     assert_int_equal(luxel_scene_commit(scene, NULL), LUXEL_OK);
     unsigned columns, rows;
     luxel_scene_resolution(scene, &columns, &rows);
-    assert_true(columns == SIDE && rows == SIDE);
+    const size_t count = (size_t)columns * rows;
     luxel_field *field = NULL;
     assert_int_equal(luxel_render(scene, NULL, NULL, &field), LUXEL_OK);
-    luxel_geometry all = {.depth_mm = calloc(COUNT, sizeof(double)),
-                          .normals = calloc(COUNT, sizeof(double[3])),
-                          .positions_mm = calloc(COUNT, sizeof(double[3])),
-                          .surfaces = calloc(COUNT, sizeof(int32_t)),
-                          .parts = calloc(COUNT, sizeof(unsigned))};
-    double *depth = calloc(COUNT, sizeof *depth);
+    luxel_geometry all = {.depth_mm = calloc(count, sizeof(double)),
+                          .normals = calloc(count, sizeof(double[3])),
+                          .positions_mm = calloc(count, sizeof(double[3])),
+                          .surfaces = calloc(count, sizeof(int32_t)),
+                          .parts = calloc(count, sizeof(unsigned))};
+    double *depth = calloc(count, sizeof *depth);
     assert_true(all.depth_mm && all.normals && all.positions_mm && all.surfaces && all.parts && depth);
     assert_int_equal(luxel_find_geometry(scene, NULL, NULL, &all), LUXEL_OK);
     assert_int_equal(luxel_find_geometry(scene, NULL, NULL, &(luxel_geometry){.depth_mm = depth}), LUXEL_OK);
     assert_int_equal(luxel_find_geometry(scene, NULL, NULL, &nothing), LUXEL_OK);
-    assert_memory_equal(depth, all.depth_mm, COUNT * sizeof *depth);
-    for (size_t i = 0; i < COUNT; i++) {
+    assert_memory_equal(depth, all.depth_mm, count * sizeof *depth);
+    for (size_t i = 0; i < count; i++) {
         double screen[2], height;
         assert_int_equal(all.surfaces[i] >= 0, luxel_field_mask(field)[i]);
         if (all.surfaces[i] < 0)
             continue;
         assert_true(luxel_scene_project(scene, all.positions_mm[i], screen) &&
                     luxel_scene_height(scene, all.positions_mm[i], &height));
-        assert_true(fabs(screen[0] - luxel_field_x_mm(field)[i % SIDE]) < 1e-10 &&
-                    fabs(screen[1] - luxel_field_y_mm(field)[i / SIDE]) < 1e-10 && all.parts[i] == 0);
+        assert_true(fabs(screen[0] - luxel_field_x_mm(field)[i % columns]) < 1e-10 &&
+                    fabs(screen[1] - luxel_field_y_mm(field)[i / columns]) < 1e-10 && all.parts[i] == 0);
     }
     luxel_settings settings;
     size_t asked = 0;
