@@ -488,7 +488,7 @@ const struct command command_grid = {
     .summary = N_("measure the irradiance on planes and its uniformity"),
     .description = N_("Prints the irradiance at the centres of the cells of each measuring grid of the scene (its key "
                       "grids), seen from the front of the plane, with the average, the minimum, the maximum, the "
-                      "extrema on the whole plane between the cells' centres, how evenly the plane is lit and the flux "
+                      "extrema on the whole plane between the cells' centres, the uniformity and the flux "
                       "that falls on it. Each FILE, of comma-separated values, appears whole or not at all."),
     .examples = "luxel grid room.yaml\n"
                 "luxel grid room.yaml --json -o room.csv\n"

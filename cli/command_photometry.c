@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* luxel photometry: what a luminaire file says, and what its table amounts to. */
+/* luxel photometry: what a luminaire file says, and what follows from its table. */
 #include <luxel/luxel.h>
 
 #include <math.h>
@@ -137,7 +137,7 @@ static void add_file(struct text_table *table, const luxel_photometry *photometr
     add_lamps(table, photometry);
 }
 
-/* ---- what the table amounts to ---- */
+/* ---- what follows from the table ---- */
 
 /* Adds a row unless the number is none. */
 static void add_number(struct text_table *table, const char *name, const char *format, double number)
@@ -416,8 +416,8 @@ const struct command command_photometry = {
     .endings = ".png .svg .pdf .ies .ldt",
     .summary = N_("what a luminaire file (IES, EULUMDAT) says"),
     .description = N_(
-        "Reads a luminaire file, IES LM-63 of 1986 to 2019 or EULUMDAT, and prints what it says and what its table "
-        "of intensities amounts to: the flux by the zone rule and by the linear rule, light output ratio and "
+        "Reads a luminaire file, IES LM-63 of 1986 to 2019 or EULUMDAT, and prints what it says and what follows "
+        "from its table of intensities: the flux by the zone rule and by the linear rule, light output ratio and "
         "downward flux fraction, the greatest intensity, beam and field angle, CIE flux code, spacing criterion, "
         "direct ratios and the table of unified glare ratings (UGR) of standard rooms. All errors of a wrong file are "
         "listed with line and column; what is odd is a warning, and no number is ever rescaled in silence. A FILE of "

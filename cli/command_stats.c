@@ -355,7 +355,7 @@ const struct command command_stats = {
     .operand = N_("SCENE"),
     .summary = N_("statistics of the picture, and its true maximum and minimum"),
     .description = N_(
-        "Prints maximum, minimum, mean, median, standard deviation and evenness of the pixels that show a "
+        "Prints maximum, minimum, mean, median, standard deviation and uniformity of the pixels that show a "
         "surface, in the whole picture or in a region, and the true extrema, which lie between the "
         "pixels. Of a scene whose surfaces reflect light also the mean irradiance of each surface and the balance of "
         "the flux: what is absorbed and what escapes. SCENE may also be a file of values: .npy, .pfm, .exr, .csv."),

@@ -56,10 +56,12 @@ static const struct entry entries[] = {
      N_("Photometric units (lm, cd, lx, cd/m²) and radiometric units (W, W/sr, W/m², W/(sr·m²)): the key units chooses "
         "the names and changes no number."),
      "luxel help units"},
-    {"ies|ldt|eulumdat|lm-63|luminaires|luminaire file|lamp|light fixture|polar curve|lorl|dff|flux code|"
-     "светильник|светильники|лампа|ксс|кривая силы света|кпд светильника",
-     N_("Luminaire files, IES LM-63 and EULUMDAT: luxel photometry tells what one says and what its table amounts to "
-        "(flux, ratios, beam angles). In a scene a light of the type luminaire hangs it up: its file, position, axis "
+    {"ies|ldt|eulumdat|lm-63|luminaires|luminaire file|lamp|light fixture|polar curve|lorl|lor|dff|flux code|"
+     "polar diagram|light output ratio|beam angle|"
+     "светильник|светильники|лампа|ксс|кривая силы света|кпд светильника|полярная диаграмма|угол излучения",
+     N_("Luminaire files, IES LM-63 and EULUMDAT: luxel photometry tells what one says and what follows from its table "
+        "(flux, light output ratio, beam angles, the polar diagram). In a scene a light of the type luminaire hangs it "
+        "up: its file, position, axis "
         "or "
         "aim, and c0, the direction of C = 0."),
      "luxel photometry lamp.ies|luxel help photometry|luxel help luminaire|luxel help c0"},
@@ -82,10 +84,35 @@ static const struct entry entries[] = {
      N_("Uniformity of the illuminance on a plane: U0 = minimum/average and Ud = minimum/maximum, which luxel grid "
         "prints for each measuring grid."),
      "luxel help grid|luxel help grids"},
-    {"ugr|glare|daylight factor|блёскость|ослеплённость",
-     N_("Glare ratings and daylight factors are not computed. Light that surfaces reflect to each other counts "
-        "where the key reflections asks for it."),
-     "luxel grid desk|luxel help ambient"},
+    {"ugr|glare|unified glare rating|glare rating|блёскость|блескость|ослеплённость|"
+     "обобщённый показатель дискомфорта",
+     N_("Glare: luxel glare gives the unified glare rating (UGR) of an observer in a scene, luminaire by luminaire; "
+        "luxel "
+        "photometry prints the table of ratings that catalogues quote."),
+     "luxel glare office --eye 0,1200,5300,0,0,-1|luxel help glare|luxel help photometry"},
+    {"daylight|daylight factor|sky|skylight|sunlight|кео|естественное освещение|коэффициент естественной освещённости",
+     N_("Daylight is not computed: there is no sky, and there are no daylight factors. A distant light may stand for "
+        "the "
+        "sun."),
+     "luxel help distant|luxel help ambient"},
+    {"en12464|en 12464|en 12464-1|en12464-1|workplane|work plane|working plane|task area|measuring grid|"
+     "calculation grid|рабочая плоскость|расчётная плоскость|расчётная сетка",
+     N_("A work plane is an entry of the key grids: its centre, its size, and either the number of its cells or "
+        "spacing: "
+        "en12464, cells as EN 12464-1 asks for them. luxel grid prints its values, average, minimum, maximum and "
+        "uniformity, and luxel figure --grid draws it."),
+     "luxel grid office|luxel figure office --grid 1 -o plane.pdf|luxel help grids|luxel help spacing"},
+    {"maintenance factor|maintenance|mf|llf|light loss factor|dimming|dimmer|dim|коэффициент запаса|"
+     "коэффициент эксплуатации|диммирование",
+     N_("Maintenance factor, light loss factor and dimming are shares of the light of a luminaire, its keys "
+        "maintenance_factor and factor, by which its intensities are multiplied. Other lights are dimmed by their "
+        "intensity, power, radiance or irradiance."),
+     "luxel help maintenance_factor|luxel help luminaire|luxel help intensity"},
+    {"array|arrays|luminaire array|array of luminaires|ряд светильников|сетка светильников|массив светильников",
+     N_("Luminaires in rows: each is an entry of its own in the list lights, as in the scene office. Many small "
+        "sources "
+        "are one light of the type points, whose places a file lists."),
+     "luxel scene office|luxel help luminaire|luxel help lights"},
     {"plot|false color|false colour|falsecolor|colormap|graph|график|рисунок",
      N_("Pictures for people, in false colour with axes, isophotes and sections, are drawn by luxel figure."),
      "luxel help figure|luxel help report"},

@@ -5,11 +5,13 @@
  */
 #include "progress.h"
 
+#include <errno.h>
 #include <math.h>
 #include <signal.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <time.h>
 #include <unistd.h>
 
 #include "cli.h"
@@ -35,37 +37,95 @@ void progress_catch_interrupt(void)
     sigaction(SIGINT, &action, NULL);
 }
 
+/* The moment a pause after now, as waiting counts it. */
+static struct timespec after(double pause_s)
+{
+    struct timespec moment;
+
+    clock_gettime(CLOCK_MONOTONIC, &moment);
+    moment.tv_nsec += (long)(pause_s * 1e9);
+    moment.tv_sec += moment.tv_nsec / 1000000000;
+    moment.tv_nsec %= 1000000000;
+    return moment;
+}
+
+/* What is left is told while the work tells how far it is; else how long it has been going on. */
+static void show(const struct progress *progress)
+{
+    const double fresh_s = 2.0, now = machine_seconds(), done = progress->done;
+
+    is_shown = 1;
+    fputc('\r', stderr);
+    if (done > 0.0 && done < 1.0 && now - progress->told_s < fresh_s)
+        fprintf(stderr, _("%3.0f %%, %.0f s left"), 100.0 * done, ceil((now - progress->part_s) * (1.0 - done) / done));
+    else
+        fprintf(stderr, _("computing for %.0f s"), floor(now - progress->start_s));
+    fputs("\033[K", stderr);
+    fflush(stderr);
+}
+
+static void *show_until_the_end(void *data)
+{
+    const double patience_s = 1.0, pause_s = 0.5;
+    struct progress *progress = data;
+    struct timespec moment = after(pause_s);
+
+    pthread_mutex_lock(&progress->lock);
+    while (!progress->has_ended)
+        if (pthread_cond_timedwait(&progress->ends, &progress->lock, &moment) == ETIMEDOUT) {
+            if (machine_seconds() - progress->start_s >= patience_s)
+                show(progress);
+            moment = after(pause_s);
+        }
+    pthread_mutex_unlock(&progress->lock);
+    return NULL;
+}
+
 void progress_begin(struct progress *progress, bool quiet)
 {
     const char *terminal = getenv("TERM");
     const bool erases = terminal && strcmp(terminal, "dumb") != 0;
+    const double now = machine_seconds();
+    pthread_condattr_t by_clock;
 
-    *progress = (struct progress){.wanted = !quiet && erases && isatty(STDERR_FILENO), .start_s = machine_seconds()};
+    *progress = (struct progress){.wanted = !quiet && erases && isatty(STDERR_FILENO), .start_s = now, .part_s = now};
+    if (!progress->wanted)
+        return;
+    pthread_mutex_init(&progress->lock, NULL);
+    pthread_condattr_init(&by_clock);
+    pthread_condattr_setclock(&by_clock, CLOCK_MONOTONIC);
+    pthread_cond_init(&progress->ends, &by_clock);
+    pthread_condattr_destroy(&by_clock);
+    progress->wanted = pthread_create(&progress->thread, NULL, show_until_the_end, progress) == 0;
 }
 
 bool progress_report(double done, void *data)
 {
-    const double patience_s = 1.0, pause_s = 0.1;
     struct progress *progress = data;
-    double now, left_s;
 
     if (!progress->wanted)
         return true;
-    now = machine_seconds();
-    if (now - progress->start_s < patience_s || now - progress->last_s < pause_s || !(done > 0.0))
-        return true;
-    left_s = (now - progress->start_s) * (1.0 - done) / done;
-    is_shown = 1;
-    fputc('\r', stderr);
-    fprintf(stderr, _("%3.0f %%, %.0f s left"), 100.0 * done, ceil(left_s));
-    fputs("\033[K", stderr);
-    progress->last_s = now;
+    pthread_mutex_lock(&progress->lock);
+    progress->told_s = machine_seconds();
+    if (done < progress->done) /* another part has begun */
+        progress->part_s = progress->told_s;
+    progress->done = done;
+    pthread_mutex_unlock(&progress->lock);
     return true;
 }
 
 void progress_end(struct progress *progress)
 {
-    if (progress->last_s > 0.0)
+    if (!progress->wanted)
+        return;
+    pthread_mutex_lock(&progress->lock);
+    progress->has_ended = true;
+    pthread_cond_signal(&progress->ends);
+    pthread_mutex_unlock(&progress->lock);
+    pthread_join(progress->thread, NULL);
+    pthread_cond_destroy(&progress->ends);
+    pthread_mutex_destroy(&progress->lock);
+    if (is_shown)
         fputs(ERASE, stderr);
     is_shown = 0;
 }

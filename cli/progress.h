@@ -3,11 +3,19 @@
 #ifndef LUXEL_CLI_PROGRESS_H
 #define LUXEL_CLI_PROGRESS_H
 
+#include <pthread.h>
 #include <stdbool.h>
 
+/* What a thread of its own shows twice a second, as not all work tells how far it is. */
 struct progress {
     bool wanted; /* standard error is a terminal that can erase, and the user did not ask for quiet */
-    double start_s, last_s;
+    pthread_t thread;
+    pthread_mutex_t lock; /* of all below */
+    pthread_cond_t ends;
+    bool has_ended;
+    double start_s, part_s; /* when the work began, and the part of it that is under way */
+    double done;            /* of that part; 0: not known */
+    double told_s;          /* when that was told */
 };
 
 /*
@@ -16,6 +24,7 @@ struct progress {
  */
 void progress_catch_interrupt(void);
 
+/* The progress must stay where it is until its end. */
 void progress_begin(struct progress *progress, bool quiet);
 /* The library's callback: `data` is the struct progress.  Always true. */
 bool progress_report(double done, void *data);

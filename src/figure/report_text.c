@@ -45,14 +45,15 @@ void lx_report_add_place(struct lx_text *text, const double *values, size_t coun
 /* What the work is for: the author's own words, or what is computed. */
 static void add_aim(struct lx_report *report)
 {
-    static const char *const aims[] = {LX_N("To learn to compute how sources of light distribute the brightness over "
-                                            "surfaces, and to show the distribution as a picture."),
-                                       LX_N("To learn to compute how sources of light distribute the luminance over "
-                                            "surfaces, and to show the distribution as a picture."),
-                                       LX_N("To learn to compute how sources of light distribute the irradiance over "
-                                            "surfaces, and to show the distribution as a picture."),
-                                       LX_N("To learn to compute how sources of light distribute the illuminance over "
-                                            "surfaces, and to show the distribution as a picture.")};
+    static const char *const aims[] = {
+        LX_N("To learn how to compute the distribution of the brightness over lit surfaces, "
+             "and how to show it as a picture."),
+        LX_N("To learn how to compute the distribution of the luminance over lit surfaces, "
+             "and how to show it as a picture."),
+        LX_N("To learn how to compute the distribution of the irradiance over lit surfaces, "
+             "and how to show it as a picture."),
+        LX_N("To learn how to compute the distribution of the illuminance over lit surfaces, "
+             "and how to show it as a picture.")};
     const char *aim = report->texts->aim;
     lx_document_heading(report->document, 1, LX_N("Aim of the work"), NULL);
     if (aim && *aim)

@@ -54,7 +54,7 @@ const struct lx_light_kind lx_point_kind = {
     .variant =
         {
             .name = "point",
-            .meaning = "a small source at a place, such as a bulb",
+            .meaning = "a small source, such as a bulb",
             .example = "{type: point, position: [1300, 700, 2600], intensity: 30}",
             .table = &point_table,
         },

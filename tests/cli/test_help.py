@@ -41,11 +41,19 @@ def forms(tap, tool):
     tap.equal((described["command"], described["options"][0]["name"]), ("render", "output"), "a command as JSON")
     for word, said in (("luminance", "cd/m²"), ("Lux", "lx"), ("яркость", "cd/m²"), ("ЛЮКС", "lx"), ("Ёж", None),
                        ("candela", "cd"), ("cd", "cd"), ("W", "watt"), ("W/sr", "intensity"), ("IES", "LM-63"),
-                       ("irradiance", "W/m²"), ("ambient light", None)):
+                       ("irradiance", "W/m²"), ("ambient light", None), ("UGR", "luxel glare"),
+                       ("glare rating", "UGR"), ("daylight factor", "not computed"), ("en12464", "spacing: en12464"),
+                       ("EN 12464", "spacing: en12464"), ("workplane", "grids"), ("work plane", "grids"),
+                       ("Рабочая плоскость", "grids"), ("array", "points"), ("dimming", "maintenance_factor"),
+                       ("LLF", "maintenance_factor"), ("maintenance factor", "maintenance_factor"),
+                       ("light output ratio", "luxel photometry"), ("polar diagram", "luxel photometry")):
         result = tool.run("help", word)
         tap.ok(result.code == (0 if said else 2) and (not said or said in result.out), "a word: " + word, result)
         for line in re.findall(r"^  (luxel (?:help|grid).*)$", result.out.split("\nSee:")[-1], re.M) if said else []:
             tap.equal(tool.run(*line.split()[1:]).code, 0, word + " leads to " + line)
+    glare = tool.run("help", "UGR").out
+    command = re.search(r"^  luxel (glare .*)$", glare, re.M).group(1)
+    tap.ok("not computed" not in glare and tool.run(*command.split()).code == 0, "glare is computed", glare)
     words = tool.run("help", "lux", "--json").json()
     tap.ok(words["keys"] == [] and words["words"][0]["see"], "a word as JSON", words)
 

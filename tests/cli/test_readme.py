@@ -43,6 +43,8 @@ def try_page(tap, tool, draws, page):
     tool.write("submissions/a.csv", ANSWERS)
     tool.write("places.csv", PLACES)
     tool.write("lamp.ies", LAMP)
+    for name, scene in re.findall(r"```yaml\n# (\S+\.yaml)\n(.*?)```", text, re.DOTALL):
+        tool.write(name, scene)
     shell = {**os.environ, "LC_ALL": "C.UTF-8", "PATH": os.path.dirname(tool.path) + ":" + os.environ["PATH"]}
     found = commands(text)
     tap.ok(len(found) > 15, page + " has commands")

@@ -67,7 +67,7 @@ def progress(tap, tool):
     shares = [int(share) for share, _ in steps]
     tap.ok(shares == sorted(shares) and shares[-1] <= 100, "it goes on", shares)
     tap.ok(len(steps) <= 10 * seconds + 1, "not more often than ten times a second", len(steps), seconds)
-    last = PROGRESS.sub("", text)
+    last = re.sub(r"\rcomputing for \d+ s\x1b\[K", "", PROGRESS.sub("", text))
     tap.ok(last.startswith("\r\x1b[K"), "its line is erased before the results", last[:80])
     tap.equal(last[len("\r\x1b[K"):].replace("\r\n", "\n"), quiet.replace("\r\n", "\n"), "the results are the same")
     text, _ = on_terminal(tool, *arguments, TERM="dumb")
@@ -93,6 +93,45 @@ def first_progress(tap, tool):
         tap.ok(code == 130 and text.endswith("\r\x1b[K"), "Ctrl-C erases it", code, repr(text[-80:]))
     finally:
         terminal.close()
+
+
+HALL = """luxel: 1
+units: photometric
+reflections: all
+screen: {width: 5000, height: 2500, resolution: [400, 200]}
+observer: {position: [0, 1600, 3900], target: [0, 1200, 0]}
+surfaces:
+  - {type: room, center: [0, 1400, 2000], size: [6000, 2800, 4000],
+     material: {model: lambert, diffuse: 0.7, over_pi: true}}
+  - {type: sphere, center: [0, 600, 2000], radius: 500, material: {model: lambert, diffuse: 0.5, over_pi: true}}
+lights:
+  - {type: luminaire, file: lamp.ies, position: [-1500, 2800, 2000], axis: [0, -1, 0]}
+  - {type: planar, rectangle: {center: [1500, 2700, 2000], size: [300, 300], axis: [0, -1, 0]}, radiance: 900}
+grids: [{name: plane, center: [0, 750, 2000], size: [4000, 3000], axis: [0, 1, 0], up: [0, 0, -1], n: [20, 15]}]
+"""
+LAMP = "IESNA:LM-63-1995\nTILT=NONE\n1 1000 1 3 1 1 2 0.1 0.1 0\n1 1 10\n0 45 90\n0\n318 225 0\n"
+
+
+def untold_progress(tap, tool):
+    """Work that does not tell how far it is shows how long it has been going on, and never that all is done."""
+    tool.write("hall.yaml", HALL)
+    tool.write("lamp.ies", LAMP)
+    environment = {"PATH": os.environ["PATH"], "LC_ALL": "C.UTF-8", "TERM": "xterm"}
+    commands = [["glare", "hall.yaml", "--eye", "0,1200,3900,0,0,-1"], ["grid", "hall.yaml"]]
+    if tool.run("figure", "-o", "f.png").code == 0:
+        commands += [["figure", "hall.yaml", "--grid", "plane", "-o", "p.pdf"], ["report", "hall.yaml", "-o", "r.md"],
+                     ["photometry", "lamp.ies", "--room", "4,8"]]
+    for command in commands:
+        more = [] if command[0] == "photometry" else ["--reflected-error", "1e-6"]
+        terminal = Terminal([tool.path, *command, *more], tool.folder, environment)
+        try:
+            terminal.wait_for(r"(computing for [1-9]\d* s|\d %, \d+ s left)\x1b\[K", 30)
+            terminal.wait_for(r"(computing for [1-9]\d* s|\d %, \d+ s left)\x1b\[K", 30)
+            terminal.send("\x03")
+            text, code = terminal.finish(20)
+            tap.ok(code == 130 and "100 %" not in text, "luxel %s on a terminal" % command[0], code, repr(text[-80:]))
+        finally:
+            terminal.close()
 
 
 def short_work(tap, tool):
@@ -130,4 +169,4 @@ def dashes(tap, tool):
 
 if not hasattr(os, "waitstatus_to_exitcode"):
     sys.exit("Python 3.9 or newer is needed")
-run_tests(Tap(), colour, short_work, progress, first_progress, quiet, dashes)
+run_tests(Tap(), colour, short_work, progress, first_progress, untold_progress, quiet, dashes)

@@ -181,7 +181,7 @@ def quantities(tap, tool):
     for (units, quantity), name in names.items():
         options = [*SMALL, "-s", "units=" + units, "-s", lights, "--quantity", quantity]
         text = report(tool, *options)
-        for sentence in ("^# Distribution of the %s over", "distribute the %s over surfaces",
+        for sentence in ("^# Distribution of the %s over", "the distribution of the %s over lit surfaces, and how",
                          "Compute how the %s is dist", "^The %s is the sum over"):
             tap.ok(re.search(sentence % name, text, re.M), "%s: %s" % (name, sentence), text[:3000])
         method = text.split("Method")[1].split("Pictures")[0]
