@@ -397,7 +397,7 @@ CUBE = """OFF
 4 0 4 6 2
 4 1 3 7 5
 """
-TUBE = {"type": "cylinder", "center": [600, 0, 0], "radius": 100, "height": 200}
+TUBE = {"type": "cylinder", "center": [600, 0, 0], "axis": [0, 0, 1], "radius": 100, "height": 200}
 COVERS = [{"type": "disk", "center": [600, 0, 100], "radius": 100},
           {"type": "rectangle", "center": [600, 0, -100], "size": [250, 200]}]
 BODIES = [([{"type": "sphere", "center": [-600, 0, 0], "radius": 100}], [1]), ([TUBE], []), ([TUBE, *COVERS], [7]),
