@@ -301,7 +301,7 @@ static void add_peak(struct text_table *table, const char *name, const luxel_gri
     char value[TEXT_SIZE], bound[TEXT_SIZE], cell[TEXT_SIZE], position[TEXT_SIZE];
 
     if (peak->exists)
-        text_table_row(table, TEXT_CELLS(name, text_value(value, 6, peak->value),
+        text_table_row(table, TEXT_CELLS(name, text_bounded(value, 9, peak->value, peak->error),
                                          text_format(cell, "± %s", text_bound(bound, peak->value, peak->error)),
                                          text_lengths(peak->position_mm, 3, position)));
 }
@@ -311,7 +311,7 @@ static void add_bounded(struct text_table *table, const char *name, double value
 {
     char number[TEXT_SIZE], bound[TEXT_SIZE], cell[TEXT_SIZE];
 
-    text_table_row(table, TEXT_CELLS(name, text_value(number, 9, value),
+    text_table_row(table, TEXT_CELLS(name, text_bounded(number, 9, value, error),
                                      text_format(cell, "± %s", text_bound(bound, value, error)), ""));
 }
 
