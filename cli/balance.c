@@ -27,11 +27,9 @@ static const char *name_side(const luxel_lit_side *side, char buffer[TEXT_SIZE])
 static const char *write_cell(const luxel_amount *amount, char buffer[TEXT_SIZE])
 {
     char value[TEXT_SIZE], error[TEXT_SIZE];
-    const double last = amount->error > 0 ? pow(10, floor(log10(amount->error)) - 1) : 0;
-    const double rounded = last > 0 ? round(amount->value / last) * last + 0.0 : amount->value;
 
-    return text_format(buffer, "%s ± %s", text_value(value, 7, rounded),
-                       text_bound(error, rounded, amount->error + fabs(rounded - amount->value)));
+    return text_format(buffer, "%s ± %s", text_bounded(value, 7, amount->value, amount->error),
+                       text_bound(error, amount->value, amount->error));
 }
 
 static void add_side(struct text_table *table, const luxel_lit_side *side)

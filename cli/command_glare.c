@@ -56,13 +56,17 @@ static void print_rating(const struct ratings *ratings, size_t i)
 
     printf(_("the eye at %s mm, looking along (%.6g, %.6g, %.6g)\n"), text_lengths(numbers, 3, place), numbers[3],
            numbers[4], numbers[5]);
-    if (glare->has_rating)
-        printf(_("  UGR %s ± %s\n"), text_value(value, 6, glare->rating),
+    /* the rating is defined to a tenth: a bound below its rounding says nothing */
+    if (glare->has_rating && glare->error < 0.05)
+        printf(_("  UGR %.1f\n"), glare->rating);
+    else if (glare->has_rating)
+        printf(_("  UGR %s ± %s\n"), text_bounded(value, 6, glare->rating, glare->error),
                text_bound(error, glare->rating, glare->error));
     else
         printf(glare->background > 0 ? _("  no UGR: nothing dazzles\n")
                                      : _("  no UGR: the background is dark, as nothing reflects light\n"));
-    printf(_("  background luminance %s ± %s cd/m²\n"), text_value(background, 6, glare->background),
+    printf(_("  background luminance %s ± %s cd/m²\n"),
+           text_bounded(background, 6, glare->background, glare->background_error),
            text_bound(bound, glare->background, glare->background_error));
     text_table_row(table, TEXT_CELLS(_("light"), _("type"), _("luminance, cd/m²"), _("solid angle, sr"), _("seen"),
                                      _("position index"), _("share of the glare")));

@@ -131,6 +131,19 @@ static void write_cells(struct json *json, const char *key, const luxel_grid *gr
     json_close(json, ']');
 }
 
+/* The cells inside of bodies, each as its column and row, where there are some. */
+static void write_inside(struct json *json, const luxel_grid *grid)
+{
+    if (grid->enclosed == 0)
+        return;
+    json_open(json, "inside_cells", '[');
+    for (unsigned row = 0; row < grid->rows; row++)
+        for (unsigned column = 0; column < grid->columns; column++)
+            if (grid->inside[(size_t)row * grid->columns + column])
+                json_wholes(json, NULL, (const unsigned[]){column, row}, 2);
+    json_close(json, ']');
+}
+
 static void write_number_if(struct json *json, const char *key, bool exists, double value)
 {
     if (exists)
@@ -193,6 +206,7 @@ static void write_grid(struct json *json, const luxel_grid *grid, const luxel_gr
     json_bool(json, "coarse", grid->is_coarse);
     json_whole(json, "measured", grid->measured);
     json_whole(json, "inside", grid->enclosed);
+    write_inside(json, grid);
     write_cells(json, "values", grid, grid->values);
     write_cells(json, "errors", grid, grid->errors);
     json_close(json, '}');
@@ -288,7 +302,7 @@ static void add_peak(struct text_table *table, const char *name, const luxel_gri
     char value[TEXT_SIZE], bound[TEXT_SIZE], cell[TEXT_SIZE], position[TEXT_SIZE];
 
     if (peak->exists)
-        text_table_row(table, TEXT_CELLS(name, text_value(value, 6, peak->value),
+        text_table_row(table, TEXT_CELLS(name, text_bounded(value, 6, peak->value, peak->error),
                                          text_format(cell, "± %s", text_bound(bound, peak->value, peak->error)),
                                          text_lengths(peak->position_mm, 3, position)));
 }
@@ -298,7 +312,7 @@ static void add_bounded(struct text_table *table, const char *name, double value
 {
     char number[TEXT_SIZE], bound[TEXT_SIZE], cell[TEXT_SIZE];
 
-    text_table_row(table, TEXT_CELLS(name, text_value(number, 9, value),
+    text_table_row(table, TEXT_CELLS(name, text_bounded(number, 9, value, error),
                                      text_format(cell, "± %s", text_bound(bound, value, error)), ""));
 }
 
@@ -347,7 +361,7 @@ static void print_statistics(const luxel_grid *grid, const luxel_grid_extrema *e
 
 static void print_grid(const luxel_grid *grid, const luxel_grid_extrema *extrema, size_t i)
 {
-    const size_t without = (size_t)grid->columns * grid->rows - grid->measured;
+    const size_t without = (size_t)grid->columns * grid->rows - grid->measured - grid->enclosed;
 
     print_name(grid, i);
     print_plane(grid);
@@ -359,8 +373,9 @@ static void print_grid(const luxel_grid *grid, const luxel_grid_extrema *extrema
                         "  %zu cells lie on a source, the first of them on lights[%zu], and have no value\n", without),
                without, grid->blocking_light);
     if (grid->enclosed > 0)
-        printf(ngettext("  %zu cell is inside a body, that of surfaces[%zu]\n",
-                        "  %zu cells are inside bodies, the first of them in that of surfaces[%zu]\n", grid->enclosed),
+        printf(ngettext("  %zu cell is inside a body, that of surfaces[%zu], and is left out\n",
+                        "  %zu cells are inside bodies, the first of them in that of surfaces[%zu], and are left out\n",
+                        grid->enclosed),
                grid->enclosed, grid->enclosing_surface);
     if (grid->columns > MOST_COLUMNS || grid->rows > MOST_ROWS)
         printf(_("  too many values for a table: --json prints them, -o FILE.csv writes them\n"));
@@ -425,8 +440,9 @@ static void warn(const luxel_scene *scene, const luxel_grid *grid, size_t i)
                        "mean over the plane by %.2g %%; raise n"),
                      label, grid->columns, grid->rows, 100.0 * grid->sampling_error / size);
     if (grid->enclosed > 0)
-        message_note(ngettext("warning: %s: %zu cell is inside the body of surfaces[%zu]",
-                              "warning: %s: %zu cells are inside bodies, the first of them in that of surfaces[%zu]",
+        message_note(ngettext("warning: %s: %zu cell is inside the body of surfaces[%zu] and is left out",
+                              "warning: %s: %zu cells are inside bodies, the first of them in that of surfaces[%zu], "
+                              "and are left out",
                               grid->enclosed),
                      label, grid->enclosed, grid->enclosing_surface);
 }
@@ -489,7 +505,8 @@ const struct command command_grid = {
     .description = N_("Prints the irradiance at the centres of the cells of each measuring grid of the scene (its key "
                       "grids), seen from the front of the plane, with the average, the minimum, the maximum, the "
                       "extrema on the whole plane between the cells' centres, the uniformity and the flux "
-                      "that falls on it. Each FILE, of comma-separated values, appears whole or not at all."),
+                      "that falls on it. Cells inside of bodies, where no light shines, are told and left out. Each "
+                      "FILE, of comma-separated values, appears whole or not at all."),
     .examples = "luxel grid room.yaml\n"
                 "luxel grid room.yaml --json -o room.csv\n"
                 "luxel grid spot -s 'grids=[{center: [0,0,0], size: [1000,1000], n: [10,10]}]'",

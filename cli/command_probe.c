@@ -50,11 +50,14 @@ static void print_shares(const luxel_scene *scene, const luxel_probe *probe)
                                          split ? text_format(parts, "%zu", share->parts) : NULL));
     }
     if (probe->has_reflected) {
+        const double share = probe->reflected_value > 0.0 ? probe->reflected_irradiance / probe->reflected_value : 1.0;
         char irradiance[TEXT_SIZE], value[TEXT_SIZE], error[TEXT_SIZE];
 
-        text_table_row(table, TEXT_CELLS(_("reflected"), "", text_value(irradiance, 12, probe->reflected_irradiance),
-                                         text_value(value, 12, probe->reflected_value), "",
-                                         text_error(probe->reflected_error, error), split ? "" : NULL));
+        text_table_row(
+            table, TEXT_CELLS(_("reflected"), "",
+                              text_bounded(irradiance, 12, probe->reflected_irradiance, probe->reflected_error * share),
+                              text_bounded(value, 12, probe->reflected_value, probe->reflected_error), "",
+                              text_bound(error, probe->reflected_value, probe->reflected_error), split ? "" : NULL));
     }
     text_table_print(table, stdout, 4);
 }
@@ -113,7 +116,7 @@ static void print_point(const struct result *result, size_t i)
         printf("%s\n", result_no_value(result, i, name));
         return;
     }
-    printf("%s: %s ± %s %s\n", result_point_name(result, i, name), text_value(value, 15, probe->value),
+    printf("%s: %s ± %s %s\n", result_point_name(result, i, name), text_bounded(value, 15, probe->value, probe->error),
            text_bound(error, probe->value, probe->error), _(result_unit(result)));
     printf(_("  position %s mm, normal (%.9g, %.9g, %.9g)\n"), text_lengths(probe->position_mm, 3, position),
            probe->normal[0] + 0.0, probe->normal[1] + 0.0, probe->normal[2] + 0.0);
@@ -148,7 +151,8 @@ static void print_lines(const struct result *result)
         const luxel_probe *probe = &result->probes[i];
 
         if (probe->has_value)
-            text_table_row(table, TEXT_CELLS(result_point_name(result, i, name), text_value(value, 12, probe->value),
+            text_table_row(table, TEXT_CELLS(result_point_name(result, i, name),
+                                             text_bounded(value, 12, probe->value, probe->error),
                                              text_bound(error, probe->value, probe->error)));
         else
             text_table_line(table, result_no_value(result, i, value));

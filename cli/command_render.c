@@ -86,16 +86,20 @@ static void add_point(struct text_table *table, const struct result *result, siz
     else
         text_format(pixel, "%s", _("off the screen"));
     text_table_row(table,
-                   TEXT_CELLS(name, text_value(value, 12, probe->value), text_bound(error, probe->value, probe->error),
+                   TEXT_CELLS(name, text_bounded(value, 12, probe->value, probe->error),
+                              text_bound(error, probe->value, probe->error),
                               probe->has_pixel_value ? text_value(pixel_value, 6, probe->pixel_value) : "", pixel));
 }
 
 static void print_points(const struct result *result)
 {
     struct text_table *table = text_table_new("lrrrr");
+    bool has_reflected = false; /* which is known to a bound alone */
 
-    text_table_row(table, TEXT_CELLS(_("point x, y (mm)"), _("exact value"), _("error at most"), _("pixel value"),
-                                     _("pixel (u, v)")));
+    for (size_t i = 0; i < result->count; i++)
+        has_reflected = has_reflected || result->probes[i].has_reflected;
+    text_table_row(table, TEXT_CELLS(_("point x, y (mm)"), has_reflected ? _("value") : _("exact value"),
+                                     _("error at most"), _("pixel value"), _("pixel (u, v)")));
     for (size_t i = 0; i < result->count; i++)
         add_point(table, result, i);
     text_table_print(table, stdout, 2);

@@ -83,10 +83,25 @@ const char *text_value(char buffer[TEXT_SIZE], unsigned usual, double value)
     return text_format(buffer, "%.*g", (int)(wanted_digits > 0 ? wanted_digits : usual), value);
 }
 
+const char *text_bounded(char buffer[TEXT_SIZE], unsigned usual, double value, double error)
+{
+    int digits = (int)usual;
+
+    if (wanted_digits > 0 || !(error > 0.0) || !isfinite(error) || !isfinite(value))
+        return text_value(buffer, usual, value);
+    if (value != 0.0) /* those down to the second one of the error */
+        digits = (int)floor(log10(fabs(value))) - (int)floor(log10(error)) + 2;
+    if (digits < 1)
+        return text_format(buffer, "0");
+    return text_format(buffer, "%.*g", digits < (int)usual ? digits : (int)usual, value);
+}
+
 const char *text_bound(char buffer[TEXT_SIZE], double value, double error)
 {
-    if (wanted_digits > 0 && isfinite(value))
-        error += fabs(strtod(text_value(buffer, wanted_digits, value), NULL) - value);
+    enum { MOST_DIGITS = 17 };
+
+    if (isfinite(value) && isfinite(error))
+        error += fabs(strtod(text_bounded(buffer, MOST_DIGITS, value, error), NULL) - value);
     return text_error(error, buffer);
 }
 

@@ -11,6 +11,9 @@
  * luxel_probe_element() has it.  The quantity is the irradiance, whatever the settings say: a measuring plane has no
  * material.  The numbers are the same for any number of threads.  Threads as for luxel_render().
  *
+ * Cells inside of bodies have no value: nobody sees or measures there.  A body is what a surface closes around, a sphere
+ * that is seen from outside, a closed mesh, or a tube with covers, unless a light shines in it: that is a room.
+ *
  * What is read off the values is what the cells' centres tell of the plane: where the light varies over a cell, their
  * average is not the plane's.  So the irradiance is integrated over the plane, too, whatever its cells: `mean` and
  * `flux` are those of the plane, and `sampling_error` tells how far the average of the values is from that.
@@ -50,9 +53,9 @@ typedef struct luxel_grid {
     const char *unit;            /* of the values, in UTF-8, that of luxel_scene_unit() for the irradiance */
     const double *values;        /* rows x columns; 0 for a cell without a value */
     const double *errors;        /* rows x columns: bounds of |value - truth|; 0 for a cell without a value */
-    const uint8_t *mask;         /* rows x columns: 1 where the cell has a value, 0 where it lies on a source */
+    const uint8_t *mask;         /* rows x columns: 1 where the cell has a value, 0 where it lies on a source or inside */
     size_t measured;             /* the number of cells that have a value */
-    size_t blocking_light;       /* where not all have one: the light on the first without, as an index in the scene */
+    size_t blocking_light;       /* where more than `enclosed` have none: the light on the first, as an index in the scene */
     double error;                /* the largest of the bounds */
     double average;              /* the plain mean of the values */
     double average_error;        /* bounds its distance from the mean of the true values at the cells' centres */
@@ -62,7 +65,7 @@ typedef struct luxel_grid {
     double u0;                   /* minimum / average, the uniformity U0 (EN 12665) */
     double ud;                   /* minimum / maximum, the diversity Ud */
     bool has_mean;               /* whether the next two are known: the unit is a power by area, no source in the way */
-    double mean;                 /* the mean irradiance of the plane, its integral by its area */
+    double mean;                 /* the mean irradiance of the plane, its integral by its area, bodies and all */
     double mean_error;           /* bounds |mean - truth| */
     const char *flux_unit;       /* "W" or "lm"; NULL where there is no mean */
     double flux;                 /* the power that falls on the plane: its mean times its area; 0 without flux_unit */
@@ -71,7 +74,7 @@ typedef struct luxel_grid {
     double sampling_error;       /* how far the average may be from the plane's mean */
     bool sampling_is_bound;      /* it is a bound, from the mean; else an estimate, from a grid of half as many cells */
     bool is_coarse;              /* the sampling error is above a hundredth of the mean: finer cells are needed */
-    size_t enclosed;             /* the number of cells whose centres are inside the bodies of surfaces */
+    size_t enclosed;             /* the number of cells whose centres are inside the bodies of surfaces: see `inside` */
     size_t enclosing_surface;    /* where there are some: the surface around the first, as an index in the scene */
     bool has_reflected;          /* whether surfaces reflect light to each other; then all numbers above have it */
     double reflected_average;    /* the plain mean of what is reflected */
@@ -80,6 +83,7 @@ typedef struct luxel_grid {
     bool tolerance_reached;      /* whether each error is at most the tolerance times the value (for a dark cell, times
                                     the maximum or, where all is dark, what the lights bring to it): the settings'
                                     tolerance, or 1e-9 where there is no closed form */
+    const uint8_t *inside;       /* rows x columns: 1 where the cell is inside the body of a surface, else 0 */
 } luxel_grid;
 
 /* The number of measuring grids of a committed scene. */
@@ -100,8 +104,8 @@ LUXEL_API luxel_status luxel_measure(const luxel_scene *scene, const luxel_setti
                                      luxel_diagnostics *diagnostics, luxel_grid **grid);
 
 /*
- * The values of luxel_measure() alone, with their average and extrema: without the flux and the mean of the plane, the
- * sampling error and what is inside of bodies, which for sources of some size behind obstacles take most of the time.
+ * The values of luxel_measure() alone, with their average and extrema: without the flux and the mean of the plane
+ * and the sampling error, which for sources of some size behind obstacles take most of the time.
  */
 LUXEL_API luxel_status luxel_measure_values(const luxel_scene *scene, const luxel_settings *settings, size_t i,
                                             luxel_diagnostics *diagnostics, luxel_grid **grid);
@@ -158,7 +162,7 @@ LUXEL_API luxel_status luxel_check_grid_output_name(const char *path, luxel_diag
  * Writes `count` grids of one unit to a .csv file, whole or not at all: under a line with the columns' names
  * (grid,column,row,x_mm,y_mm,z_mm,irradiance_UNIT,error_UNIT) a line for each cell, grid by grid and row by row.  A
  * grid goes by its name or, where it has none, by "grid 1" and so on, as it stands in the list; the last two fields of
- * a cell without a value are empty.
+ * a cell without a value, on a source or inside a body, are empty.
  * LUXEL_ERROR_ARGUMENT: another extension, or no grid.  LUXEL_ERROR_FILE: it could not be written.
  */
 LUXEL_API luxel_status luxel_grids_write(const luxel_grid *const *grids, size_t count, const char *path,

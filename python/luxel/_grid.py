@@ -24,7 +24,8 @@ class Grid:
     """A measured grid.  It is pickled as its scene, and then measured again.
 
     Row 0 is the top one, farthest along `up`; column 0 the first along up x axis.  The irradiance of each cell is
-    that at its centre.  Where a source lies on a cell there is no value: `mask` is False, the value 0.
+    that at its centre.  Where a source lies on a cell, or the cell is inside a body, there is no value: `mask` is
+    False, the value 0.  A body is what a surface closes around, unless a light shines in it.
     """
 
     name: Optional[str]  #: in the scene
@@ -37,8 +38,9 @@ class Grid:
     values: "Floats"  #: rows x columns
     errors: "Floats"  #: bounds of |value - truth|
     mask: "Bools"  #: True where the cell has a value
+    inside: "Bools"  #: True where the cell is inside the body of a surface
     measured: int  #: how many have one
-    blocking_light: Optional[int]  #: where not all have one: the light on the first without
+    blocking_light: Optional[int]  #: where a light lies on some: the one on the first
     error: float  #: the largest of the bounds
     average: Optional[float]  #: the mean of the values
     average_error: Optional[float]  #: bounds its distance from the mean of the true values
@@ -61,18 +63,18 @@ class Grid:
     def __init__(self, scene: "Scene", index: int, how: Settings) -> None:
         found: Any = _luxel.measure(scene._handle, index, how)
         self._again = (scene.copy(), index, how[:-1] + (None,))
-        (self._holder, self.name, place, self.unit, values, errors, mask, self.measured, self.blocking_light,
+        (self._holder, self.name, place, self.unit, values, errors, mask, inside, self.measured, self.blocking_light,
          self.error, self.average, self.average_error, minimum, maximum, self.u0, self.ud, plane, sampling,
          self.enclosing_surface, self.tolerance_reached, self.enclosed) = found
         self.center_mm, self.size_mm, self.axis, self.up, self.across = place
-        self._views = (values, errors, mask)
+        self._views = (values, errors, mask, inside)
         self.minimum, self.maximum = _extremum(minimum), _extremum(maximum)
         self.mean, self.mean_error, self.flux_unit, self.flux, self.flux_error = plane or (None,) * 5
         self.sampling_error, self.sampling_is_bound, self.is_coarse = sampling or (None, False, False)
 
     def __getattr__(self, name: str) -> Any:
         try:
-            return shared(self.__dict__["_views"][("values", "errors", "mask").index(name)])
+            return shared(self.__dict__["_views"][("values", "errors", "mask", "inside").index(name)])
         except (KeyError, ValueError):
             raise AttributeError(name) from None
 

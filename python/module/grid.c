@@ -53,12 +53,12 @@ static PyObject *grid_tuple(PyObject *module, luxel_grid *grid)
 
     if (!holder)
         return NULL;
-    const bool is_blocked = grid->measured < (size_t)grid->rows * grid->columns;
+    const bool is_blocked = grid->measured + grid->enclosed < (size_t)grid->rows * grid->columns;
     PyObject *tuple = Py_BuildValue(
-        "(NNNsNNNnNdNNNNNNNNNOn)", Py_NewRef(holder), text_or_none(grid->name), place(grid), grid->unit,
+        "(NNNsNNNNnNdNNNNNNNNNOn)", Py_NewRef(holder), text_or_none(grid->name), place(grid), grid->unit,
         cells(module, holder, grid, grid->values, "d"), cells(module, holder, grid, grid->errors, "d"),
-        cells(module, holder, grid, grid->mask, "?"), (Py_ssize_t)grid->measured,
-        is_blocked ? PyLong_FromSize_t(grid->blocking_light) : none(), grid->error,
+        cells(module, holder, grid, grid->mask, "?"), cells(module, holder, grid, grid->inside, "?"),
+        (Py_ssize_t)grid->measured, is_blocked ? PyLong_FromSize_t(grid->blocking_light) : none(), grid->error,
         number_or_none(grid->measured > 0, grid->average), number_or_none(grid->measured > 0, grid->average_error),
         extremum(grid, &grid->minimum), extremum(grid, &grid->maximum), number_or_none(grid->has_evenness, grid->u0),
         number_or_none(grid->has_evenness, grid->ud), plane(grid), sampling(grid),

@@ -26,6 +26,7 @@ void luxel_grid_free(luxel_grid *grid)
     free((double *)grid->values);
     free((double *)grid->errors);
     free((uint8_t *)grid->mask);
+    free((uint8_t *)grid->inside);
     free(grid);
 }
 
@@ -57,16 +58,29 @@ luxel_status luxel_scene_grid_resolution(const luxel_scene *scene, size_t i, uns
 }
 
 /* The elements at the centres of some cells. */
-static void make_elements(const struct lx_measuring *measuring, unsigned first, unsigned count,
+static void make_elements(const struct lx_measuring *measuring, const unsigned *these, unsigned count,
                           struct lx_elements *elements)
 {
     const unsigned columns = measuring->lattice.cells.n[0];
     lx_elements_begin(elements, &measuring->lobe, true);
-    for (unsigned cell = first; cell < first + count; cell++)
-        lx_elements_append_place(elements, lx_lattice_place(&measuring->lattice, cell % columns, cell / columns),
+    for (unsigned i = 0; i < count; i++)
+        lx_elements_append_place(elements,
+                                 lx_lattice_place(&measuring->lattice, these[i] % columns, these[i] / columns),
                                  measuring->lattice.cells.normal, NULL);
     lx_elements_end(elements);
     lx_world_settle(&measuring->world, &(struct lx_settling){.has_normals = true}, elements);
+}
+
+/* Of some cells those that are in no body; returns how many. */
+static unsigned leave_out_enclosed(const struct lx_measuring *measuring, unsigned first, unsigned count,
+                                   unsigned these[LX_BATCH])
+{
+    const unsigned columns = measuring->lattice.cells.n[0];
+    unsigned left = 0;
+    for (unsigned cell = first; cell < first + count; cell++)
+        if (!lx_body_around_cell(measuring, cell % columns, cell / columns))
+            these[left++] = cell;
+    return left;
 }
 
 /* For the pool a cell is a row; where light takes integrals one alone may be worth a thread. */
@@ -78,16 +92,20 @@ static void measure_cells(void *data, unsigned worker, bool is_caller, unsigned 
     struct lx_received received;
     (void)worker;
     for (unsigned cell = first; cell < last && lx_asking_goes_on(&asking); cell += LX_BATCH) {
-        const unsigned count = last - cell < LX_BATCH ? last - cell : LX_BATCH;
-        make_elements(measuring, cell, count, &elements);
+        unsigned these[LX_BATCH];
+        const unsigned count =
+            leave_out_enclosed(measuring, cell, last - cell < LX_BATCH ? last - cell : LX_BATCH, these);
+        if (count == 0)
+            continue;
+        make_elements(measuring, these, count, &elements);
         lx_world_all_light(&measuring->world, &elements, LX_WANT_IRRADIANCE, &asking, &received);
         for (unsigned i = 0; i < count; i++) {
             if (received.on_element[i])
                 continue;
             const lx_bounded irradiance = {received.irradiance.value[i], received.irradiance.error[i]};
-            measuring->mask[cell + i] = 1;
-            measuring->values[cell + i] = irradiance.value;
-            measuring->errors[cell + i] = lx_told_error(irradiance);
+            measuring->mask[these[i]] = 1;
+            measuring->values[these[i]] = irradiance.value;
+            measuring->errors[these[i]] = lx_told_error(irradiance);
         }
     }
 }
@@ -107,7 +125,7 @@ bool lx_measure_lattice(struct lx_measuring *measuring, bool counts_itself)
 static size_t light_on(const struct lx_measuring *measuring, size_t cell)
 {
     struct lx_elements elements;
-    make_elements(measuring, (unsigned)cell, 1, &elements);
+    make_elements(measuring, &(unsigned){(unsigned)cell}, 1, &elements);
     for (size_t next = 0; next < measuring->world.prepared->emitters.count;) {
         struct lx_emitter room;
         const size_t light = lx_emitter_at(&measuring->world.prepared->emitters, next, &room)->light;
@@ -132,11 +150,11 @@ static void note_extremum(const struct lx_measuring *measuring, size_t cell, lux
 static void gather(const struct lx_measuring *measuring)
 {
     luxel_grid *grid = &measuring->made->grid;
-    size_t cells = (size_t)grid->columns * grid->rows, least = cells, greatest = cells;
+    size_t cells = (size_t)grid->columns * grid->rows, least = cells, greatest = cells, blocked = 0;
     lx_wide sum = lx_wide_of(0), errors = lx_wide_of(0);
     for (size_t i = 0; i < cells; i++) {
         if (!measuring->mask[i]) {
-            if (grid->measured == i)
+            if (!grid->inside[i] && blocked++ == 0)
                 grid->blocking_light = light_on(measuring, i);
             continue;
         }
@@ -205,7 +223,7 @@ static double light_around(const struct lx_measuring *measuring, size_t cell)
 static double size_of(const struct lx_measuring *measuring, size_t cell)
 {
     double value = measuring->values[cell], maximum = measuring->made->grid.maximum.value;
-    return value > 0 ? value : maximum > 0 ? maximum : light_around(measuring, cell);
+    return value > measuring->errors[cell] ? value : maximum > 0 ? maximum : light_around(measuring, cell);
 }
 
 static bool reaches(const struct lx_measuring *measuring, bool is_asked_for)
@@ -278,7 +296,7 @@ static luxel_status new_grid(const struct lx_session *session, const struct lx_g
                              luxel_diagnostics *diagnostics, struct lx_measuring *measuring)
 {
     size_t cells = (size_t)from->n[0] * from->n[1];
-    double needed = (double)cells * (2 * sizeof(double) + 1), available = lx_available_bytes();
+    double needed = (double)cells * (2 * sizeof(double) + 2), available = lx_available_bytes();
     if (needed > available || cells > UINT_MAX)
         return too_large(from, needed, available, diagnostics);
     measuring->made = lx_new_array(1, sizeof *measuring->made);
@@ -288,13 +306,16 @@ static luxel_status new_grid(const struct lx_session *session, const struct lx_g
     grid->values = measuring->values = lx_new_array(cells, sizeof *measuring->values);
     grid->errors = measuring->errors = lx_new_array(cells, sizeof *measuring->errors);
     grid->mask = measuring->mask = lx_new_array(cells, sizeof *measuring->mask);
+    grid->inside = measuring->inside = lx_new_array(cells, sizeof *measuring->inside);
     if (from->name)
         grid->name = lx_copy_text(from->name, strlen(from->name));
-    if (!grid->values || !grid->errors || !grid->mask || (from->name && !grid->name))
+    if (!grid->values || !grid->errors || !grid->mask || !grid->inside || (from->name && !grid->name))
         return lx_out_of_memory(diagnostics);
     describe(from, measuring->made);
-    if (lx_lattice_make(&measuring->made->cells, &measuring->lattice))
+    if (lx_lattice_make(&measuring->made->cells, &measuring->lattice) ||
+        lx_bodies_find(&session->prepared, &measuring->made->cells, &measuring->bodies))
         return lx_out_of_memory(diagnostics);
+    lx_find_enclosed_cells(measuring);
     grid->unit = lx_unit_of(&session->prepared, LUXEL_IRRADIANCE);
     return LUXEL_OK;
 }
@@ -310,7 +331,7 @@ static size_t make_places(const struct lx_measuring *measuring, struct lx_reflec
         struct lx_elements elements;
         if (!measuring->mask[cell])
             continue;
-        make_elements(measuring, cell, 1, &elements);
+        make_elements(measuring, &cell, 1, &elements);
         const struct lx_element element = lx_elements_get(measuring->world.prepared, &elements, 0);
         places[made].receiver = lx_receiver_of(measuring->world.prepared, &element);
         places[made++].direct = measuring->values[cell];
@@ -398,8 +419,6 @@ static luxel_status run(const struct lx_session *session, struct lx_measuring *m
         lx_hint(diagnostics, LX_MSG_LOWER_STRENGTHS, NULL);
         return LUXEL_ERROR_RANGE;
     }
-    if (!measuring->values_alone)
-        lx_find_enclosed_cells(measuring);
     if (!reflects && !measuring->values_alone) { /* what these know is the direct light */
         lx_integrate_plane(measuring);
         lx_judge_sampling(measuring);
@@ -451,6 +470,7 @@ luxel_status lx_measure_cells(const luxel_scene *scene, const luxel_settings *se
     if (status == LUXEL_OK)
         status = run(&session, &measuring, diagnostics);
     lx_lattice_clear(&measuring.lattice);
+    lx_bodies_clear(&measuring.bodies);
     lx_session_clear(&session);
     if (status == LUXEL_OK)
         *grid = &measuring.made->grid;

@@ -18,7 +18,7 @@ const struct lx_grid *lx_asked_grid(const luxel_scene *scene, size_t i, const vo
 
 /*
  * luxel_measure(), or with `n` the values alone of that plane's cells if there were n[0] columns and n[1] rows: without
- * flux, mean, sampling error and what is inside of bodies.
+ * flux, mean and sampling error.
  */
 luxel_status lx_measure_cells(const luxel_scene *scene, const luxel_settings *settings, size_t i, const unsigned n[2],
                               luxel_diagnostics *diagnostics, luxel_grid **grid);

@@ -15,6 +15,7 @@
 #include "../base/rows.h"
 #include "../base/vector.h"
 #include "../scene/scene.h"
+#include "../shade/bodies.h"
 #include "../shade/evaluate.h"
 #include "../shade/leads.h"
 #include "../shade/world.h"
@@ -43,7 +44,7 @@ static const double WHILE_SEARCHING = 1e-6;
 struct node {
     double at[2];
     lx_bounded value;
-    bool has_value; /* false: it lies on a source */
+    bool has_value; /* false: it lies on a source, or inside a body */
 };
 
 struct search {
@@ -52,6 +53,7 @@ struct search {
     struct lx_control *control;
     struct lx_lobe lobe;
     struct lx_cells cells;
+    struct lx_bodies bodies; /* in which nothing is looked for */
     bool is_costly;
     unsigned threads;
     unsigned n[2];      /* of the lattice */
@@ -88,11 +90,20 @@ static void look(const struct search *search, struct node *nodes, unsigned count
     const struct lx_asking asking = {.control = search->control, .is_caller = is_caller};
     struct lx_elements elements;
     struct lx_received received;
+    bool is_any = false;
+    for (unsigned i = 0; i < count; i++) {
+        double place_mm[3];
+        place_of(search, nodes[i].at, place_mm);
+        nodes[i].has_value = !lx_body_around(&search->bodies, place_mm);
+        is_any = is_any || nodes[i].has_value;
+    }
+    if (!is_any)
+        return;
     place_nodes(search, nodes, count, &elements);
     lx_world_all_light(&search->world, &elements, LX_WANT_IRRADIANCE, &asking, &received);
     for (unsigned i = 0; i < count; i++) {
         nodes[i].value = (lx_bounded){received.irradiance.value[i], received.irradiance.error[i]};
-        nodes[i].has_value = !received.on_element[i] && isfinite(nodes[i].value.value);
+        nodes[i].has_value = nodes[i].has_value && !received.on_element[i] && isfinite(nodes[i].value.value);
     }
 }
 
@@ -442,7 +453,8 @@ static luxel_status run(const luxel_scene *scene, const struct lx_session *sessi
     const bool reflects = lx_wants_reflections(session->prepared.scene);
     search->cells = lx_cells_of(grid);
     search->is_costly = reflects || lx_world_batch(&search->world) < LX_BATCH;
-    if (make_lattice(search) || (!reflects && add_leads(search)))
+    if (make_lattice(search) || (!reflects && add_leads(search)) ||
+        lx_bodies_find(&session->prepared, &search->cells, &search->bodies))
         return lx_out_of_memory(diagnostics);
     struct lx_control control = {.rows = (unsigned)search->count,
                                  .progress = session->settings.progress,
@@ -484,6 +496,7 @@ luxel_status luxel_find_grid_extrema(const luxel_scene *scene, const luxel_setti
     if (status == LUXEL_OK)
         status = run(scene, &session, i, grid, &search, diagnostics, &found);
     free(search.nodes);
+    lx_bodies_clear(&search.bodies);
     lx_session_clear(&session);
     if (status == LUXEL_OK)
         *extrema = found;

@@ -4,6 +4,7 @@
 #define LX_API_GRID_MEASURING_H
 
 #include "../base/rows.h"
+#include "../shade/bodies.h"
 #include "../shade/world.h"
 #include "grid.h"
 
@@ -15,8 +16,9 @@ struct lx_measuring {
     struct lx_measured *made;
     struct lx_lattice lattice; /* of its cells */
     double *values, *errors;
-    uint8_t *mask;
-    bool values_alone; /* nothing is asked of the plane as a whole */
+    uint8_t *mask, *inside;
+    struct lx_bodies bodies;   /* that the plane meets */
+    bool values_alone;         /* nothing is asked of the plane as a whole */
     struct lx_kept_slot *slot; /* for what is reflected to the plane; NULL: it is not kept */
     size_t number;             /* of the grid */
 };
@@ -28,7 +30,10 @@ bool lx_measure_lattice(struct lx_measuring *measuring, bool counts_itself);
 void lx_integrate_plane(const struct lx_measuring *measuring);
 /* How far the average of the values may be from the mean over the plane. */
 void lx_judge_sampling(const struct lx_measuring *measuring);
-/* The cells inside of bodies. */
+/* The body that a cell's centre is inside of; NULL: none. */
+const struct lx_prepared_surface *lx_body_around_cell(const struct lx_measuring *measuring, unsigned column,
+                                                      unsigned row);
+/* Marks and counts the cells inside of bodies. */
 void lx_find_enclosed_cells(const struct lx_measuring *measuring);
 
 #endif

@@ -30,7 +30,7 @@ void lx_integrate_plane(const struct lx_measuring *measuring)
     luxel_grid *grid = &measuring->made->grid;
     const struct lx_asking asking = {.control = measuring->control, .is_caller = true};
     const bool photometric = strcmp(grid->unit, "lx") == 0, radiometric = strcmp(grid->unit, "W/m²") == 0;
-    if ((!photometric && !radiometric) || grid->measured != (size_t)grid->columns * grid->rows ||
+    if ((!photometric && !radiometric) || grid->measured + grid->enclosed != (size_t)grid->columns * grid->rows ||
         has_openings(&measuring->world.prepared->emitters))
         return;
     const struct lx_flux flux =
@@ -59,6 +59,7 @@ static double sum_of_other(const struct lx_measuring *measuring, struct lx_measu
                                   .control = measuring->control,
                                   .threads = measuring->threads,
                                   .lobe = measuring->lobe,
+                                  .bodies = measuring->bodies,
                                   .made = other,
                                   .values = lx_new_array(cells, sizeof *coarse.values),
                                   .errors = lx_new_array(cells, sizeof *coarse.errors),
@@ -106,29 +107,20 @@ void lx_judge_sampling(const struct lx_measuring *measuring)
     grid->is_coarse = grid->has_sampling_error && grid->sampling_error > COARSE * size;
 }
 
-/* Whether the plane of the cells may meet the body that a shape bounds. */
-static bool meets_plane(const struct lx_measuring *measuring, const struct lx_shape *shape)
+const struct lx_prepared_surface *lx_body_around_cell(const struct lx_measuring *measuring, unsigned column,
+                                                      unsigned row)
 {
-    const luxel_grid *grid = &measuring->made->grid;
-    double height = 0, size = shape->radius_mm;
-    for (int k = 0; k < 3; k++) {
-        height += grid->axis[k] * (shape->anchor_mm[k] - grid->center_mm[k]);
-        size += fabs(shape->anchor_mm[k]) + fabs(grid->center_mm[k]);
-    }
-    return !(fabs(height) > shape->radius_mm + 1e-12 * size);
+    const lx_bounded3 place = lx_lattice_place(&measuring->lattice, column, row);
+    return lx_body_around(&measuring->bodies, (const double[]){place.x.value, place.y.value, place.z.value});
 }
 
 void lx_find_enclosed_cells(const struct lx_measuring *measuring)
 {
     luxel_grid *grid = &measuring->made->grid;
-    const struct lx_prepared *prepared = measuring->world.prepared;
-    bool any = false;
-    for (size_t s = 0; s < prepared->surface_count && !any; s++)
-        any = meets_plane(measuring, &prepared->surfaces[s].shape);
-    for (unsigned cell = 0; any && cell < grid->columns * grid->rows; cell++) {
-        const lx_bounded3 place = lx_lattice_place(&measuring->lattice, cell % grid->columns, cell / grid->columns);
-        const double place_mm[3] = {place.x.value, place.y.value, place.z.value};
-        const struct lx_prepared_surface *around = lx_surface_around(prepared, place_mm);
+    for (unsigned cell = 0; measuring->bodies.are_bodies && cell < grid->columns * grid->rows; cell++) {
+        const struct lx_prepared_surface *around =
+            lx_body_around_cell(measuring, cell % grid->columns, cell / grid->columns);
+        measuring->inside[cell] = around != NULL;
         if (around && grid->enclosed++ == 0)
             grid->enclosing_surface = around->authored;
     }

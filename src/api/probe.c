@@ -13,6 +13,7 @@
 #include "../base/number.h"
 #include "../base/rows.h"
 #include "../scene/scene.h"
+#include "../shade/bodies.h"
 #include "../shade/camera.h"
 #include "../shade/evaluate.h"
 #include "probe_pixels.h"

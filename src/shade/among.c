@@ -69,6 +69,13 @@ bool lx_among_way(const struct lx_prepared *prepared, const lx_bounded3 *place_m
     return lx_boxes_find_on_way(&prepared->boxes, &way, found);
 }
 
+bool lx_among_place(const struct lx_prepared *prepared, const double place_mm[3], struct lx_found *found)
+{
+    static const double nowhere[3];
+    const lx_bounded3 place = lx_exact3(place_mm), way = lx_exact3(nowhere);
+    return lx_among_way(prepared, &place, &way, false, found);
+}
+
 static bool shaft_meets(const void *shaft, const double low[3], const double high[3])
 {
     return lx_shaft_meets_box(shaft, low, high);

@@ -21,6 +21,9 @@ bool lx_among_ray(const struct lx_prepared *prepared, const struct lx_ray *ray, 
 bool lx_among_way(const struct lx_prepared *prepared, const lx_bounded3 *place_mm, const lx_bounded3 *towards,
                   bool endless, struct lx_found *found);
 
+/* On, or around, a place. */
+bool lx_among_place(const struct lx_prepared *prepared, const double place_mm[3], struct lx_found *found);
+
 /* In a shaft. */
 bool lx_among_shaft(const struct lx_prepared *prepared, const struct lx_shaft *shaft, struct lx_found *found);
 

@@ -8,6 +8,7 @@
 
 #include "../base/memory.h"
 #include "../format/cloud.h"
+#include "../surface/surface.h"
 
 /* Whole exponents beyond this would need more products than the logarithm has. */
 enum { MOST_WHOLE = 65536 };
@@ -137,6 +138,32 @@ int lx_lights_make_room(struct lx_lights *lights, size_t count)
     return lights->singles && lights->exacts ? 0 : -1;
 }
 
+void lx_lights_set_plane(struct lx_lights *lights, const struct lx_shape *shape)
+{
+    memcpy(lights->anchor_mm, shape->anchor_mm, sizeof lights->anchor_mm);
+    if (lx_curvature(shape) != 0)
+        return;
+    memcpy(lights->axis, shape->axis, sizeof lights->axis);
+    lights->touch_mm = shape->touch_mm;
+}
+
+/* Takes a light that is in the plane, but for what rounding does, so far behind it that no pixel can think otherwise. */
+static void put_behind(const struct lx_lights *lights, struct lx_light_double *light)
+{
+    static const double FAR_BEHIND = 3, SMALLEST_TURN = 1e-15;
+    const double touch = light->kind == LX_DISTANT ? SMALLEST_TURN : lights->touch_mm;
+    const double height = lights->axis[0] * light->x + lights->axis[1] * light->y + lights->axis[2] * light->z;
+    /* along an axis of the screen pixels have no rounding there, nor then has what they make of it */
+    const bool is_exact = (fabs(lights->axis[0]) == 1 && light->x == 0) ||
+                          (fabs(lights->axis[1]) == 1 && light->y == 0) ||
+                          (fabs(lights->axis[2]) == 1 && light->z == 0);
+    if (!(lights->touch_mm > 0) || fabs(height) > touch || is_exact)
+        return;
+    light->x -= FAR_BEHIND * touch * lights->axis[0];
+    light->y -= FAR_BEHIND * touch * lights->axis[1];
+    light->z -= FAR_BEHIND * touch * lights->axis[2];
+}
+
 int lx_lights_append(struct lx_lights *lights, const struct lx_emitter *emitter)
 {
     if (lx_reserve(&lights->singles, &lights->singles_capacity, lights->stored + 1, sizeof *lights->singles) ||
@@ -144,6 +171,7 @@ int lx_lights_append(struct lx_lights *lights, const struct lx_emitter *emitter)
         return -1;
     struct lx_light_double *light = &lights->exacts[lights->stored];
     lx_light_set(emitter, lights->anchor_mm, light);
+    put_behind(lights, light);
     lights->singles[lights->stored++] = lx_light_single_of(light);
     lights->count++;
     return 0;
@@ -202,6 +230,7 @@ static void make_doubles(const struct lx_lights *lights, const struct lx_cloud_l
         double row[LX_CLOUD_COLUMNS];
         lx_cloud_row(cloud->swarm->cloud, first + k - cloud->first, row);
         lx_light_move(lights->anchor_mm, row, &room[k]);
+        put_behind(lights, &room[k]);
         if (!cloud->swarm->is_aimed)
             continue;
         const lx_bounded3 axis = lx_swarm_axis(cloud->swarm, row);

@@ -31,7 +31,12 @@ struct lx_lights {
     size_t cloud_count, cloud_capacity;
     size_t count;
     double anchor_mm[3]; /* of the surface */
+    /* of a flat one its axis, and how near to its plane what counts as in it may be; 0: it has none */
+    double axis[3], touch_mm;
 };
+
+/* The plane of a surface, where it is flat: light in it, as of a lamp on a ceiling, arrives nowhere on it. */
+void lx_lights_set_plane(struct lx_lights *lights, const struct lx_shape *shape);
 
 /* The constants of an emitter that is not extended, over a surface that is anchored there. */
 void lx_light_set(const struct lx_emitter *emitter, const double anchor_mm[3], struct lx_light_double *light);

@@ -73,6 +73,15 @@ static luxel_status plan_rules(struct lx_plan *plan, struct lx_control *control,
     return status;
 }
 
+bool lx_is_behind_plane(const struct lx_planned_surface *surface, const struct lx_emitter *emitter)
+{
+    const struct lx_shape *shape = &surface->shape;
+    const bool is_plain = surface->lobe.specular.value > 0 && surface->lobe.highlight == LX_HIGHLIGHT_PLAIN;
+    double nearest;
+    return lx_curvature(shape) == 0 && !is_plain &&
+           lx_reach_along(emitter, shape->anchor_mm, shape->axis, &nearest) <= shape->touch_mm;
+}
+
 static luxel_status plan_shells(struct lx_plan *plan, struct lx_control *control, struct lx_planned_surface *surface)
 {
     const struct lx_emitters *emitters = &plan->prepared->emitters;
@@ -93,7 +102,7 @@ static luxel_status plan_shells(struct lx_plan *plan, struct lx_control *control
         const struct lx_emitter *emitter = &emitters->items[i];
         if (!goes_on(control, i))
             return LUXEL_CANCELLED;
-        if (!lx_is_shell(emitter))
+        if (!lx_is_shell(emitter) || lx_is_behind_plane(surface, emitter))
             continue;
         struct lx_planned_shell *planned = &surface->shells[surface->shell_count];
         planned->emitter = emitter;
@@ -167,7 +176,7 @@ static luxel_status plan_lights(struct lx_plan *plan, struct lx_control *control
     size_t i = 0;
     const struct lx_emitters *emitters = &plan->prepared->emitters;
     const size_t most = lx_item_count(emitters);
-    memcpy(lights->anchor_mm, surface->shape.anchor_mm, sizeof lights->anchor_mm);
+    lx_lights_set_plane(lights, &surface->shape);
     if (most > LX_MOST_STORED && plan->forest.tree_count == 0 && lx_lights_make_room(lights, most))
         return LUXEL_ERROR_MEMORY;
     for (struct lx_emitter_span span = {0}; next_lights(plan, &span);) {

@@ -28,14 +28,6 @@ bool lx_element_seen(const struct lx_prepared *prepared, double x_mm, double y_m
     return nearest.exists;
 }
 
-/* The surfaces that a place may lie on, or in. */
-static bool find_around(const struct lx_prepared *prepared, const double place_mm[3], struct lx_found *found)
-{
-    static const double nowhere[3];
-    const lx_bounded3 place = lx_exact3(place_mm), way = lx_exact3(nowhere);
-    return lx_among_way(prepared, &place, &way, false, found);
-}
-
 struct lx_element lx_element_at(const struct lx_prepared *prepared, const struct lx_free_element *asked)
 {
     struct lx_element element = {
@@ -46,7 +38,7 @@ struct lx_element lx_element_at(const struct lx_prepared *prepared, const struct
     };
     element.view = asked->view ? lx_unit3(lx_exact3(asked->view)) : lx_view_from(&prepared->camera, element.place_mm);
     struct lx_found found;
-    const bool is_found = find_around(prepared, asked->place_mm, &found);
+    const bool is_found = lx_among_place(prepared, asked->place_mm, &found);
     const size_t count = lx_found_count(&found, is_found, prepared->surface_count);
     for (size_t i = 0; i < count && !element.own; i++) {
         const struct lx_prepared_surface *surface = &prepared->surfaces[lx_found_at(&found, is_found, i)];
@@ -56,19 +48,6 @@ struct lx_element lx_element_at(const struct lx_prepared *prepared, const struct
     if (element.own)
         element.lobe = &element.own->lobe;
     return element;
-}
-
-const struct lx_prepared_surface *lx_surface_around(const struct lx_prepared *prepared, const double place_mm[3])
-{
-    struct lx_found found;
-    const bool is_found = find_around(prepared, place_mm, &found);
-    const size_t count = lx_found_count(&found, is_found, prepared->surface_count);
-    for (size_t i = 0; i < count; i++) {
-        const struct lx_prepared_surface *surface = &prepared->surfaces[lx_found_at(&found, is_found, i)];
-        if (lx_shape_encloses(&surface->shape, place_mm))
-            return surface;
-    }
-    return NULL;
 }
 
 bool lx_is_by_normal(const struct lx_prepared *prepared, size_t surface)

@@ -22,9 +22,6 @@ bool lx_element_seen(const struct lx_prepared *prepared, double x_mm, double y_m
 /* A free element.  Its own surface is the one that it lies on, the first where surfaces meet. */
 struct lx_element lx_element_at(const struct lx_prepared *prepared, const struct lx_free_element *asked);
 
-/* The surface inside of whose body a place is, the first of them; NULL: it is in none. */
-const struct lx_prepared_surface *lx_surface_around(const struct lx_prepared *prepared, const double place_mm[3]);
-
 /* The element of a surface that has a chart, at coordinates of that. */
 struct lx_element lx_element_on(const struct lx_prepared *prepared, size_t surface, const double at[3]);
 

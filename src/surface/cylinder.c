@@ -493,6 +493,31 @@ static const struct lx_surface_words cylinder_words = {
                  "\\mathbf{A}) / R"},
 };
 
+/* What is on the surface, to 1e-9 of its size, is not within. */
+static bool cylinder_encloses(const struct lx_shape *cylinder, const double place_mm[3])
+{
+    const double near = 1e-9 * cylinder->radius_mm;
+    double offset[3], aside[3], along;
+    for (int i = 0; i < 3; i++)
+        offset[i] = place_mm[i] - cylinder->anchor_mm[i];
+    lx_cylinder_split(cylinder, offset, aside, &along);
+    return fabs(along) < lx_cylinder_half(cylinder) - near &&
+           sqrt(lx_dot(aside, aside)) < lx_cylinder_radius(cylinder) - near;
+}
+
+static unsigned cylinder_openings(const struct lx_shape *cylinder, struct lx_shape_opening openings[LX_MOST_OPENINGS])
+{
+    for (int end = 0; end < 2; end++) {
+        openings[end] = (struct lx_shape_opening){.radius_mm = lx_cylinder_radius(cylinder)};
+        for (int i = 0; i < 3; i++) {
+            const double along = (lx_cylinder_half(cylinder) - cylinder->touch_mm) * cylinder->axis[i];
+            openings[end].axis[i] = cylinder->axis[i];
+            openings[end].center_mm[i] = cylinder->anchor_mm[i] + (end ? along : -along);
+        }
+    }
+    return 2;
+}
+
 const struct lx_surface_kind lx_cylinder_kind = {
     .variant =
         {
@@ -514,6 +539,8 @@ const struct lx_surface_kind lx_cylinder_kind = {
     .hides = cylinder_hides,
     .gather = cylinder_gather,
     .gather_beside = cylinder_gather_beside,
+    .encloses = cylinder_encloses,
+    .openings = cylinder_openings,
     .distance = cylinder_distance,
     .beside = cylinder_beside,
     .shadow_edges = 4,

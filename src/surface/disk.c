@@ -162,6 +162,13 @@ static bool disk_holds(const struct lx_shape *disk, const double place_mm[3])
     return fabs(lx_dot(from, disk->axis)) <= near && sqrt(lx_dot(from, from)) <= reach_of(disk) + near;
 }
 
+static bool disk_covers(const struct lx_shape *disk, const struct lx_shape_opening *opening)
+{
+    double middle[3];
+    return lx_plane_holds_opening(disk, opening, middle) &&
+           sqrt(lx_dot(middle, middle)) + opening->radius_mm <= disk->radius_mm * (1 + 1e-9);
+}
+
 static double disk_distance(const struct lx_shape *disk, const double offset_mm[3], double direction[3])
 {
     const double height = lx_dot(offset_mm, disk->axis);
@@ -275,6 +282,7 @@ const struct lx_surface_kind lx_disk_kind = {
     .standing = lx_plane_standing,
     .faces = lx_plane_faces,
     .is_dark = lx_plane_is_dark,
+    .covers = disk_covers,
     .distance = disk_distance,
     .beside = disk_beside,
     .shadow_edges = 2,

@@ -162,6 +162,14 @@ struct lx_plane_crossing lx_plane_cross(const struct lx_shape *plane, lx_bounded
     return way;
 }
 
+bool lx_plane_holds_opening(const struct lx_shape *plane, const struct lx_shape_opening *opening, double middle_mm[3])
+{
+    const double near = 1e-9 * (plane->radius_mm + opening->radius_mm);
+    for (int i = 0; i < 3; i++)
+        middle_mm[i] = opening->center_mm[i] - plane->anchor_mm[i];
+    return fabs(lx_dot(middle_mm, plane->axis)) <= near && fabs(lx_dot(opening->axis, plane->axis)) >= 1 - 1e-12;
+}
+
 lx_bounded lx_plane_is_within(const struct lx_shape *shape, lx_bounded3 place_mm, lx_bounded room, double beyond)
 {
     const lx_bounded places[3] = {place_mm.x, place_mm.y, place_mm.z};

@@ -48,6 +48,9 @@ lx_bounded lx_plane_is_within(const struct lx_shape *shape, lx_bounded3 place_mm
 double lx_plane_beside(const struct lx_shape *plane, const double place_mm[3], const double way[3], bool endless,
                        double crossing_mm[3]);
 
+/* Whether an opening lies in the plane, to 1e-9 of its size and the plane's, and where its middle is from the centre. */
+bool lx_plane_holds_opening(const struct lx_shape *plane, const struct lx_shape_opening *opening, double middle_mm[3]);
+
 /* Members of kinds, charts and bounds: coordinates are the offsets across and upward in mm. */
 enum lx_standing lx_plane_standing(const struct lx_shape *plane, double highest_mm, double observer_z_mm,
                                    bool perspective);

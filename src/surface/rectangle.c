@@ -169,6 +169,15 @@ static bool plate_holds(const struct lx_shape *plate, const double place_mm[3])
            fabs(lx_dot(from, plate->upward)) <= plate->half_mm[1] + near;
 }
 
+static bool plate_covers(const struct lx_shape *plate, const struct lx_shape_opening *opening)
+{
+    const double near = 1e-9 * plate->radius_mm;
+    double middle[3];
+    return lx_plane_holds_opening(plate, opening, middle) &&
+           fabs(lx_dot(middle, plate->across)) + opening->radius_mm <= plate->half_mm[0] + near &&
+           fabs(lx_dot(middle, plate->upward)) + opening->radius_mm <= plate->half_mm[1] + near;
+}
+
 static double plate_distance(const struct lx_shape *plate, const double offset_mm[3], double direction[3])
 {
     double side = fmax(fabs(lx_dot(offset_mm, plate->across)) - plate->half_mm[0], 0);
@@ -300,6 +309,7 @@ const struct lx_surface_kind lx_plate_kind = {
     .faces = lx_plane_faces,
     .is_dark = lx_plane_is_dark,
     .normal = lx_plane_normal,
+    .covers = plate_covers,
     .distance = plate_distance,
     .beside = plate_beside,
     .shadow_edges = 5,

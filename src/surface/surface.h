@@ -109,6 +109,12 @@ struct lx_surface_words {
     const char *sentence, *formulas[4];
 };
 
+/* A round opening of a shape, in the plane of its rim. */
+enum { LX_MOST_OPENINGS = 2 };
+struct lx_shape_opening {
+    double center_mm[3], axis[3], radius_mm;
+};
+
 struct lx_surface_kind {
     struct lx_variant variant; /* first, so that a variant of the list `surfaces` is its kind */
 
@@ -188,6 +194,10 @@ struct lx_surface_kind {
                          const struct lx_shaft *shaft, struct lx_obstacles *obstacles);
     /* Whether a place is inside the body that it bounds, and not on the surface.  NULL: it bounds none. */
     bool (*encloses)(const struct lx_shape *shape, const double place_mm[3]);
+    /* The openings that are to be covered before it bounds one, and whether a shape covers one.  NULL: there are none;
+     * it covers none. */
+    unsigned (*openings)(const struct lx_shape *shape, struct lx_shape_opening openings[LX_MOST_OPENINGS]);
+    bool (*covers)(const struct lx_shape *shape, const struct lx_shape_opening *opening);
     /* How far outside of it a place is, an offset from the anchor, and in which direction from the nearest point; less
      * than 0 inside or behind.  NULL: by the ball around it. */
     double (*distance)(const struct lx_shape *shape, const double offset_mm[3], double direction[3]);

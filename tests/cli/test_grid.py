@@ -379,6 +379,56 @@ def across_a_body(tap, tool):
     tap.ok(lamp["inside"] > 0 and lamp["extrema"]["minimum"]["value"] == 0, "which leaves them dark", lamp)
 
 
+# What closes around cells of BODIES: a ball, a tube with covers, a closed mesh; and what does not, a tube without.
+CUBE = """OFF
+8 6 12
+-100 -100 -100
+100 -100 -100
+-100 100 -100
+100 100 -100
+-100 -100 100
+100 -100 100
+-100 100 100
+100 100 100
+4 0 2 3 1
+4 4 5 7 6
+4 0 1 5 4
+4 2 6 7 3
+4 0 4 6 2
+4 1 3 7 5
+"""
+TUBE = {"type": "cylinder", "center": [600, 0, 0], "axis": [0, 0, 1], "radius": 100, "height": 200}
+COVERS = [{"type": "disk", "center": [600, 0, 100], "radius": 100},
+          {"type": "rectangle", "center": [600, 0, -100], "size": [250, 200]}]
+BODIES = [([{"type": "sphere", "center": [-600, 0, 0], "radius": 100}], [1]), ([TUBE], []), ([TUBE, *COVERS], [7]),
+          ([TUBE, COVERS[0]], []), ([{"type": "mesh", "file": "cube.off"}], [4])]
+
+
+def inside_bodies(tap, tool):
+    """Cells inside of bodies are told and left out of all that is read off the others."""
+    tool.write("cube.off", CUBE)
+    plane = {"center": [0, 0, 1], "size": [1800, 200], "n": [9, 1]}
+    lamp = {"type": "planar", "rectangle": {"center": [0, 0, 1500], "size": [300, 300]}, "radiance": 1000}
+    for surfaces, expected in BODIES:
+        text = scene([lamp], [plane], shadows="all", surfaces=surfaces)
+        grid = tool.run("grid", "-", "--json", "-o", "cells.csv", stdin=text).json()["grids"][0]
+        values = grid["values"][0]
+        kept = [value for value in values if value is not None]
+        tap.equal((grid["inside"], grid.get("inside_cells", [])), (len(expected), [[column, 0] for column in expected]),
+                  "the cells within are told")
+        tap.equal([i for i in range(9) if values[i] is None], expected, "and have no value")
+        tap.equal((grid["measured"], grid["minimum"]["value"]), (len(kept), min(kept)), "the others have")
+        tap.near(grid["average"], sum(kept) / len(kept), 1e-14, "the average is theirs")
+        tap.near(grid["u0"], min(kept) / grid["average"], 1e-14, "and U0")
+        lines = tool.read("cells.csv").decode().splitlines()[1:]
+        tap.equal([i for i, line in enumerate(lines) if line.endswith(",,")], expected, "as in the table")
+        told = tool.run("grid", "-", stdin=text).out
+        tap.equal("inside a body" in told, bool(expected), "and in text")
+    lit = scene([{**LAMP, "position": [0, 0, 50]}], [plane], shadows="all", surfaces=BODIES[-1][0])
+    room = tool.run("grid", "-", "--json", stdin=lit).json()["grids"][0]
+    tap.ok(room["inside"] == 0 and room["values"][0][4] > 0, "what a light shines in is a room", room)
+
+
 def interrupted(tap, tool):
     tool.write("long.yaml", scene([{**LAMP, "position": [i, 0, 3000]} for i in range(300)],
                                   [{**FLOOR, "n": [2000, 2000]}]))
@@ -396,4 +446,4 @@ def interrupted(tap, tool):
 
 
 run_tests(Tap(), closed_numbers, closed_room, extended, honest_errors, text, on_a_source, tables, refused, threads,
-          a_picture, spacing, extrema, across_a_body, interrupted)
+          a_picture, spacing, extrema, across_a_body, inside_bodies, interrupted)

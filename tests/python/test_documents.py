@@ -157,6 +157,11 @@ def test_grid(tap, tool):
     tap.equal(grid.values.tolist(), told["values"], "the cells")
     tap.equal(grid.positions_mm[0, 0].tolist(), list(scene.grid(0).positions_mm[0, 0]), "their places")
     tap.ok((grid.errors <= grid.error).all() and grid.mask.all() and not grid.values.flags.writeable, "bounds and mask")
+    ball = scene.changed({"surfaces[0]": {"type": "sphere", "center": list(grid.positions_mm[0, 0]), "radius": 1}})
+    within = ball.grid("desk")
+    tap.equal((within.enclosed, within.inside[0, 0], within.mask[0, 0], within.inside.sum(), within.measured),
+              (1, True, False, 1, grid.measured - 1), "a cell inside a body")
+    tap.ok(within.blocking_light is None and not grid.inside.any(), "on which no light lies")
     values = scene.evaluate(grid.positions_mm, grid.axis, quantity="irradiance")["value"]
     tap.ok((values == grid.values).all(), "each cell is a free element")
     grid.write(tool.file("b.csv"))

@@ -280,7 +280,8 @@ static void sampling(void **state)
     luxel_scene *scene = scene_with("{type: sphere, center: [0, 0, 0], radius: 200}", "{type: ambient, irradiance: 1}",
                                     "{center: [0, 0, 0], size: [900, 900], n: [3, 3]}");
     luxel_grid *grid = measure(scene, 0);
-    assert_true(grid->enclosed == 1 && grid->enclosing_surface == 0);
+    assert_true(grid->enclosed == 1 && grid->enclosing_surface == 0 && grid->measured == 8);
+    assert_true(!grid->has_sampling_error && grid->has_mean && fabs(grid->mean - 1) <= grid->mean_error);
     luxel_grid_free(grid);
     luxel_scene_free(scene);
 }

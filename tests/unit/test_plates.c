@@ -416,13 +416,42 @@ static void test_advice(void **state)
     }
 }
 
+/* A lamp in the plane of a plate, as on a ceiling, lights none of it, however the observer turns it: each pixel is 0. */
+static void test_in_its_plane(void **state)
+{
+    static const char *const lights[] = {
+        "{type: point, position: [-100, 30, 700], intensity: 1}",
+        "{type: point, pattern: lambertian, axis: [0, 0, -1], position: [110, 70.1, 700], intensity: 1}",
+        "{type: spot, axis: [0, 0, -1], position: [0, 0, 700], inner: 80, outer: 90, intensity: 1}",
+        "{type: distant, direction: [1, 0.3, 0], irradiance: 1}",
+        "{type: planar, rectangle: {center: [50, 50, 700], size: [100, 100]}, radiance: 1}",
+        "{type: planar, disk: {center: [50, 50, 700], radius: 70}, radiance: 1}",
+    };
+    (void)state;
+    for (size_t i = 0; i < sizeof lights / sizeof *lights; i++)
+        for (int precision = 0; precision < 2; precision++) {
+            luxel_field *field;
+            luxel_settings settings;
+            luxel_scene *scene = scene_of(
+                "{position: [-310, -290, 170], target: [0, 0, 660], up: [0, 0, 1], projection: perspective}",
+                "{type: rectangle, center: [0, 0, 700], size: [800, 600], axis: [0, 0, -1], " WHITE "}", lights[i]);
+            luxel_settings_init(&settings);
+            settings.precision = precision ? LUXEL_DOUBLE : LUXEL_SINGLE;
+            assert_int_equal(luxel_render(scene, &settings, NULL, &field), LUXEL_OK);
+            const luxel_statistics *statistics = luxel_field_statistics(field);
+            assert_true(statistics->has_surface && statistics->maximum.value == 0 && statistics->lit == 0);
+            luxel_field_free(field);
+            luxel_scene_free(scene);
+        }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_closed_forms), cmocka_unit_test(test_cie_171),    cmocka_unit_test(test_picture),
-        cmocka_unit_test(test_shadows),      cmocka_unit_test(test_both_sides), cmocka_unit_test(test_touching),
-        cmocka_unit_test(test_pose),         cmocka_unit_test(test_reference),  cmocka_unit_test(test_refusals),
-        cmocka_unit_test(test_advice),
+        cmocka_unit_test(test_closed_forms), cmocka_unit_test(test_cie_171),      cmocka_unit_test(test_picture),
+        cmocka_unit_test(test_shadows),      cmocka_unit_test(test_both_sides),   cmocka_unit_test(test_touching),
+        cmocka_unit_test(test_pose),         cmocka_unit_test(test_reference),    cmocka_unit_test(test_refusals),
+        cmocka_unit_test(test_advice),       cmocka_unit_test(test_in_its_plane),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
