@@ -119,7 +119,8 @@ export class Form {
         this.showMessages();
     }
 
-    private build(lists: [string, string[]][], wanted: [string, Key][], values: (string | null)[]) {
+    private build(lists: [string, string[]][], paths: [string, Key][], values: (string | null)[]) {
+        const wanted = paths.map(([path, key]): [string, Key] => [path, this.told(path, key, paths)]);
         this.fields = [];
         this.element.replaceChildren();
         const section = (
@@ -173,6 +174,15 @@ export class Form {
 
     private kindWords(list: string, type: string): string {
         return this.kinds.find((kind) => kind.list === list && kind.name === type)?.label ?? type;
+    }
+
+    // Of two keys of a thing that are called the same, that of a part of it is told with the part: "Axis, rectangle".
+    private told(path: string, key: Key, all: [string, Key][]): Key {
+        const [, base, part] = /^(\w+\[\d+\])\.(\w+)\./.exec(path) ?? [];
+        const isTwin = (other: string, { label }: Key) =>
+            other !== path && label === key.label && other.startsWith(`${base}.`);
+        if (!part || !all.some(([other, each]) => isTwin(other, each))) return key;
+        return { ...key, label: `${key.label}, ${this.kindWords('surfaces', part)}` };
     }
 
     private remover(base: string) {

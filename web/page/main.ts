@@ -407,7 +407,7 @@ class Page {
         if (!source) return this.say(t('There is no file of a scene with errors.'));
         if (this.model.isPartial(source.of))
             return this.say(t('Reflected light is not known yet: there is no file without it.'));
-        this.say(t('The file is being made.'));
+        this.say(t('The file is being made.'), Infinity);
         const made = await this.fileOf(ending, source).catch(() => null);
         if (!this.model.isCurrent(version) || !made) return this.say(t('The scene has changed: the file was not made.'));
         this.toast.hidden = true;
@@ -416,10 +416,17 @@ class Page {
         else this.say(messages.map(({ message }) => message).join('; '));
     }
 
+    // By a worker of its own, so that the hand need not wait; by the one that knows reflected light, where there is some.
     private async fileOf(ending: string, { client, of }: NonNullable<ReturnType<Model['source']>>) {
-        if (ending === '.html') return { content: await report(this.model, this.picture), messages: [] };
-        const { bytes, messages } = await client.ask('file', of, `scene${ending}`);
-        return { content: bytes, messages };
+        const own = client === this.model.client ? await client.twin() : null;
+        try {
+            if (ending === '.html')
+                return { content: await report(this.model, this.picture, own ?? client), messages: [] };
+            const { bytes, messages } = await (own ?? client).ask('file', of, `scene${ending}`);
+            return { content: bytes, messages };
+        } finally {
+            own?.stop();
+        }
     }
 
     private async copyLink() {
@@ -547,11 +554,11 @@ class Page {
 
     private toastTimer = 0;
 
-    private say(text: string) {
+    private say(text: string, milliseconds = 6000) {
         this.toast.textContent = text;
         this.toast.hidden = false;
         clearTimeout(this.toastTimer);
-        this.toastTimer = window.setTimeout(() => (this.toast.hidden = true), 6000);
+        if (milliseconds < Infinity) this.toastTimer = window.setTimeout(() => (this.toast.hidden = true), milliseconds);
     }
 
     /** For the tests: what there is to look at, and a fault in the core. */

@@ -200,6 +200,12 @@ export function amount([value, error]: [number, number]): string {
     return `${number(shown, 7)} ± ${number(bound, 2)}`;
 }
 
+/** An exact value; digits that are shown are exact, but for a value whose error may be seen in them, which is told. */
+export function exactly(value: number, error: number): string {
+    const isRough = error > 5e-6 * Math.abs(value);
+    return `${number(value, 6)}${isRough ? ` ± ${number(error, 2)}` : ''}`;
+}
+
 /** What was typed as a number, with a point or a comma; null: it is none. */
 export function typedNumber(text: string): number | null {
     const value = Number(text.trim().replace('−', '-').replace(',', '.'));
