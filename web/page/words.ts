@@ -115,7 +115,6 @@ const RUSSIAN: Record<string, string> = {
     'Reflected light was not computed: all is of direct light alone.':
         'Отражённый свет не вычислен: всё показано только для прямого света.',
     'The whole picture was not computed.': 'Полное изображение не вычислено.',
-    about: 'ещё около',
     s: 'с',
     min: 'мин',
     Stop: 'Остановить',
