@@ -146,11 +146,11 @@ function judge(tool, seen, when) {
 async function watch(page, seen, when, act, milliseconds) {
     let isOver = false;
     const acting = act().finally(() => (isOver = true));
-    const until = Date.now() + milliseconds;
-    while (!isOver || Date.now() < until) {
+    const end = Date.now() + milliseconds;
+    for (let isLast = false; !isLast; await pause(page, 20)) {
+        isLast = isOver && Date.now() >= end;
         const now = { when, ...(await look(page)) };
         if (JSON.stringify(seen.at(-1)) !== JSON.stringify(now)) seen.push(now);
-        await page.waitForTimeout(20);
     }
     await acting;
 }
