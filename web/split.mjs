@@ -53,7 +53,9 @@ export function tryCore(core) {
 }
 
 function tryScene(core, text, keys) {
+    core.direct(true); // as a text is judged
     check(core.open(text), JSON.stringify(core.messages()));
+    core.direct(false);
     const { lights, points } = core.scene();
     keys.forEach((key) => core.get(key));
     for (const stride of [8, 2, 1]) {
@@ -66,7 +68,8 @@ function tryScene(core, text, keys) {
         check(core.probe(10, 20), 'no probe');
     }
     points.forEach(([x, y]) => core.probe(x, y));
-    check(core.line(10, 20, 30), 'no line');
+    for (const [from, to] of [core.line(10, 20, 30), [[-100, 0], [100, 50]]])
+        for (let i = 0; i < 50; i++) core.probe(...[0, 1].map((axis) => from[axis] + ((to[axis] - from[axis]) * i) / 49));
     for (const logarithmic of [false, true]) check(core.isophotes(8, logarithmic), 'no isophotes');
     check(core.project([0, 0, 100]) && core.unproject(0, 0, 100), 'no place on the screen');
     const copy = '{type: point, position: [100, 200, 1500], intensity: 5}';
@@ -84,7 +87,8 @@ function tryScene(core, text, keys) {
 
 /** Tries a core that notes which of its functions are called, and takes the note. */
 async function profileOf(file) {
-    Date.now = performance.now = () => 0; // nothing may hang on how long it takes
+    let time = 0;
+    Date.now = performance.now = () => time++; // nothing may hang on how long it takes, but progress is told
     const { Core } = await coreModule();
     const core = await Core.start(await compiled(file));
     tryCore(core);

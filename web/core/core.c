@@ -55,7 +55,8 @@ luxel_settings present_settings(void)
 static luxel_scene *without_reflections(const luxel_scene *scene)
 {
     luxel_scene *copy = luxel_scene_copy(scene);
-    if (copy && luxel_scene_set(copy, "reflections=none", NULL) == LUXEL_OK && luxel_scene_commit(copy, NULL) == LUXEL_OK)
+    if (copy && luxel_scene_set(copy, "reflections=none", NULL) == LUXEL_OK &&
+        luxel_scene_commit(copy, NULL) == LUXEL_OK)
         return copy;
     luxel_scene_free(copy);
     return NULL;

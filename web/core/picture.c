@@ -149,7 +149,8 @@ const char *page_explain(double x_mm, double y_mm, int format, const char *langu
     luxel_document *document = NULL;
     luxel_text_free(text);
     text = NULL;
-    if (core.scene && luxel_explain(computed_scene(), &settings, x_mm, y_mm, &language, fresh_diagnostics(), &document) == 0)
+    if (core.scene &&
+        luxel_explain(computed_scene(), &settings, x_mm, y_mm, &language, fresh_diagnostics(), &document) == 0)
         text = luxel_document_write_text(document, (luxel_document_format)format);
     luxel_document_free(document);
     return text;

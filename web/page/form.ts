@@ -53,6 +53,7 @@ export class Form {
     private keys: Key[] = [];
     private kinds: Kind[] = [];
     private fields: Field[] = [];
+    private titles: (() => void)[] = []; // tell what each light and surface is
     private shape = '';
     private generation = 0; // of the keys' words
     private opened = new Set<string>();
@@ -100,6 +101,7 @@ export class Form {
             const index = wanted.findIndex(([path]) => path === field.path);
             field.update(index >= 0 ? values[index] : null);
         });
+        this.titles.forEach((tell) => tell());
         this.showMessages();
         this.model.dim();
     }
@@ -119,11 +121,13 @@ export class Form {
         this.showMessages();
     }
 
-    private build(lists: [string, string[]][], wanted: [string, Key][], values: (string | null)[]) {
+    private build(lists: [string, string[]][], paths: [string, Key][], values: (string | null)[]) {
+        const wanted = paths.map(([path, key]): [string, Key] => [path, this.told(path, key, paths)]);
         this.fields = [];
+        this.titles = [];
         this.element.replaceChildren();
         const section = (
-            title: string,
+            title: () => string,
             prefix: string,
             matches: (path: string) => boolean,
             open: boolean,
@@ -137,10 +141,12 @@ export class Form {
             });
             const more =
                 hidden.childElementCount > 0 && h('details', { class: 'more' }, h('summary', {}, t('more')), hidden);
+            const summary = h('summary', {}, title());
+            this.titles.push(() => (summary.textContent = title()));
             const details = h(
                 'details',
                 { open: this.opened.has(prefix) || open },
-                h('summary', {}, title),
+                summary,
                 extra,
                 shown,
                 more,
@@ -155,10 +161,13 @@ export class Form {
             const isLights = list === 'lights';
             this.element.append(h('h3', {}, t(isLights ? 'Lights' : 'Surfaces'), this.adder(list, types.length)));
             types.forEach((type, i) => {
-                const name = isLights ? this.model.scene?.lights[i]?.name : null; // lists may be newer than scene
                 const base = `${list}[${i}]`;
+                const title = () => {
+                    const name = isLights ? this.model.scene?.lights[i]?.name : null; // lists may be newer than scene
+                    return `${i + 1} · ${this.kindWords(list, type)}${name ? `: ${name}` : ''}`;
+                };
                 const details = section(
-                    `${i + 1} · ${this.kindWords(list, type)}${name ? `: ${name}` : ''}`,
+                    title,
                     base,
                     (path) => path.startsWith(`${base}.`),
                     i === 0 && types.length < 4,
@@ -168,11 +177,20 @@ export class Form {
             });
         }
         this.element.append(h('h3', {}, t('Scene')));
-        section(t('Scene'), 'scene', (path) => !/^(surfaces|lights)\[/.test(path), false);
+        section(() => t('Scene'), 'scene', (path) => !/^(surfaces|lights)\[/.test(path), false);
     }
 
     private kindWords(list: string, type: string): string {
         return this.kinds.find((kind) => kind.list === list && kind.name === type)?.label ?? type;
+    }
+
+    // Of two keys of a thing that are called the same, that of a part of it is told with the part: "Axis, rectangle".
+    private told(path: string, key: Key, all: [string, Key][]): Key {
+        const [, base, part] = /^(\w+\[\d+\])\.(\w+)\./.exec(path) ?? [];
+        const isTwin = (other: string, { label }: Key) =>
+            other !== path && label === key.label && other.startsWith(`${base}.`);
+        if (!part || !all.some(([other, each]) => isTwin(other, each))) return key;
+        return { ...key, label: `${key.label}, ${this.kindWords('surfaces', part)}` };
     }
 
     private remover(base: string) {

@@ -2,7 +2,7 @@
 // The page: what stands where, and what each control does.
 import './style.css';
 import { BalancePanel } from './balance';
-import type { Builtin, PictureFacts } from './core';
+import type { Builtin } from './core';
 import { hasVectors, Interrupted } from './client';
 import { scaleControls, sideControls, zoomButtons } from './controls';
 import { Compare } from './compare';
@@ -20,33 +20,17 @@ import { Model, type Thing } from './model';
 import { Explanation, lightName, ProbePanel } from './panels';
 import { PictureView } from './picture';
 import { PointsPanel } from './points';
-import { report } from './report';
+import { Saving } from './saving';
 import { SectionPanel } from './section';
 import { SpaceView } from './space';
+import { Statistics } from './statistics';
 import { TextEditor } from './text';
-import { Outdated, type Version } from './version';
+import { Outdated } from './version';
 import { WorkNotice } from './work';
 import { currentLanguage, number, setLanguage, t, type Language } from './words';
-import type { Picture } from './worker';
 
 /** The built-in scene that the page begins with, where its link names no other: whole in view, with its lamp. */
 const FIRST_SCENE = 'sphere';
-
-const TYPES: Record<string, string> = {
-    '.png': 'image/png',
-    '.csv': 'text/csv',
-    '.yaml': 'application/yaml',
-    '.html': 'text/html',
-};
-
-/** What a picture is, in one line. */
-function told(facts: PictureFacts, unit: string): string {
-    const extremes = `${t('maximum')} ${number(facts.maximum.value, 5)}, ${t('mean')} ${number(facts.mean, 5)}`;
-    const reflected =
-        facts.reflected === null ? '' : `; ${t('reflected light within')} ${number(100 * facts.reflected, 2)} %`;
-    const missed = facts.reached ? '' : ` (${t('less exact than it should be')})`;
-    return `${t(facts.word)}, ${unit}: ${extremes}${reflected}${missed}`;
-}
 
 class Page {
     private readonly app = document.getElementById('app')!;
@@ -67,14 +51,14 @@ class Page {
         download(`${this.model.version.name}-explanation.html`, html, 'text/html'),
     );
     private readonly work = new WorkNotice(this.model);
+    private readonly saving = new Saving(this.model, this.picture, (text, milliseconds) => this.say(text, milliseconds));
     private readonly readout = h('output', { class: 'readout', hidden: true, 'aria-hidden': 'true' });
     private readonly messages = new Messages(this.model);
     private readonly stale = h('p', { class: 'stale', role: 'alert', hidden: true });
     private readonly loading = new LoadingNotice(this.model.client);
     private readonly toast = h('p', { class: 'toast', role: 'status', hidden: true });
     private readonly points = new PointsPanel(this.model);
-    private readonly statistics = h('p', { class: 'dim statistics' });
-    private ofStatistics: Version | null = null;
+    private readonly statistics = new Statistics(this.model);
     private readonly chosen = h('p', { class: 'dim', 'aria-live': 'polite' });
     private undoButton!: HTMLButtonElement;
     private redoButton!: HTMLButtonElement;
@@ -153,7 +137,6 @@ class Page {
         });
         const ofPicture = () => this.model.picture?.of ?? null;
         this.model.follow(this.picture.canvas, ofPicture);
-        this.model.follow(this.statistics, () => this.ofStatistics);
         this.model.follow(
             () => [this.dial.element, this.low, this.high],
             () => (this.picture.scale.locked ? null : ofPicture()),
@@ -254,7 +237,7 @@ class Page {
                     ),
                     this.newScaleControls(),
                     h('div', { class: 'picture-row' }, this.picture.canvas, this.dial.element, this.readout),
-                    this.statistics,
+                    this.statistics.element,
                     this.compare.element,
                     this.compare.summary,
                 ),
@@ -307,8 +290,8 @@ class Page {
         const made = header(this.model, {
             gallery: () => this.gallery.open(this.builtins),
             take: (files) => this.files.take(files),
-            save: (ending) => this.save(ending),
-            copyLink: () => this.copyLink(),
+            save: (ending) => this.saving.save(ending),
+            copyLink: () => this.saving.copyLink(),
             changeLanguage: (code) => this.changeLanguage(code),
         });
         [this.undoButton, this.redoButton] = [made.undo, made.redo];
@@ -376,11 +359,8 @@ class Page {
 
     /** Shows nothing of the scene before, as another one was opened. */
     private clear() {
-        for (const part of [this.picture, this.space, this.probe, this.section, this.points, this.balance, this.form])
-            part.clear();
-        this.explanation.clear();
-        this.statistics.textContent = '';
-        this.ofStatistics = null;
+        const { picture, space, probe, section, points, balance, form, explanation, statistics } = this;
+        for (const part of [picture, space, probe, section, points, balance, form, explanation, statistics]) part.clear();
         this.readout.textContent = '';
         this.readout.hidden = true;
         this.stale.hidden = true;
@@ -397,46 +377,6 @@ class Page {
     private showBusy() {
         const isBusy = !this.model.stale && !this.model.isSettled && !this.model.isStopped;
         this.app.querySelector('main')?.setAttribute('aria-busy', String(isBusy));
-    }
-
-    private async save(ending: string) {
-        const { version } = this.model;
-        const { name } = version;
-        if (ending === '.yaml') return download(`${name}.yaml`, version.text, TYPES[ending]);
-        const source = this.model.source();
-        if (!source) return this.say(t('There is no file of a scene with errors.'));
-        if (this.model.isPartial(source.of))
-            return this.say(t('Reflected light is not known yet: there is no file without it.'));
-        this.say(t('The file is being made.'));
-        const made = await this.fileOf(ending, source).catch(() => null);
-        if (!this.model.isCurrent(version) || !made) return this.say(t('The scene has changed: the file was not made.'));
-        this.toast.hidden = true;
-        const { content, messages } = made;
-        if (content) download(`${name}${ending}`, content, TYPES[ending] ?? 'application/octet-stream');
-        else this.say(messages.map(({ message }) => message).join('; '));
-    }
-
-    private async fileOf(ending: string, { client, of }: NonNullable<ReturnType<Model['source']>>) {
-        if (ending === '.html') return { content: await report(this.model, this.picture), messages: [] };
-        const { bytes, messages } = await client.ask('file', of, `scene${ending}`);
-        return { content: bytes, messages };
-    }
-
-    private async copyLink() {
-        const link = location.href.split('#')[0] + (await packed(this.model.text));
-        history.replaceState(null, '', link);
-        try {
-            await navigator.clipboard.writeText(link);
-            this.say(
-                t(
-                    this.model.files.length
-                        ? 'Link copied; the files that the scene names are not in it'
-                        : 'Link copied',
-                ),
-            );
-        } catch {
-            this.say(link); // the address has it, too
-        }
     }
 
     private async why() {
@@ -475,6 +415,7 @@ class Page {
         this.showChosen();
         this.picture.geometryChanged();
         this.askForNumbers();
+        void this.balance.refresh();
     }
 
     /** Asks for all numbers anew: of another version of the scene, or with light that was not known before. */
@@ -523,19 +464,8 @@ class Page {
         ] as const)
             showIn(input, number(value, 4));
         this.dial.draw(scale);
-        const { picture } = this.model;
-        if (picture?.stride === 1) this.tellStatistics(picture);
-        if (this.model.isSettled) void this.balance.refresh();
+        this.statistics.show();
         this.app.dataset.stride = String(this.model.picture?.stride ?? 0);
-    }
-
-    // The extremes of a coarse picture are not those of the whole one.
-    private tellStatistics({ facts, of }: Picture) {
-        const unit = this.model.scene?.unit ?? '';
-        const partial = this.model.isPartial(of) ? ` (${t('direct light alone')})` : '';
-        this.statistics.textContent = told(facts, unit === 'relative' ? t('relative') : unit) + partial;
-        this.ofStatistics = of;
-        this.model.dim();
     }
 
     private redraw() {
@@ -547,11 +477,12 @@ class Page {
 
     private toastTimer = 0;
 
-    private say(text: string) {
+    // Says something for a while; an empty text: nothing more.
+    private say(text: string, milliseconds = 6000) {
         this.toast.textContent = text;
-        this.toast.hidden = false;
+        this.toast.hidden = !text;
         clearTimeout(this.toastTimer);
-        this.toastTimer = window.setTimeout(() => (this.toast.hidden = true), 6000);
+        if (milliseconds < Infinity) this.toastTimer = window.setTimeout(() => (this.toast.hidden = true), milliseconds);
     }
 
     /** For the tests: what there is to look at, and a fault in the core. */

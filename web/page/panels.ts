@@ -5,7 +5,7 @@ import type { Of, Version } from './version';
 import type { Compare } from './compare';
 import { h, lightColour } from './dom';
 import type { Model } from './model';
-import { currentLanguage, number, t } from './words';
+import { currentLanguage, exactly, number, t } from './words';
 
 export function lightName(model: Model, index: number): string {
     const light = model.scene?.lights[index];
@@ -83,10 +83,7 @@ export class ProbePanel {
         });
         const before = this.compare.valueOfA(x, y);
         const partial = this.model.isPartial(of) ? ` (${t('direct light alone')})` : '';
-        // Digits that are shown are exact, but for a value whose error may be seen in them.
-        const isRough = probe && value !== null && probe.error > 5e-6 * Math.abs(value);
-        const bound = isRough ? ` ± ${number(probe.error, 2)}` : '';
-        this.told = value === null ? '—' : `${number(value, 6)}${bound} ${unit}${partial}`;
+        this.told = value === null ? '—' : `${exactly(value, probe!.error)} ${unit}${partial}`;
         this.element.replaceChildren(
             h(
                 'p',

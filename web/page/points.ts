@@ -6,7 +6,7 @@ import type { Change } from './core';
 import { h } from './dom';
 import type { Of } from './version';
 import type { Model } from './model';
-import { number, t, typedNumber } from './words';
+import { exactly, number, t, typedNumber } from './words';
 
 const COLUMNS = 4; // number, x, y, value
 
@@ -46,12 +46,12 @@ export class PointsPanel {
         const hadFocus = this.element.contains(document.activeElement);
         this.points = points;
         this.of = told.of;
-        this.build(told.probes.map((probe) => probe?.value));
+        this.build(told.probes.map((probe) => (typeof probe?.value === 'number' ? exactly(probe.value, probe.error) : '—')));
         if (hadFocus) this.focus();
         this.model.dim();
     }
 
-    private build(values: (number | null | undefined)[]) {
+    private build(values: string[]) {
         const { scene } = this.model;
         const unit = scene?.unit === 'relative' ? t('relative') : (scene?.unit ?? '');
         const partial = this.of && this.model.isPartial(this.of) ? ` (${t('direct light alone')})` : '';
@@ -59,7 +59,7 @@ export class PointsPanel {
         const head = h('tr', {}, ...heads.map((text) => h('th', { scope: 'col' }, text)));
         this.cells = this.points.map(([x, y], row) => [
             h('th', { scope: 'row', 'aria-label': `${t('Point')} ${row + 1}` }, String(row + 1)),
-            ...[number(x), number(y), number(values[row], 6)].map((text, i) =>
+            ...[number(x), number(y), values[row]].map((text, i) =>
                 h('td', { 'aria-readonly': String(!isCoordinate(i + 1)) }, text),
             ),
         ]);

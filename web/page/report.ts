@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The report as one page of HTML: aim, task, parameters, pictures, results, conclusions, the calculation of the first point, and
 // how to repeat it, in the sentences of the tool's report; each stands only where the numbers make it true.
+import type { Client } from './client';
 import { paint, type Scale } from './colours';
 import type { Extremum, Isophote, Key, Peak, Probe, Summary } from './core';
 import { NUMBER, NUMBERS, sceneKeys, WHOLE } from './keys';
@@ -39,11 +40,11 @@ function place(numbers: number[]): string {
 
 const SAMPLES = 401; // of a section
 
-async function gather(model: Model, view: PictureView): Promise<Facts | null> {
+async function gather(model: Model, view: PictureView, client: Client): Promise<Facts | null> {
     const { picture, scene } = model;
     const source = model.source();
     if (!scene || !picture || !source || !model.isSettled) return null;
-    const { client, of } = source;
+    const { of } = source;
     const [summary, peaks] = [await client.ask('summary', of), await client.ask('extrema', of)];
     if (!summary) return null;
     const points = scene.points.length ? scene.points : [[0, 0]];
@@ -341,8 +342,8 @@ function kindOf({ model }: Facts): number {
 }
 
 /** The whole page, or null where there is no picture without errors. */
-export async function report(model: Model, view: PictureView): Promise<string | null> {
-    const facts = await gather(model, view);
+export async function report(model: Model, view: PictureView, client: Client): Promise<string | null> {
+    const facts = await gather(model, view, client);
     if (!facts) return null;
     const { word } = facts;
     const kind = ['brightness', 'luminance', 'irradiance', 'illuminance'][Math.max(0, kindOf(facts))];

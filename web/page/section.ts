@@ -167,7 +167,7 @@ export class SectionPanel {
     }
 
     private show(section: NonNullable<SectionPanel['last']>) {
-        if (section.isKnown.filter((each) => each).length < 3) return; // no curve yet
+        if (section.isKnown.filter((each) => each).length < SAMPLES / 16) return; // no curve yet
         this.last = section;
         this.ends.forEach((input, i) => {
             const end = this.fixed?.[i >> 1];

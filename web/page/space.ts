@@ -7,7 +7,7 @@ import { nextOf } from './choosing';
 import { Drag, followPointer } from './drag';
 import type { Model, Shape, Thing } from './model';
 import { Reliefs } from './reliefs';
-import { add, along, basis, circle, cross, unit, type Place } from './space_math';
+import { add, along, basis, circle, cornersOf, cross, edgesOf, unit, type Place } from './space_math';
 import { t } from './words';
 
 export type Side = 'orbit' | 'plan' | 'elevation';
@@ -177,13 +177,7 @@ export class SpaceView {
     }
 
     private drawScreen(context: CanvasRenderingContext2D) {
-        const [w, h] = this.model.screen;
-        const corners = [
-            [-w / 2, -h / 2, 0],
-            [w / 2, -h / 2, 0],
-            [w / 2, h / 2, 0],
-            [-w / 2, h / 2, 0],
-        ];
+        const corners = cornersOf(this.model.screen);
         const image = this.image();
         if (image) this.drawPicture(context, image);
         context.strokeStyle = styleColour('--accent');
@@ -288,32 +282,7 @@ export class SpaceView {
     }
 
     private drawBox(context: CanvasRenderingContext2D, center: number[], size: number[]) {
-        const corner = (signs: number[]) => center.map((c, axis) => c + (signs[axis] * size[axis]) / 2);
-        for (const z of [-1, 1])
-            this.path(
-                context,
-                [
-                    [-1, -1, z],
-                    [1, -1, z],
-                    [1, 1, z],
-                    [-1, 1, z],
-                ].map(corner),
-                true,
-            );
-        for (const [x, y] of [
-            [-1, -1],
-            [1, -1],
-            [1, 1],
-            [-1, 1],
-        ])
-            this.path(
-                context,
-                [
-                    [x, y, -1],
-                    [x, y, 1],
-                ].map(corner),
-                false,
-            );
+        for (const edge of edgesOf(center, size)) this.path(context, edge, false);
     }
 
     private drawCone(context: CanvasRenderingContext2D, { center, opening }: Shape, u: Place, v: Place, n: Place) {
@@ -329,16 +298,9 @@ export class SpaceView {
     private drawObserver(context: CanvasRenderingContext2D) {
         const { observer, screen } = this.model;
         if (!observer) return;
-        const [w, h] = screen;
         context.strokeStyle = styleColour('--accent');
         context.globalAlpha = 0.35;
-        const corners = [
-            [-w / 2, -h / 2, 0],
-            [w / 2, -h / 2, 0],
-            [w / 2, h / 2, 0],
-            [-w / 2, h / 2, 0],
-        ];
-        for (const corner of corners) {
+        for (const corner of cornersOf(screen)) {
             const from = observer.perspective ? observer.position : [corner[0], corner[1], observer.position[2]];
             this.path(context, [from, corner], false);
         }

@@ -37,3 +37,20 @@ export function circle(center: number[], u: number[], v: number[], radius: numbe
         return along(center, u, radius * Math.cos(angle), v, radius * Math.sin(angle));
     });
 }
+
+/** The corners of the screen. */
+export function cornersOf([w, h]: number[]): Place[] {
+    return [
+        [-w / 2, -h / 2, 0],
+        [w / 2, -h / 2, 0],
+        [w / 2, h / 2, 0],
+        [-w / 2, h / 2, 0],
+    ];
+}
+
+/** The twelve edges of a box along the axes. */
+export function edgesOf(center: number[], size: number[]): [Place, Place][] {
+    const corner = (bits: number) => center.map((c, axis) => c + (bits & (1 << axis) ? 0.5 : -0.5) * size[axis]) as Place;
+    const ends = [0, 1, 2, 3, 4, 5, 6, 7].flatMap((bits) => [1, 2, 4].map((axis) => [bits, bits | axis]));
+    return ends.filter(([from, to]) => from !== to).map(([from, to]) => [corner(from), corner(to)]);
+}

@@ -115,7 +115,6 @@ const RUSSIAN: Record<string, string> = {
     'Reflected light was not computed: all is of direct light alone.':
         'Отражённый свет не вычислен: всё показано только для прямого света.',
     'The whole picture was not computed.': 'Полное изображение не вычислено.',
-    about: 'ещё около',
     s: 'с',
     min: 'мин',
     Stop: 'Остановить',
@@ -198,6 +197,12 @@ export function amount([value, error]: [number, number]): string {
     const grain = whole > 0 ? grainOf(whole) : 1;
     const bound = Math.ceil((whole / grain) * (1 - 1e-12)) * grain;
     return `${number(shown, 7)} ± ${number(bound, 2)}`;
+}
+
+/** An exact value; digits that are shown are exact, but for a value whose error may be seen in them, which is told. */
+export function exactly(value: number, error: number): string {
+    const isRough = error > 5e-6 * Math.abs(value);
+    return `${number(value, 6)}${isRough ? ` ± ${number(error, 2)}` : ''}`;
 }
 
 /** What was typed as a number, with a point or a comma; null: it is none. */

@@ -115,7 +115,7 @@ export class WorkNotice {
         if (work.done > 0) this.bar.value = work.done;
         else this.bar.removeAttribute('value');
         const { left } = work;
-        const told = `${Math.round(100 * work.done)} %${left === null ? '' : `, ${t('about')} ${duration(left)}`}`;
+        const told = `${number(100 * work.done, 2)} %${left === null ? '' : `, ${t('at most')} ${duration(left)}`}`;
         this.bar.setAttribute('aria-label', told);
         this.left.textContent = isWorking ? told : '';
         this.button.textContent = t(isWorking ? 'Stop' : 'Continue');

@@ -25,10 +25,10 @@ export async function begun(browser, url, options = {}) {
     return page;
 }
 
-/** A page with all that it fetches. */
-export async function opened(browser, url, options = {}) {
+/** A page with all that it fetches, or with so much of it. */
+export async function opened(browser, url, options = {}, what = 'model.client.isWhole && model.client.hasWords') {
     const page = await begun(browser, url, options);
-    await until(page, 'model.client.isWhole && model.client.hasWords');
+    await until(page, what);
     return page;
 }
 

@@ -10,6 +10,8 @@ import { loading } from './loading.mjs';
 import { more, PAGES } from './more.mjs';
 import { boxOf, dragBy, inside, lampIn, opened, openScene, shot, started, until } from './hands.mjs';
 import { serve } from './server.mjs';
+import { typed } from './typed.mjs';
+import { versions } from './versions.mjs';
 import { check, equal, test } from './tap.mjs';
 
 async function startsLit(page) {
@@ -561,6 +563,8 @@ export async function page(folder, tool) {
     await test('a phone, 390 px wide', () => onPhone(browser, url));
     await test('small screens', () => onSmallScreens(browser, url));
     await test('dark', () => inDark(browser, url));
+    await typed(browser, folder, url);
+    await versions(browser, url, tool);
     await loading(browser, folder, tool);
     await test('a browser without WebAssembly is told', () => withoutWasm(browser, url));
     await browser.close();

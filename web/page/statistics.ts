@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+// The line below the picture: quantity and unit, extremes and mean of its pixels, and how well reflected light is known.
+import type { PictureFacts } from './core';
+import { h } from './dom';
+import type { Model } from './model';
+import type { Version } from './version';
+import { number, t } from './words';
+
+/** What a picture is, in one line. */
+function told(facts: PictureFacts, unit: string): string {
+    const extremes = `${t('maximum')} ${number(facts.maximum.value, 5)}, ${t('mean')} ${number(facts.mean, 5)}`;
+    const reflected =
+        facts.reflected === null ? '' : `; ${t('reflected light within')} ${number(100 * facts.reflected, 2)} %`;
+    const missed = facts.reached ? '' : ` (${t('less exact than it should be')})`;
+    return `${t(facts.word)}, ${unit}: ${extremes}${reflected}${missed}`;
+}
+
+export class Statistics {
+    readonly element = h('p', { class: 'dim statistics' });
+    private of: Version | null = null; // what is shown
+
+    constructor(private readonly model: Model) {
+        model.follow(this.element, () => this.of);
+    }
+
+    clear() {
+        this.of = null;
+        this.element.textContent = '';
+    }
+
+    /** After a new picture; the extremes of a coarse one are not those of the whole one. */
+    show() {
+        const { picture, scene } = this.model;
+        if (!picture || !scene || picture.stride !== 1) return;
+        const unit = scene.unit === 'relative' ? t('relative') : scene.unit;
+        const partial = this.model.isPartial(picture.of) ? ` (${t('direct light alone')})` : '';
+        this.element.textContent = told(picture.facts, unit) + partial;
+        this.of = picture.of;
+        this.model.dim();
+    }
+}
