@@ -28,7 +28,9 @@ export class Files {
     onScene: (text: string, name: string) => void = () => undefined;
     onTrouble: (text: string) => void = () => undefined;
 
-    constructor(private readonly model: Model) {}
+    constructor(private readonly model: Model) {
+        model.followJudgement(this.element);
+    }
 
     /** Takes all files of one choice: those that scenes name first, so that the scene finds them. */
     async take(files: File[]) {

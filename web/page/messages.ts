@@ -10,7 +10,9 @@ export class Messages {
     readonly element = h('div', { role: 'status' }, this.list);
     onShow: (message: Message) => void = () => undefined;
 
-    constructor(private readonly model: Model) {}
+    constructor(private readonly model: Model) {
+        model.followJudgement(this.element);
+    }
 
     show() {
         this.list.setAttribute('aria-label', t('Messages'));

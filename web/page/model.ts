@@ -62,6 +62,7 @@ export class Model {
     private listeners: ((topic: Topic) => void)[] = [];
     private followed: { elements: () => HTMLElement[]; of: () => Version | null }[] = [];
     private versions = 0;
+    private judged: Version | null = null; // what the messages are about
     private judging = false;
     private wantsJudging = false;
     private rendering = false;
@@ -132,6 +133,11 @@ export class Model {
     /** Dims elements while what they show is of another version than the current one; null: they show nothing. */
     follow(elements: HTMLElement | (() => HTMLElement[]), of: () => Version | null) {
         this.followed.push({ elements: typeof elements === 'function' ? elements : () => [elements], of });
+    }
+
+    /** The same for what is told of a text, errors included, until the next one has been judged. */
+    followJudgement(element: HTMLElement) {
+        this.follow(element, () => (this.judged?.number === this.version.number ? null : this.judged));
     }
 
     /** Dims what is to be dimmed now. */
@@ -286,6 +292,7 @@ export class Model {
         if (of.scene !== this.version.scene) return;
         if (facts && geometry) this.whole = { ...this.versionOf(of), facts, ...geometry };
         if (of.number !== this.version.number) return this.tell('geometry');
+        this.judged = this.version;
         this.messages = messages;
         this.files = files;
         this.stale = !facts;

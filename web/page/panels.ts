@@ -123,12 +123,13 @@ export class Explanation {
     async show(x: number, y: number) {
         const source = this.model.source();
         const { scene } = this.model.version;
+        if (this.model.stale) return this.fill(h('p', {}, t('A scene with errors has no values to explain.')));
         if (!source) return;
         const { client, of } = source;
         this.of = of;
         if (this.model.isPartial(of)) return this.fill(h('p', {}, t('The value is explained when reflected light is known.')));
         const html = await client.ask('explain', of, x, y, 3, currentLanguage()).catch(() => null);
-        if (!html || this.model.version.scene !== scene) return;
+        if (!html || this.model.version.scene !== scene || this.of !== of) return;
         // Its own style is for a page of its own, and the policy of this one takes none.
         const bare = html.replace(/<style>[^]*?<\/style>/g, '').replace(/ style="[^"]*"/g, '');
         const page = new DOMParser().parseFromString(bare, 'text/html');

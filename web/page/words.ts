@@ -121,6 +121,7 @@ const RUSSIAN: Record<string, string> = {
     Continue: 'Продолжить',
     'The value is explained when reflected light is known.':
         'Значение будет объяснено, когда станет известен отражённый свет.',
+    'A scene with errors has no values to explain.': 'В сцене есть ошибки, и значений для объяснения нет.',
     'There is no file of a scene with errors.': 'Файла нет: в сцене есть ошибки.',
     'Reflected light is not known yet: there is no file without it.':
         'Отражённый свет ещё не известен, а без него файл не создаётся.',

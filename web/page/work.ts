@@ -63,7 +63,7 @@ export class Work {
     /** How many seconds it still takes, by what is done; null: nobody knows yet. */
     get left(): number | null {
         const past = (performance.now() - this.start) / 1000;
-        return this.done > 0.02 && past > 1 ? (past * (1 - this.done)) / this.done : null;
+        return this.done > 0.005 && past > 2 ? (past * (1 - this.done)) / this.done : null;
     }
 
     stop() {

@@ -276,6 +276,7 @@ async function embeds(browser, url) {
     await whole(own);
     equal(await own.evaluate(() => window.luxel.inside.model.files), [['lamp.ies', true]], 'files');
     equal(await own.locator('canvas.space').isVisible(), false, 'the space view');
+    equal(await own.locator('canvas.section').isVisible(), false, 'the section');
     equal(await page.locator('#own iframe').getAttribute('title'), 'A lamp', 'title');
     const told = page.evaluate(
         () =>

@@ -196,6 +196,11 @@ async function slowBesideQuick(page, tool, room) {
     await watch(page, seen, 'an error', () => inside(page, "model.setText(model.text.replace('size: [4400', 'size: [-4400'))"), 1500);
     check(await inside(page, 'model.stale'), 'the error is not found');
     await shot(page, 'slow-error');
+    await page.getByLabel('Download').selectOption('.png');
+    await page.getByText('There is no file of a scene with errors').waitFor();
+    await page.getByRole('button', { name: 'Why?' }).click();
+    await page.getByText('A scene with errors has no values to explain').waitFor();
+    await page.keyboard.press('Escape');
     await watch(page, seen, 'the error is undone', () => inside(page, 'model.undo()'), 2000);
     await watch(page, seen, 'the quantity', () => inside(page, 'model.setIrradiance(true)'), 500);
     await inside(page, 'model.setIrradiance(false)');
