@@ -140,21 +140,23 @@ static struct lx_mesh_report read_vertex(struct lx_raw_mesh *raw, struct lx_line
     return add(raw, corner, lines->line);
 }
 
+enum word { OTHER, SOLID, FACET, OUTER, LOOP, VERTEX, NORMAL, END_SOLID, END_FACET, END_OUTER, END_LOOP };
+
 /* The word, taken together with the next one where it is an "end" that stands alone: "end loop". */
-static const char *whole_word(struct lx_lines *lines, const char *word, size_t length)
+static enum word whole_word(struct lx_lines *lines, const char *word, size_t length)
 {
-    static const char *const words[] = {"solid", "facet", "outer", "loop", "vertex", "normal", NULL};
-    static const char *const ends[] = {"endsolid", "endfacet", "endouter", "endloop", NULL};
+    static const char *const names[] = {
+        [SOLID] = "solid",        [FACET] = "facet",      [OUTER] = "outer",        [LOOP] = "loop",
+        [VERTEX] = "vertex",      [NORMAL] = "normal",    [END_SOLID] = "endsolid", [END_FACET] = "endfacet",
+        [END_OUTER] = "endouter", [END_LOOP] = "endloop",
+    };
     const bool is_end = is_word(word, length, "end");
     if (is_end && !next_word(lines, &word, &length))
-        return "end";
-    for (size_t i = 0; ends[i]; i++)
-        if (is_word(word, length, is_end ? ends[i] + 3 : ends[i]))
-            return ends[i];
-    for (size_t i = 0; !is_end && words[i]; i++)
-        if (is_word(word, length, words[i]))
-            return words[i];
-    return "";
+        return OTHER;
+    for (enum word i = is_end ? END_SOLID : SOLID; i <= END_LOOP; i++)
+        if (is_word(word, length, is_end ? names[i] + 3 : names[i]))
+            return i;
+    return OTHER;
 }
 
 /* Where a text is read: the corners since the last face, the line of its facet, and what has begun and not ended. */
@@ -173,22 +175,21 @@ static struct lx_mesh_report end_face(struct lx_raw_mesh *raw, struct place *pla
     return lx_add_face(raw, corners, place->line);
 }
 
-static struct lx_mesh_report take_word(struct lx_raw_mesh *raw, struct lx_lines *lines, const char *word,
+static struct lx_mesh_report take_word(struct lx_raw_mesh *raw, struct lx_lines *lines, enum word word,
                                        struct place *place)
 {
-    const bool is_solid = strcmp(word, "solid") == 0, is_facet = strcmp(word, "facet") == 0;
-    if (is_solid || strcmp(word, "endsolid") == 0) {
-        place->in_solid = is_solid;
+    const bool begins = word == FACET || word == OUTER;
+    if (word == SOLID || word == END_SOLID) {
+        place->in_solid = word == SOLID;
         lines->at = lines->stop; /* its name */
-    } else if (strcmp(word, "vertex") == 0) {
+    } else if (word == VERTEX) {
         place->corners++;
         return read_vertex(raw, lines);
-    } else if (strcmp(word, "endloop") == 0 ||
-               (strcmp(word, "endfacet") == 0 && (place->in_facet || place->corners > 0))) {
+    } else if (word == END_LOOP || (word == END_FACET && (place->in_facet || place->corners > 0))) {
         return end_face(raw, place);
-    } else if (place->corners > 0 && (is_facet || strcmp(word, "outer") == 0 || !*word)) {
+    } else if (place->corners > 0 && (begins || word == OTHER)) {
         return lx_mesh_fault(LX_MSG_STL_WORD, lines->line);
-    } else if (is_facet || (strcmp(word, "outer") == 0 && !place->in_facet)) {
+    } else if (begins && (word == FACET || !place->in_facet)) {
         place->in_facet = true;
         place->line = lines->line;
     }
