@@ -24,8 +24,8 @@ def floats(numbers: Any) -> "Floats":
     import numpy
 
     given: Any = numbers
-    if isinstance(numbers, numpy.ma.MaskedArray):
-        given = numbers.astype(numpy.float64).filled(numpy.nan)
+    if hasattr(given, "filled"):  # a masked array
+        given = given.astype(numpy.float64).filled(numpy.nan)
     given = numpy.asarray(given)
     if given.dtype.kind == "c":
         raise TypeError("real numbers are expected, not complex ones")
