@@ -365,6 +365,8 @@ static int write_outputs(const struct options *options, const struct luminaire *
 
         if (status != LUXEL_OK)
             code = message_failure(status, diagnostics);
+        else if (!options->quiet)
+            message_diagnostics(stderr, diagnostics, LUXEL_SEVERITY_ADVICE, LUXEL_SEVERITY_ADVICE);
         luxel_diagnostics_clear(diagnostics);
     }
     luxel_diagnostics_free(diagnostics);

@@ -20,10 +20,16 @@ def shared(view: Any) -> Any:
 
 
 def floats(numbers: Any) -> "Floats":
-    """An array of float64; one that is so already is taken as it is."""
+    """An array of float64; one that is so already is taken as it is.  What is masked is NaN."""
     import numpy
 
-    array: "Floats" = numpy.asarray(numbers, dtype=numpy.float64)
+    given: Any = numbers
+    if hasattr(given, "filled"):  # a masked array
+        given = given.astype(numpy.float64).filled(numpy.nan)
+    given = numpy.asarray(given)
+    if given.dtype.kind == "c":
+        raise TypeError("real numbers are expected, not complex ones")
+    array: "Floats" = numpy.asarray(given, dtype=numpy.float64)
     return array
 
 

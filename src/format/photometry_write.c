@@ -10,6 +10,7 @@
 #include "../base/memory.h"
 #include "../base/number.h"
 #include "../base/sink.h"
+#include "photometry_turn.h"
 
 static const double SAME = 1e-9; /* degrees */
 
@@ -69,10 +70,30 @@ void lx_written_table_clear(struct lx_written_table *table)
     *table = (struct lx_written_table){NULL, NULL, 0};
 }
 
+/* A luminaire of type A or B in a format that knows type C alone, with how far that may be off. */
+static bool write_turned(const luxel_photometry *photometry, const char *path, luxel_diagnostics *diagnostics,
+                         struct lx_text *text)
+{
+    static const char *const types[] = {"A", "B", "C"};
+    char planes[LX_NUMBER_SIZE], angles[LX_NUMBER_SIZE], off[LX_NUMBER_SIZE];
+    struct lx_turned turned;
+    bool has_memory = lx_turn_to_c(photometry, &turned);
+    if (has_memory)
+        lx_write_eulumdat(&turned.shown, text, &has_memory);
+    if (has_memory) {
+        lx_report(diagnostics, LUXEL_SEVERITY_ADVICE, NULL, LX_MSG_EULUMDAT_TYPE,
+                  LX_ARGS(path, types[photometry->type], lx_write_number(turned.planes[1], planes),
+                          lx_write_number(turned.angles[1], angles), lx_write_digits(100 * turned.off, 2, off)));
+        lx_hint(diagnostics, LX_MSG_HINT_EULUMDAT_TYPE, NULL);
+    }
+    lx_turned_clear(&turned);
+    return has_memory;
+}
+
 luxel_status luxel_photometry_write(const luxel_photometry *photometry, const char *path,
                                     luxel_diagnostics *diagnostics)
 {
-    static const char *const endings[] = {".ies", ".ldt"}, *const types[] = {"A", "B", "C"};
+    static const char *const endings[] = {".ies", ".ldt"};
     struct lx_text text = {0};
     struct lx_sink *sink;
     size_t format;
@@ -82,16 +103,12 @@ luxel_status luxel_photometry_write(const luxel_photometry *photometry, const ch
     luxel_status status = lx_find_ending(path, endings, 2, diagnostics, &format);
     if (status != LUXEL_OK)
         return status;
-    if (format == 1 && photometry->type != LUXEL_TYPE_C) {
-        lx_report(diagnostics, LUXEL_SEVERITY_ERROR, NULL, LX_MSG_EULUMDAT_TYPE,
-                  LX_ARGS(path, types[photometry->type]));
-        lx_hint(diagnostics, LX_MSG_HINT_EULUMDAT_TYPE, NULL);
-        return LUXEL_ERROR_ARGUMENT;
-    }
     if (format == 0)
         lx_write_lm63(photometry, &text, &has_memory);
-    else
+    else if (photometry->type == LUXEL_TYPE_C)
         lx_write_eulumdat(photometry, &text, &has_memory);
+    else
+        has_memory = write_turned(photometry, path, diagnostics, &text);
     status = has_memory && !text.failed ? lx_sink_open(path, NULL, diagnostics, &sink) : lx_out_of_memory(diagnostics);
     if (status == LUXEL_OK) {
         lx_sink_write(sink, text.bytes, text.length);

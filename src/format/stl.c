@@ -140,19 +140,21 @@ static struct lx_mesh_report read_vertex(struct lx_raw_mesh *raw, struct lx_line
     return add(raw, corner, lines->line);
 }
 
-/* Words of a text, each with what it ends. */
-enum word { SOLID, FACET, OUTER, LOOP, VERTEX, NORMAL, ENDSOLID, ENDFACET, ENDOUTER, ENDLOOP, LONE_END, OTHER };
+enum word { OTHER, SOLID, FACET, OUTER, LOOP, VERTEX, NORMAL, END_SOLID, END_FACET, END_OUTER, END_LOOP };
 
 /* The word, taken together with the next one where it is an "end" that stands alone: "end loop". */
 static enum word whole_word(struct lx_lines *lines, const char *word, size_t length)
 {
-    static const char *const words[] = {"solid",  "facet",    "outer",    "loop",     "vertex",
-                                        "normal", "endsolid", "endfacet", "endouter", "endloop"};
+    static const char *const names[] = {
+        [SOLID] = "solid",        [FACET] = "facet",      [OUTER] = "outer",        [LOOP] = "loop",
+        [VERTEX] = "vertex",      [NORMAL] = "normal",    [END_SOLID] = "endsolid", [END_FACET] = "endfacet",
+        [END_OUTER] = "endouter", [END_LOOP] = "endloop",
+    };
     const bool is_end = is_word(word, length, "end");
     if (is_end && !next_word(lines, &word, &length))
-        return LONE_END;
-    for (enum word i = is_end ? ENDSOLID : SOLID; i <= ENDLOOP; i++)
-        if (is_word(word, length, is_end ? words[i] + strlen("end") : words[i]))
+        return OTHER;
+    for (enum word i = is_end ? END_SOLID : SOLID; i <= END_LOOP; i++)
+        if (is_word(word, length, is_end ? names[i] + 3 : names[i]))
             return i;
     return OTHER;
 }
@@ -176,17 +178,18 @@ static struct lx_mesh_report end_face(struct lx_raw_mesh *raw, struct place *pla
 static struct lx_mesh_report take_word(struct lx_raw_mesh *raw, struct lx_lines *lines, enum word word,
                                        struct place *place)
 {
-    if (word == SOLID || word == ENDSOLID) {
+    const bool begins = word == FACET || word == OUTER;
+    if (word == SOLID || word == END_SOLID) {
         place->in_solid = word == SOLID;
         lines->at = lines->stop; /* its name */
     } else if (word == VERTEX) {
         place->corners++;
         return read_vertex(raw, lines);
-    } else if (word == ENDLOOP || (word == ENDFACET && (place->in_facet || place->corners > 0))) {
+    } else if (word == END_LOOP || (word == END_FACET && (place->in_facet || place->corners > 0))) {
         return end_face(raw, place);
-    } else if (place->corners > 0 && (word == FACET || word == OUTER || word == OTHER)) {
+    } else if (place->corners > 0 && (begins || word == OTHER)) {
         return lx_mesh_fault(LX_MSG_STL_WORD, lines->line);
-    } else if (word == FACET || (word == OUTER && !place->in_facet)) {
+    } else if (begins && (word == FACET || !place->in_facet)) {
         place->in_facet = true;
         place->line = lines->line;
     }

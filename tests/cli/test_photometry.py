@@ -160,8 +160,6 @@ def conversion(tap, tool):
     quiet = tool.run("photometry", "lamp.ies", "-o", "c.ldt", "-q")
     tap.ok(quiet.code == 0 and not quiet.out + quiet.err, "-q", quiet)
     sideways = HEAD + "1 -1 1 3 3 2 2 0 0 0\n1 1 10\n-90 0 90\n-90 0 90\n0 0 0 0 9 0 0 0 0\n"
-    result = tool.run("photometry", "-", "-o", "d.ldt", "-q", stdin=sideways)
-    tap.ok(result.code == 2 and "type C alone" in result.err and "d.ldt" not in tool.files(), "type B", result)
     tap.equal(tool.run("photometry", "-", "-o", "d.ies", "-q", stdin=sideways).code, 0, "which LM-63 knows")
     result = tool.run("photometry", "lamp.ies", "-o", "a.gif")
     tap.ok(result.code == 2 and ".ldt" in result.err, "another extension", result)
@@ -175,6 +173,57 @@ def conversion(tap, tool):
     tap.ok("Светильник" in tool.read("f.ldt").decode("utf-8"), "what ISO 8859-1 has not is UTF-8")
     tool.run("photometry", "-", "-o", "g.ldt", "-q", stdin=HEAD.replace("Lampe AG", "Lämpe") + AXIAL)
     tap.ok(b"L\xe4mpe" in tool.read("g.ldt"), "what it has is ISO 8859-1")
+
+
+def turned(tap, tool):
+    """Types A and B become type C in EULUMDAT: in the directions of its grid exactly, elsewhere as near as is told."""
+    def tables():
+        for kind, number in (("B", 2), ("A", 3)):
+            for step, width in ((5, 1), (15, 1), (5, 12)):
+                angles = [step * i - 90 for i in range(180 // step + 1)]
+                rows = []
+                for plane in angles:
+                    h, v = math.radians(plane), [math.radians(angle) for angle in angles]
+                    axis = [math.cos(h) * math.cos(each) for each in v]
+                    right = [math.sin(h) * (1 if kind == "B" else math.cos(each)) for each in v]
+                    rows.append([max(0, a) ** (2 * width) * (1000 + 300 * r) for a, r in zip(axis, right)])
+                yield "%s, %d, %d" % (kind, step, width), HEAD + "1 -1 1 %d %d %d 2 .1 .2 0\n1 1 10\n%s\n%s\n%s\n" % (
+                    len(angles), len(angles), number, " ".join(map(repr, angles)), " ".join(map(repr, angles)),
+                    "\n".join(" ".join(map(repr, row)) for row in rows))
+
+    scene = ("luxel: 1\nunits: photometric\nscreen: {width: 100, height: 100, resolution: [4, 4]}\n"
+             "observer: {z: 9000}\nsurfaces: [{type: sphere, center: [0, 0, -90000], radius: 1}]\n"
+             "lights: [{type: luminaire, file: %s, position: [0, 0, 0], opening: point, c0: [1, 0, 0]}]\n")
+    for title, text in tables():
+        tool.write("lamp.ies", text)
+        result = tool.run("photometry", "lamp.ies", "-o", "lamp.ldt", "-q")
+        tap.ok(result.code == 0 and not result.err, "-q: " + title, result)
+        result = tool.run("photometry", "lamp.ies", "-o", "lamp.ldt")
+        told = re.search(r"every ([\d.]+) degrees of C and ([\d.]+) of gamma, .*up to ([\d.e-]+) %", result.err)
+        if not tap.ok(result.code == 0 and told, "told: " + title, result):
+            continue
+        plane, angle, off = map(float, told.groups())
+        about = tool.run("photometry", "lamp.ldt", "--json").json()
+        before = tool.run("photometry", "lamp.ies", "--json").json()
+        tap.ok(about["type"] == "C" and about["planes"] == 360 / plane and about["angles"] == 180 / angle + 1 and
+               abs(about["flux"]["linear"] / before["flux"]["linear"] - 1) < 0.02, "the table: " + title, about)
+        ways = [(plane * i, angle * j) for i, j in ((0, 0), (3, 5), (7, 11), (25, 20), (40, 17), (66, 3))]
+        free = [(0.7 + 13.1 * i % 360, 0.3 + 7.3 * i % 85) for i in range(120)]
+        words = []
+        for c, gamma in ways + free:
+            c, gamma = math.radians(c), math.radians(gamma)
+            way = math.sin(gamma) * math.cos(c), -math.sin(gamma) * math.sin(c), -math.cos(gamma)
+            words += ["--at", ",".join(repr(x) for x in [2000 * w for w in way] + [-w for w in way])]
+        values = []
+        for name in "lamp.ies", "lamp.ldt":
+            tool.write("scene.yaml", scene % name)
+            found = tool.run("probe", "scene.yaml", "--json", "--quantity", "irradiance", *words).json()["points"]
+            values.append([4 * point["value"] for point in found])
+        greatest = before["max"]["intensity"]
+        apart = [abs(a - b) / greatest for a, b in zip(*values)]
+        tap.ok(max(apart[:len(ways)]) < 1e-9 and max(apart) <= off / 100 * 1.001 and max(apart) > off / 5000,
+               "as near as is told: " + title, max(apart[:len(ways)]), max(apart), off)
+        tap.ok(off <= 0.5 or (plane, angle) == (1, 0.5), "as fine as is needed: " + title, plane, angle, off)
 
 
 def curve(svg, color):
@@ -251,7 +300,8 @@ def sections(tap, tool):
 
 
 def main():
-    run_tests(Tap(), told, eulumdat_files, encodings, padded, odd, wrong, tilt_files, conversion, diagrams, sections)
+    run_tests(Tap(), told, eulumdat_files, encodings, padded, odd, wrong, tilt_files, conversion, turned, diagrams,
+              sections)
 
 
 main()

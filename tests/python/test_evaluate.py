@@ -142,6 +142,19 @@ def test_odd(tap, tool):
     tap.ok(raises(luxel.LuxelError, scene.probe, (float("nan"), 0)), "a probe of no place")
 
 
+def test_numbers(tap, tool):
+    """What is masked has no value; complex numbers are no places."""
+    scene = luxel.Scene(SCENE)
+    places, normals = elements(6)
+    masked = numpy.ma.array(places, mask=numpy.zeros(places.shape, bool))
+    masked[2, 1] = masked[4] = numpy.ma.masked
+    found, expected = scene.evaluate(masked, normals)["value"], scene.evaluate(places, normals)["value"]
+    hidden = numpy.array([False, False, True, False, True, False])
+    tap.ok(numpy.isnan(found[hidden]).all() and (found[~hidden] == expected[~hidden]).all(), "masked places", found)
+    tap.ok(raises(TypeError, scene.evaluate, places + 1j, normals), "complex places")
+    tap.ok(raises(TypeError, scene.evaluate, places, normals, surface_tolerance=1j), "a complex tolerance")
+
+
 def test_speed(tap, tool):
     """A million elements; a time is no test on a machine that others use, so it is only told."""
     scene = luxel.Scene(SCENE)
@@ -152,4 +165,4 @@ def test_speed(tap, tool):
     tap.equal(int(numpy.isnan(found["value"]).sum()), 0, "a hundred thousand values")
 
 
-run_tests(Tap(), test_probes, test_tool, test_layouts, test_view, test_odd, test_speed)
+run_tests(Tap(), test_probes, test_tool, test_layouts, test_view, test_odd, test_numbers, test_speed)
