@@ -24,7 +24,8 @@ reflections: %s
 screen: {width: 8000, height: 6000, resolution: [40, 30]}
 observer: {position: [-3900, -2900, 1700], target: [0, 0, 1000], up: [0, 0, 1], projection: perspective}
 surfaces:
-  - {type: room, center: [0, 0, 1400], size: [%d, 6000, 2800], up: %s, material: %s, materials: {floor: %s, ceiling: %s}}
+  - {type: room, center: [0, 0, 1400], size: [%d, 6000, 2800], up: %s, material: %s,
+     materials: {floor: %s, ceiling: %s}}
 lights:
 %s
 grids: [{name: work plane, center: [0, 0, 750], size: [7000, 5000], spacing: en12464%s}]
@@ -108,7 +109,8 @@ def designs(tap, tool):
     """Rooms that lie on their side, lux in W, luminaires like each other, and halls."""
     lamps = [(x, y) for x in (-3000, -1000, 1000, 3000) for y in (-2000, 0, 2000)]
     room(tool, lamps[:2], up="y")
-    tap.equal([key for name, key in ids(tool) if name == "looks-at-wall"], ["lights[0]", "lights[1]", "grids[0]"], "walls")
+    tap.equal([key for name, key in ids(tool) if name == "looks-at-wall"], ["lights[0]", "lights[1]", "grids[0]"],
+              "walls")
     text = tool.run("check", "room.yaml").out
     tap.ok("lights[0] looks at the wall back of surfaces[0]" in text and "try -s 'surfaces[0].up=z'" in text and
            "  likewise: lights[1]\n" in text and "grids[0] looks at the wall front" in text, "the words", text)
@@ -136,7 +138,8 @@ def spacing(tap, tool):
     with open(tool.file("room.yaml"), encoding="utf-8") as file:
         tool.write("room.yaml", file.read().replace("center: [0, 0, 750]", "center: [0, 0, 2400]"))
     result = tool.run("grid", "room.yaml")
-    tap.ok(result.code == 0 and "raise n" not in result.err and "spaced by its rule" in result.err, "by the rule", result)
+    tap.ok(result.code == 0 and "raise n" not in result.err and "spaced by its rule" in result.err, "by the rule",
+           result)
     with open(tool.file("room.yaml"), encoding="utf-8") as file:
         tool.write("room.yaml", file.read().replace("spacing: en12464", "n: [10, 7]"))
     result = tool.run("grid", "room.yaml")
