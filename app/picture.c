@@ -114,7 +114,7 @@ gboolean app_picture_value(const AppPicture *picture, guint column, guint row, d
 
 AppMoment *app_moment_new(luxel_scene *scene, guint64 serial, gssize solo, luxel_diagnostics *faults)
 {
-    if (luxel_scene_commit(scene, faults) != LUXEL_OK) {
+    if (luxel_scene_commit(scene, faults) != LUXEL_OK || luxel_scene_check_view(scene, faults) != LUXEL_OK) {
         luxel_scene_free(scene);
         return NULL;
     }
