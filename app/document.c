@@ -163,7 +163,8 @@ static gboolean is_picture(const char *path)
 static gboolean is_right(const luxel_scene *scene, luxel_diagnostics *diagnostics)
 {
     luxel_scene *copy = luxel_scene_copy(scene);
-    gboolean right = copy && luxel_scene_commit(copy, diagnostics) == LUXEL_OK;
+    gboolean right = copy && luxel_scene_commit(copy, diagnostics) == LUXEL_OK &&
+                     luxel_scene_check_view(copy, diagnostics) == LUXEL_OK;
     luxel_scene_free(copy);
     return right;
 }

@@ -106,8 +106,8 @@ static char *reason_against(AppForm *self, const AppEdits *edits, const Entry *e
     luxel_scene *scene = NULL;
     if (app_edits_make(edits, trial, faults)) {
         scene = app_document_copy_scene(trial);
-        if (scene)
-            luxel_scene_commit(scene, faults);
+        if (scene && luxel_scene_commit(scene, faults) == LUXEL_OK)
+            luxel_scene_check_view(scene, faults);
     }
     reason = fault_about(faults, path);
     luxel_scene_free(scene);

@@ -62,7 +62,7 @@ static luxel_scene *try_mesh(const AppDocument *document, const char *yaml, luxe
     luxel_scene *scene = app_document_copy_scene(document);
     const gsize count = app_document_size(document, "surfaces");
     if (scene && luxel_scene_insert(scene, "surfaces", count, yaml, diagnostics) == LUXEL_OK &&
-        luxel_scene_commit(scene, diagnostics) == LUXEL_OK)
+        luxel_scene_commit(scene, diagnostics) == LUXEL_OK && luxel_scene_check_view(scene, diagnostics) == LUXEL_OK)
         return scene;
     luxel_scene_free(scene);
     return NULL;

@@ -125,7 +125,7 @@ gboolean app_version_equal(const AppVersion *a, const AppVersion *b)
 
 AppMoment *app_moment_new(luxel_scene *scene, guint64 serial, gssize solo, luxel_diagnostics *faults)
 {
-    if (luxel_scene_commit(scene, faults) != LUXEL_OK) {
+    if (luxel_scene_commit(scene, faults) != LUXEL_OK || luxel_scene_check_view(scene, faults) != LUXEL_OK) {
         luxel_scene_free(scene);
         return NULL;
     }

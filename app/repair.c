@@ -39,7 +39,7 @@ static gboolean does(const AppRepair *repair, const AppDocument *document)
     gboolean good = scene != NULL;
     for (guint i = 0; i < repair->len && good; i++)
         good = luxel_scene_set(scene, g_ptr_array_index(repair, i), NULL) == LUXEL_OK;
-    good = good && luxel_scene_commit(scene, NULL) == LUXEL_OK;
+    good = good && luxel_scene_commit(scene, NULL) == LUXEL_OK && luxel_scene_check_view(scene, NULL) == LUXEL_OK;
     luxel_scene_free(scene);
     return good;
 }

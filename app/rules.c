@@ -221,7 +221,7 @@ static luxel_scene *scene_with(const AppKeys *keys, const AppEdits *edits)
     AppDocument *trial = app_document_copy(keys->document);
     if (!edits || app_edits_make(edits, trial, NULL))
         scene = app_document_copy_scene(trial);
-    if (scene && luxel_scene_commit(scene, NULL) != LUXEL_OK)
+    if (scene && (luxel_scene_commit(scene, NULL) != LUXEL_OK || luxel_scene_check_view(scene, NULL) != LUXEL_OK))
         g_clear_pointer(&scene, luxel_scene_free);
     g_object_unref(trial);
     return scene;

@@ -339,6 +339,8 @@ luxel_status lx_choices_value(const struct lx_choices *choices, const size_t *wh
     }
     if (status == LUXEL_OK)
         status = luxel_scene_commit(scene, unseen);
+    if (status == LUXEL_OK)
+        status = luxel_scene_check_view(scene, unseen);
     bool refused = status == LUXEL_ERROR_SCENE || status == LUXEL_ERROR_PATH;
     if (status == LUXEL_OK)
         status = probe(choices, scene, place, diagnostics, found);

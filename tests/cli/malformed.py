@@ -167,7 +167,6 @@ PIECES = [
     ("rectangle with a zero up", SPHERE, PLATE + "\n    up: ^[0, 0, 0]", "up"),
     ("rectangle with up along its axis", SPHERE, PLATE + "\n    axis: [0.1, 0.2, 0.3]\n    up: ^[-3, -6, -9]",
      "parallel"),
-    ("rectangle that shows its back", SPHERE, PLATE + "\n    axis: ^[0, 1, -0.1]", "surfaces[0]"),
     # lights of some size
     ("planar without outline", LIGHT, "^{type: planar, radiance: 1}", "vertices rectangle disk"),
     ("planar with two outlines", LIGHT, FLAT + "^disk: {%s, radius: 5}, radiance: 1}" % CENTER, "rectangle disk"),

@@ -117,7 +117,7 @@ WRONG = [
 ILLEGAL = [
     "screen.width=0", "screen.width=-5", "screen.width=wide", "screen.width=", "screen.width=[1", "screen.width={",
     "screen.width=1e999", "screen.width=.nan", "screen.resolution=[0,0]", "screen.resolution=[36]",
-    "screen.resolution=[36,30]", "lights[0].intensity=-1", "lights[0].type=sun", "lights=5", "surfaces=[]",
+    "screen.resolution=[36,30]", "lights[0].intensity=-1", "lights[0].type=sun", "lights=5", "surfaces=[5]",
     "observer.z=0", "surfaces[0].radius=0", "surfaces[0].material.shininess=0", "luxel=2", "points=[[0]]",
     "lights[0].intensity=10,5", "lights[0].position=[2000,5,0,2000]", "observer.z=1500,0", "points=[[149,7,0,7]]",
     "picture.range=[1]", "lights[0].position=[1,2]", "units=5", "lights=[{type: point}]",

@@ -38,7 +38,6 @@ BEYOND = {
     "mesh that is the scene": "a mesh is one of the formats that are read",
     "cloud that is the scene": "a cloud is a CSV or NPY file",
     "grid of too many cells": "a grid has ten million cells at most",
-    "rectangle that shows its back": "the observer sees the front of every rectangle",
     "whole number as a fraction": "a whole number has no point",
     "whole number with an exponent": "a whole number has no exponent",
     "TRUE": "true is written in small letters",

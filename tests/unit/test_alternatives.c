@@ -40,14 +40,14 @@ static bool assign(luxel_scene *scene, const char *joined)
     free(text);
     const luxel_status status = luxel_scene_commit(scene, NULL);
     assert_true(status == LUXEL_OK || status == LUXEL_ERROR_SCENE);
-    return status == LUXEL_OK;
+    return status == LUXEL_OK && luxel_scene_check_view(scene, NULL) == LUXEL_OK;
 }
 
 static void test_builtins(void **state)
 {
     (void)state;
     static const double places[][2] = {{0, 0}, {-60, 35}, {150, -120}, {320, 320}};
-    unsigned refused = 0; /* such as the orthographic room, which would turn fronts away */
+    unsigned refused = 0; /* such as an orthographic observer among what it looks at */
     for (size_t i = 0; i < luxel_builtin_scene_count(); i++) {
         const char *name = luxel_builtin_scene_name(i);
         const double *place = places[i % 4];

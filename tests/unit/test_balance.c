@@ -42,7 +42,10 @@ static luxel_balance *balance_of(const char *keys, const char *surfaces, const c
 {
     luxel_balance *balance = NULL;
     luxel_scene *scene = scene_of(keys, surfaces, lights);
-    assert_int_equal(luxel_find_balance(scene, NULL, NULL, &balance), LUXEL_OK);
+    luxel_settings settings;
+    luxel_settings_init(&settings);
+    settings.reflected_error = 1e-3;
+    assert_int_equal(luxel_find_balance(scene, &settings, NULL, &balance), LUXEL_OK);
     luxel_scene_free(scene);
     assert_non_null(balance);
     assert_true(balance->closes);

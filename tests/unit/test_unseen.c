@@ -277,8 +277,13 @@ static void no_surfaces(void **state)
         luxel_diagnostics_clear(diagnostics);
         assert_int_equal(luxel_scene_advise(scene, diagnostics), LUXEL_OK);
         assert_int_equal(luxel_scene_advise_peak(scene, diagnostics), LUXEL_OK);
-        assert_int_equal(luxel_diagnostics_count(diagnostics), 1);
-        expect_entry(diagnostics, 0, WANTED(.id = "no-surfaces"));
+        size_t told = 0;
+        for (size_t k = 0; k < luxel_diagnostics_count(diagnostics); k++) {
+            const char *id = luxel_diagnostics_get(diagnostics, k)->id;
+            told += strcmp(id, "no-surfaces") == 0;
+            assert_true(strcmp(id, "no-surfaces") == 0 || strcmp(id, "not-advised") == 0);
+        }
+        assert_int_equal(told, 1);
         luxel_diagnostics_free(diagnostics);
         luxel_scene_free(scene);
     }

@@ -96,6 +96,8 @@ PAGE_CALLS(page_open) int page_open(const char *text, size_t length, const char 
         status = luxel_scene_keep_files(scene, core.scene);
     if (status == LUXEL_OK)
         status = luxel_scene_commit(scene, diagnostics);
+    if (status == LUXEL_OK)
+        status = luxel_scene_check_view(scene, diagnostics); /* the page shows pictures */
     if (status != LUXEL_OK) {
         luxel_scene_free(scene);
         return (int)status;
