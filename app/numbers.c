@@ -23,8 +23,8 @@ G_DEFINE_FINAL_TYPE(AppNumbers, app_numbers, GTK_TYPE_BOX)
 
 /* ---- points ---- */
 
-/* A point has two lines, so that no number is cut where the pane is narrow: its name, place and value, and below the place
- * the grey level, below the value that of the pixel. */
+/* A point has two lines, so that no number is cut where the pane is narrow: its name, place and value, and below the
+ * place the grey level, below the value that of the pixel. */
 enum { LINES_OF_POINT = 2 };
 static const int places_of_columns[POINT_COLUMNS][2] = {{0, 0}, {1, 0}, {2, 0}, {2, 1}, {1, 1}};
 

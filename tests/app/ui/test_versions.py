@@ -165,7 +165,7 @@ def beside(tap, desk):
     app = desk.start(fast)
     quick = app.window()
     quick.act("open-path", slow)
-    window = wait("the slow one", lambda: next((widget for widget in app.windows() if "slow.yaml" in widget.name), None))
+    window = wait("the slow one", lambda: next((one for one in app.windows() if "slow.yaml" in one.name), None))
     now = Truth(desk, quick.save())
     tap.equal(watch(quick, 2, now), [], "the quick one has its own numbers")
     for name, words in (("source-add", ["spot"]), ("undo", []), ("redo", []), ("source-delete", []), ("undo", [])):
@@ -191,7 +191,7 @@ def why(tap, desk):
     x, y, width, height = window.picture_area()
     desk.move(x + width / 2, y + height + 20)
     window.enter("Intensity", "77")
-    tap.ok(wait("the formula of now", lambda: window.says("N · L = ", "77 W/sr")), "the numbers are those of the change")
+    tap.ok(wait("the formula of now", lambda: window.says("N · L = ", "77 W/sr")), "the numbers are of the change")
     told = luxel("explain", "report", "-s", "lights[0].intensity=77", "-p", "60,40").decode()
     flux = re.search(r"together is (\S+) W", told).group(1)
     tap.ok(window.says("together is %s W" % flux), "as luxel explain has them")
