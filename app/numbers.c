@@ -377,16 +377,16 @@ GtkWidget *app_numbers_new(AppDocument *document, GtkWidget *space)
     gtk_widget_set_vexpand(self->stack, TRUE);
     g_signal_connect_swapped(self->stack, "notify::visible-child", G_CALLBACK(page_turned), self);
     GtkWidget *copy = self->copy = gtk_button_new_with_label(_("Copy results"));
-    GtkWidget *bottom = gtk_box_new(GTK_ORIENTATION_HORIZONTAL, 8);
     self->waiting = gtk_label_new(NULL);
     gtk_label_set_ellipsize(GTK_LABEL(self->waiting), PANGO_ELLIPSIZE_END);
     gtk_widget_add_css_class(self->waiting, "note");
-    gtk_box_append(GTK_BOX(bottom), copy);
-    gtk_box_append(GTK_BOX(bottom), self->waiting);
+    gtk_label_set_xalign(GTK_LABEL(self->waiting), 0);
+    gtk_widget_set_halign(copy, GTK_ALIGN_START);
     g_signal_connect_swapped(copy, "clicked", G_CALLBACK(copy_results), self);
     gtk_box_append(GTK_BOX(self), switcher);
     gtk_box_append(GTK_BOX(self), self->stack);
-    gtk_box_append(GTK_BOX(self), bottom);
+    gtk_box_append(GTK_BOX(self), self->waiting);
+    gtk_box_append(GTK_BOX(self), copy);
     judge(self);
     return GTK_WIDGET(self);
 }
