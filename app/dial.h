@@ -17,7 +17,8 @@ G_DECLARE_FINAL_TYPE(AppDial, app_dial, APP, DIAL, GtkBox)
 
 /* The form whose display is turned; set once. */
 void app_dial_set_form(AppDial *self, AppDisplayForm *form);
-/* The range, the colours and the words are those of a picture from now on; a reference is taken.  NULL: there is none. */
+/* The range, the colours and the words are those of a picture from now on, to which a
+ * reference is taken.  NULL: there is none. */
 void app_dial_set_picture(AppDial *self, AppPicture *picture);
 /* The levels that have ticks; NULL: none. */
 void app_dial_set_isophotes(AppDial *self, const luxel_isophotes *isophotes);

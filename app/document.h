@@ -47,7 +47,7 @@ const char *app_document_name(const AppDocument *self);
 const char *app_document_text(const AppDocument *self);
 gboolean app_document_is_modified(const AppDocument *self);
 
-/* A number that every change of the text makes greater; and one that every scene does that takes the place of another. */
+/* A number that every change of the text makes greater; and one that does so for each scene that replaces another. */
 guint64 app_document_serial(const AppDocument *self);
 guint64 app_document_origin(const AppDocument *self);
 

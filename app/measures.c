@@ -7,7 +7,15 @@
 
 #include "runner.h"
 
-enum { REST_MS = 120, PATIENCE_MICROSECONDS = 60000, SECTION_SAMPLES = 401, BINS = 64, LEVELS = 8, MOST_LEVELS = 64 };
+enum {
+    REST_MS = 120,
+    PATIENCE_MICROSECONDS = 60000,
+    PATIENCE_OF_POINTS = 400000,
+    SECTION_SAMPLES = 401,
+    BINS = 64,
+    LEVELS = 8,
+    MOST_LEVELS = 64
+};
 
 /* ---- shared ---- */
 
@@ -17,7 +25,8 @@ typedef struct Kept {
     luxel_evaluator *evaluator; /* NULL: there is none, or it was not asked for yet */
     guint8 *grey;               /* levels, likewise */
     AppRunner *runner;
-    gint64 begun; /* when the present answer was, monotonic time */
+    gint64 begun;    /* when the present answer was, monotonic time */
+    gint64 patience; /* so long it goes on although it is outdated */
 } Kept;
 
 static void drop(Kept *kept)
@@ -56,7 +65,7 @@ static bool go_on(double done, void *data)
 {
     const Kept *kept = data;
     (void)done;
-    return !app_runner_is_outdated(kept->runner) || g_get_monotonic_time() - kept->begun < PATIENCE_MICROSECONDS;
+    return !app_runner_is_outdated(kept->runner) || g_get_monotonic_time() - kept->begun < kept->patience;
 }
 
 /* One thread, as pictures have the others; the answers are the same.  Reflected light is what the picture has. */
@@ -78,6 +87,7 @@ static const luxel_evaluator *evaluator_of(Kept *kept, AppRunner *runner, AppSho
     luxel_settings settings = settings_of(shot, kept);
     kept->runner = runner;
     kept->begun = g_get_monotonic_time();
+    kept->patience = PATIENCE_MICROSECONDS;
     keep(kept, shot);
     if (!kept->evaluator && luxel_evaluator_new(shot->moment->scene, &settings, NULL, &kept->evaluator) != LUXEL_OK)
         kept->evaluator = NULL;
@@ -368,6 +378,7 @@ static void answer(AppRunner *runner, gpointer job, gpointer state)
     Both *both = state;
     both->shot.runner = runner;
     both->shot.begun = g_get_monotonic_time();
+    both->shot.patience = PATIENCE_OF_POINTS; /* few numbers, which follow a hand that never rests as well */
     measure_sources(runner, question, &both->shot);
     if (question->shot->moment->is_direct)
         return;

@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /*
  * Measures: the numbers beside the picture.  One thread reads them off a shot: sources, points and sections at once,
- * by the picture's own solution of reflected light; what takes longer (statistics, true extrema, isophotes) when the hand rests.  Another one answers what is under the pointer.
+ * by the picture's own solution of reflected light; what takes longer (statistics, true extrema, isophotes) when the
+ * hand rests.  Another one answers what is under the pointer.
  */
 #ifndef LUXEL_APP_MEASURES_H
 #define LUXEL_APP_MEASURES_H

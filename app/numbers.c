@@ -23,8 +23,8 @@ G_DEFINE_FINAL_TYPE(AppNumbers, app_numbers, GTK_TYPE_BOX)
 
 /* ---- points ---- */
 
-/* A point has two lines, so that no number is cut where the pane is narrow: its name, place and value, and below the place
- * the grey level, below the value that of the pixel. */
+/* A point has two lines, so that no number is cut where the pane is narrow: its name, place and value, and below the
+ * place the grey level, below the value that of the pixel. */
 enum { LINES_OF_POINT = 2 };
 static const int places_of_columns[POINT_COLUMNS][2] = {{0, 0}, {1, 0}, {2, 0}, {2, 1}, {1, 1}};
 
@@ -377,16 +377,16 @@ GtkWidget *app_numbers_new(AppDocument *document, GtkWidget *space)
     gtk_widget_set_vexpand(self->stack, TRUE);
     g_signal_connect_swapped(self->stack, "notify::visible-child", G_CALLBACK(page_turned), self);
     GtkWidget *copy = self->copy = gtk_button_new_with_label(_("Copy results"));
-    GtkWidget *bottom = gtk_box_new(GTK_ORIENTATION_HORIZONTAL, 8);
     self->waiting = gtk_label_new(NULL);
     gtk_label_set_ellipsize(GTK_LABEL(self->waiting), PANGO_ELLIPSIZE_END);
     gtk_widget_add_css_class(self->waiting, "note");
-    gtk_box_append(GTK_BOX(bottom), copy);
-    gtk_box_append(GTK_BOX(bottom), self->waiting);
+    gtk_label_set_xalign(GTK_LABEL(self->waiting), 0);
+    gtk_widget_set_halign(copy, GTK_ALIGN_START);
     g_signal_connect_swapped(copy, "clicked", G_CALLBACK(copy_results), self);
     gtk_box_append(GTK_BOX(self), switcher);
     gtk_box_append(GTK_BOX(self), self->stack);
-    gtk_box_append(GTK_BOX(self), bottom);
+    gtk_box_append(GTK_BOX(self), self->waiting);
+    gtk_box_append(GTK_BOX(self), copy);
     judge(self);
     return GTK_WIDGET(self);
 }

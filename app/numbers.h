@@ -25,8 +25,8 @@ void app_numbers_turn_to(AppNumbers *self, AppPage page);
 
 /* Shows what the answers have; profiles and histogram are taken out of them. */
 void app_numbers_show(AppNumbers *self, AppMeasures *measures);
-/* The version that is shown, and whether that is the document as it is: numbers of another one are dimmed and not copied.
- * FALSE: those of the page that is open are still on their way. */
+/* The version that is shown, and whether that is the document as it is: numbers of another one are dimmed and not
+ * copied.  FALSE: those of the page that is open are still on their way. */
 gboolean app_numbers_set_version(AppNumbers *self, const AppVersion *version, gboolean is_latest);
 /* Says below the page that its numbers are still being computed. */
 void app_numbers_set_late(AppNumbers *self, gboolean is_late);

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Sketches: small grey pictures of scenes that are not open, by their direct light, made one after another by a thread of
- * their own. */
+/* Sketches: small grey pictures of scenes that are not open, by their direct light, made one after another by a thread
+ * of their own. */
 #ifndef LUXEL_APP_SKETCH_H
 #define LUXEL_APP_SKETCH_H
 

@@ -10,6 +10,8 @@
 
 #include <gtk/gtk.h>
 
+#include "measures.h"
+
 #define APP_TYPE_SOURCE_ROW (app_source_row_get_type())
 G_DECLARE_FINAL_TYPE(AppSourceRow, app_source_row, APP, SOURCE_ROW, GtkBox)
 
@@ -18,8 +20,8 @@ gsize app_source_row_light(const AppSourceRow *self);
 
 /* Shows what the document has; no signal is emitted. */
 void app_source_row_show(AppSourceRow *self, const char *title, gboolean enabled, gboolean solo);
-/* Shows flux and irradiance as a text. */
-void app_source_row_set_gives(AppSourceRow *self, const char *text);
+/* Shows flux and irradiance, in these units; NULL: they are not known. */
+void app_source_row_set_gives(AppSourceRow *self, const AppSource *source, const char *flux_unit, const char *unit);
 /* Shows the share of the value under the pointer; NaN: there is none. */
 void app_source_row_set_share(AppSourceRow *self, double share, double whole);
 /* Dims what it gives: it is of an earlier scene. */

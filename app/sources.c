@@ -10,6 +10,7 @@
 #include "diagram.h"
 #include "new_source.h"
 #include "number.h"
+#include "reveal.h"
 #include "row.h"
 #include "rules.h"
 #include "several.h"
@@ -33,7 +34,6 @@ struct _AppSources {
     gsize count;            /* of the sources, as it was last */
     gssize solo;
     gboolean is_updating;
-    int is_to_reveal; /* frames since it was wished that the list shows what is chosen; -1: it does */
 };
 
 enum { CHOSEN, SOLO, HOVERED, SIGNALS };
@@ -210,36 +210,11 @@ static void show_chosen(AppSources *self)
     g_free(type);
 }
 
-/* Scrolls to the one that the form shows, once the rows have their places. */
-static gboolean reveal_shown(GtkWidget *list, GdkFrameClock *clock, gpointer data)
-{
-    AppSources *self = data;
-    GtkListBoxRow *row = gtk_list_box_get_row_at_index(GTK_LIST_BOX(list), (int)self->chosen);
-    graphene_rect_t at;
-    (void)clock;
-    if (self->is_to_reveal++ == 0) /* the layout comes behind this */
-        return G_SOURCE_CONTINUE;
-    if (row && gtk_widget_compute_bounds(GTK_WIDGET(row), list, &at))
-        gtk_adjustment_clamp_page(gtk_scrolled_window_get_vadjustment(GTK_SCROLLED_WINDOW(self->scrolled)),
-                                  (double)at.origin.y, (double)(at.origin.y + at.size.height));
-    self->is_to_reveal = -1;
-    return G_SOURCE_REMOVE;
-}
-
-static void reveal(AppSources *self)
-{
-    if (self->is_to_reveal < 0)
-        gtk_widget_add_tick_callback(self->list, reveal_shown, self, NULL);
-    self->is_to_reveal = 0;
-}
-
 /* The list shows what is chosen. */
 static void show_rows(AppSources *self)
 {
     for (guint i = 0; i < self->items->len; i++) {
         GtkListBoxRow *row = gtk_list_box_get_row_at_index(GTK_LIST_BOX(self->list), (int)i);
-        if (is_chosen(self, i) == gtk_list_box_row_is_selected(row))
-            continue;
         if (is_chosen(self, i))
             gtk_list_box_select_row(GTK_LIST_BOX(self->list), row);
         else
@@ -321,7 +296,7 @@ void app_sources_choose(AppSources *self, gsize index)
 {
     choose_alone(self, index);
     app_sources_refresh(self);
-    reveal(self);
+    app_reveal_row(GTK_LIST_BOX(self->list), GTK_SCROLLED_WINDOW(self->scrolled), (int)index);
 }
 
 void app_sources_toggle(AppSources *self, gsize index)
@@ -352,16 +327,11 @@ void app_sources_hover(AppSources *self, gssize index)
     }
 }
 
-static void judge(AppSources *self)
-{
-    for (guint i = 0; i < self->items->len; i++)
-        app_source_row_set_stale(g_ptr_array_index(self->items, i), self->serial != self->wanted);
-}
-
 gboolean app_sources_set_version(AppSources *self, guint64 serial)
 {
     self->wanted = serial;
-    judge(self);
+    for (guint i = 0; i < self->items->len; i++)
+        app_source_row_set_stale(g_ptr_array_index(self->items, i), self->serial != self->wanted);
     return self->serial == self->wanted;
 }
 
@@ -369,7 +339,7 @@ void app_sources_forget(AppSources *self)
 {
     self->serial = 0;
     for (guint i = 0; i < self->items->len; i++)
-        app_source_row_set_gives(g_ptr_array_index(self->items, i), "");
+        app_source_row_set_gives(g_ptr_array_index(self->items, i), NULL, NULL, NULL);
     app_sources_show_shares(self, NULL);
 }
 
@@ -385,21 +355,12 @@ void app_sources_show_shares(AppSources *self, const AppReading *reading)
 void app_sources_show(AppSources *self, const AppMeasures *measures, gboolean photometric)
 {
     for (guint i = 0; i < self->items->len && i < measures->source_count; i++) {
-        const AppSource *source = &measures->sources[i];
-        char flux[APP_NUMBER_SIZE], irradiance[APP_NUMBER_SIZE];
-        GString *text = g_string_new(NULL);
-        if (isfinite(source->flux))
-            g_string_append_printf(text, "Φ %s %s", app_number_round(source->flux, 4, flux),
-                                   photometric ? _("lm") : _("W"));
-        if (isfinite(source->irradiance))
-            g_string_append_printf(text, "%sE %s %s", text->len ? "   " : "",
-                                   app_number_round(source->irradiance, 4, irradiance),
-                                   gettext(app_moment_unit(measures->live->moment, LUXEL_IRRADIANCE)));
-        app_source_row_set_gives(g_ptr_array_index(self->items, i), text->str);
-        g_string_free(text, TRUE);
+        const char *unit = gettext(app_moment_unit(measures->live->moment, LUXEL_IRRADIANCE));
+        app_source_row_set_gives(g_ptr_array_index(self->items, i), &measures->sources[i],
+                                 photometric ? _("lm") : _("W"), unit);
     }
     self->serial = measures->live->moment->serial;
-    judge(self);
+    app_sources_set_version(self, self->wanted);
 }
 
 gboolean app_sources_set_fault(AppSources *self, const char *key, const char *reason)
@@ -585,7 +546,6 @@ static void app_sources_init(AppSources *self)
     self->together = g_array_new(FALSE, FALSE, sizeof(gsize));
     choose_alone(self, 0);
     self->solo = -1;
-    self->is_to_reveal = -1;
     gtk_orientable_set_orientation(GTK_ORIENTABLE(self), GTK_ORIENTATION_VERTICAL);
     gtk_box_set_spacing(GTK_BOX(self), 6);
 }

@@ -102,7 +102,7 @@ void app_window_reveal_bar(AppWindow *self, GtkWidget *bar, gboolean revealed);
 AppShot *app_window_shot(const AppWindow *self);
 AppShot *app_window_minus(const AppWindow *self);
 
-/* window_version.c: which version of the scene is shown, and what belongs to it: every part is asked, or told, there. */
+/* window_version.c: which version of the scene is shown, and what belongs to it; all parts are told there. */
 AppVersion app_window_version(const AppWindow *self);
 /* Something has come, or the document has changed: what is not of the version that is shown is dimmed. */
 void app_window_judge(AppWindow *self);

@@ -109,6 +109,28 @@ static void stands_elsewhere_and_looks_there(void **state)
     luxel_parameters_free(parameters);
 }
 
+/* However many are added to the same lamp, each has a place of its own. */
+static void none_stands_on_another(void **state)
+{
+    (void)state;
+    luxel_parameters *parameters = luxel_parameters_new();
+    AppDocument *document = document_of_builtin("report");
+    double places[5][3];
+    for (int i = 0; i < 5; i++) {
+        char *key = g_strdup_printf("lights[%d].position", i);
+        if (i > 0)
+            insert(document, app_new_source(document, parameters, i % 2 ? "point" : "spot", 0));
+        char *text = app_document_get(document, key, NULL);
+        assert_int_equal(app_list_read(text, places[i], 3), 3);
+        for (int k = 0; k < i; k++)
+            assert_true(hypot(places[i][0] - places[k][0], places[i][1] - places[k][1]) > 100);
+        g_free(text);
+        g_free(key);
+    }
+    g_object_unref(document);
+    luxel_parameters_free(parameters);
+}
+
 static void begins_in_the_dark(void **state)
 {
     (void)state;
@@ -142,6 +164,7 @@ int main(void)
         cmocka_unit_test(gives_as_much),
         cmocka_unit_test(follows_the_law),
         cmocka_unit_test(stands_elsewhere_and_looks_there),
+        cmocka_unit_test(none_stands_on_another),
         cmocka_unit_test(begins_in_the_dark),
         cmocka_unit_test(doubles_are_seen),
     };

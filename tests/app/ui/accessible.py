@@ -12,7 +12,8 @@ except ImportError as missing:
 
 PREFIX = "org.a11y.atspi."
 ROOT = "/org/a11y/atspi/accessible/root"
-STATES = {"checked": 4, "focused": 12, "pressed": 20, "selected": 23, "sensitive": 24, "visible": 30, "invalid": 0, "busy": 3}
+STATES = {"invalid": 0, "busy": 3, "checked": 4, "focused": 12, "pressed": 20, "selected": 23, "sensitive": 24,
+          "visible": 30}
 TIMEOUT_MS = 20000
 PACE = 0.1  # seconds that a hand takes: what it did is under way before something is read or done
 

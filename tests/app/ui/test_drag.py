@@ -89,7 +89,7 @@ def sphere(tap, desk):
     wait("the whole picture", lambda: abs(window.map()[0] - scale) < 1e-3)
     window.pointed(*start)
     desk.click(*start)
-    tap.equal(drag(window, start, (start[0] + 2, start[1] + 2)), before, "nor is one that was clicked by a hand that trembles")
+    tap.equal(drag(window, start, (start[0] + 2, start[1] + 2)), before, "nor is one by a hand that trembles")
     after = drag(window, start, end)
     center = numbers(after, "center:")
     tap.ok(abs(center[0] - 40) <= 2 and abs(center[1] - 30) <= 2, "the sphere follows the mouse", center)

@@ -165,7 +165,7 @@ def beside(tap, desk):
     app = desk.start(fast)
     quick = app.window()
     quick.act("open-path", slow)
-    window = wait("the slow one", lambda: next((widget for widget in app.windows() if "slow.yaml" in widget.name), None))
+    window = wait("the slow one", lambda: next((one for one in app.windows() if "slow.yaml" in one.name), None))
     now = Truth(desk, quick.save())
     tap.equal(watch(quick, 2, now), [], "the quick one has its own numbers")
     for name, words in (("source-add", ["spot"]), ("undo", []), ("redo", []), ("source-delete", []), ("undo", [])):
@@ -182,4 +182,38 @@ def beside(tap, desk):
     quick.root = kept
 
 
-trial(open_slow, beside)
+def why(tap, desk):
+    """The formula of a place follows every change of the scene, wherever the pointer is."""
+    window = desk.start().window()
+    window.click(wait("a button", lambda: window.widget.find(None, "Why?")))
+    window.pointed(*window.pixel(60, 40))
+    wait("the formula", lambda: window.says("N · L = "))
+    x, y, width, height = window.picture_area()
+    desk.move(x + width / 2, y + height + 20)
+    window.enter("Intensity", "77")
+    tap.ok(wait("the formula of now", lambda: window.says("N · L = ", "77 W/sr")), "the numbers are of the change")
+    told = luxel("explain", "report", "-s", "lights[0].intensity=77", "-p", "60,40").decode()
+    flux = re.search(r"together is (\S+) W", told).group(1)
+    tap.ok(window.says("together is %s W" % flux), "as luxel explain has them")
+    where = window.says("x = ", "y = ")
+    window.act("undo")
+    tap.ok(wait("the formula of before", lambda: window.says("N · L = ", " 10 W/sr")), "and so after undo")
+    tap.equal(window.says("x = ", "y = "), where, "at the same place")
+
+
+def list_follows(tap, desk):
+    """The list of many lamps shows the one that is chosen by its number."""
+    window = desk.start("all-sources").window()
+
+    def is_seen(number):
+        """Whether its row stands between the toolbar above the list and the form below it."""
+        row = next(item for item in window.widget.find("list").all("list item") if item.name.startswith(number))
+        above, below = window.control("button", "Delete the source").area(), window.control("combo box", "Type").area()
+        return above[1] + above[3] <= row.area()[1] + 2 and row.area()[1] + row.area()[3] <= below[1] + 2
+
+    tap.ok(is_seen("1") and not is_seen("9"), "the last of many is not in sight")
+    desk.key("9")
+    tap.ok(wait("its row", lambda: is_seen("9")), "until it is chosen")
+
+
+trial(open_slow, beside, why, list_follows)
