@@ -202,5 +202,13 @@ def figures_share_a_page(tap, tool):
         tap.ok(having[1] - having[0] <= (not language), "the figures' pages", having)
 
 
+def logarithmic_footer(tap, tool):
+    """The small print of a figure says the range of its colours."""
+    for more, words in (([], "range max"), (["--log"], "range log")):
+        tool.run("figure", *more, "-o", "f.pdf", "-s", "screen.resolution=[60,60]")
+        read = subprocess.run(["pdftotext", tool.file("f.pdf"), "-"], capture_output=True, text=True, check=True).stdout
+        tap.equal(re.findall("range (?:max|log)", " ".join(read.split())), [words], "luxel figure " + " ".join(more))
+
+
 run_tests(Tap(), materials, formulas, normals, reflections, lengths, views, digits, choices_in_russian,
-          language_of_pdf, figures_share_a_page)
+          language_of_pdf, figures_share_a_page, logarithmic_footer)
