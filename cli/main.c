@@ -12,6 +12,7 @@
 
 #include "../front/language.h"
 #include "cli.h"
+#include "json.h"
 #include "message.h"
 #include "options.h"
 #include "progress.h"
@@ -45,11 +46,19 @@ static int finish_output(int code)
 }
 
 /* The set that a computation without further wishes would take. */
-static void print_version(void)
+static void print_version(bool as_json)
 {
     const char *forced = getenv("LUXEL_ISA");
     const char *name = luxel_instruction_set_chosen(NULL);
+    struct json json = {.stream = stdout};
 
+    if (as_json) {
+        json_open(&json, NULL, '{');
+        json_text(&json, "version", luxel_version());
+        json_text(&json, "instruction_set", name);
+        json_close(&json, '}');
+        return;
+    }
     printf("luxel %s\n", luxel_version());
     if (name)
         printf(_("instruction set: %s\n"), name);
@@ -60,7 +69,7 @@ static void print_version(void)
 static int run(const struct options *options)
 {
     if (options->version) {
-        print_version();
+        print_version(options->json);
         return EXIT_DONE;
     }
     if (options->help && options->command) {

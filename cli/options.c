@@ -231,7 +231,7 @@ static bool check_commands(const struct options *options)
     const struct option_row *row;
 
     for (size_t i = 0; (row = options_row(i)) != NULL; i++) {
-        if (!is_given(options, i) || (row->commands & bit))
+        if (!is_given(options, i) || (row->commands & bit) || (options->version && strcmp(row->name, "json") == 0))
             continue;
         if (options->command)
             message_error(_("luxel %s takes no --%s"), options->command->name, row->name);

@@ -412,8 +412,9 @@ enum {
 
 static const struct option_row rows[] = {
     {"output", 'o', N_("FILE"), WRITING | COMMAND_SWEEP, TAKES(take_output), .value = VALUE_OUTPUT,
-     .help = N_("write the result to FILE, in the format given by its extension; may be repeated; of sweep the folder "
-                "to fill")},
+     .help =
+         N_("write the result to FILE, in the format given by its extension; may be repeated (luxel sweep: the folder "
+            "to fill)")},
     {"bits", 0, N_("N"), COMMAND_RENDER, TAKES(take_bits), WORDS(bits_words),
      .help = N_("bits of the grey levels of a .png: 8 (default) or 16, which show differences that 256 levels hide")},
     {"dry-run", 'n', NULL, COMMAND_SET | COMMAND_SWEEP, SETS(dry_run),

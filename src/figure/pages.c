@@ -13,6 +13,7 @@
 #include "../base/diagnostics.h"
 #include "../base/memory.h"
 #include "page_rows.h"
+#include "pdf_language.h"
 
 /* A4 and its margins. */
 static const double WIDTH = 210 * 72 / 25.4, HEIGHT = 297 * 72 / 25.4;
@@ -148,9 +149,10 @@ static size_t fill_page(const struct lx_pages *pages, size_t first, double *tops
 
 /* ---- pages ---- */
 
-static cairo_status_t write_bytes(void *sink, const unsigned char *bytes, unsigned count)
+static cairo_status_t collect(void *text, const unsigned char *bytes, unsigned count)
 {
-    return lx_sink_write(sink, bytes, count) == LUXEL_OK ? CAIRO_STATUS_SUCCESS : CAIRO_STATUS_WRITE_ERROR;
+    lx_text_add(text, (const char *)bytes, count);
+    return ((struct lx_text *)text)->failed ? CAIRO_STATUS_NO_MEMORY : CAIRO_STATUS_SUCCESS;
 }
 
 static void draw_footer(struct lx_pages *pages, cairo_t *cairo, size_t page, size_t count)
@@ -238,7 +240,8 @@ luxel_status lx_pages_write(const struct luxel_document *document, struct lx_sin
 {
     struct lx_pages pages = {
         .document = document, .width = WIDTH - 2 * SIDE, .room = HEIGHT - TOP - BOTTOM, .failed = document->failed};
-    cairo_surface_t *surface = cairo_pdf_surface_create_for_stream(write_bytes, sink, WIDTH, HEIGHT);
+    struct lx_text pdf = {0};
+    cairo_surface_t *surface = cairo_pdf_surface_create_for_stream(collect, &pdf, WIDTH, HEIGHT);
     cairo_t *cairo = cairo_create(surface);
     double *tops = NULL;
     pages.context = pango_cairo_create_context(cairo);
@@ -258,7 +261,10 @@ luxel_status lx_pages_write(const struct luxel_document *document, struct lx_sin
     cairo_surface_finish(surface);
     failed = failed || cairo_surface_status(surface) != CAIRO_STATUS_SUCCESS;
     cairo_surface_destroy(surface);
-    if (lx_sink_status(sink) != LUXEL_OK)
-        return lx_sink_status(sink);
-    return failed ? lx_out_of_memory(diagnostics) : LUXEL_OK;
+    lx_pdf_add_language(&pdf, document->language.code ? document->language.code : "en");
+    failed = failed || pdf.failed;
+    if (!failed)
+        lx_sink_write(sink, pdf.bytes, pdf.length);
+    lx_text_clear(&pdf);
+    return failed ? lx_out_of_memory(diagnostics) : lx_sink_status(sink);
 }

@@ -18,7 +18,7 @@
 static const char *const endings[] = {".pdf", ".html", ".md", ".tex"};
 enum { PDF, HTML, MARKDOWN, LATEX };
 
-enum { GREY_MM = 105, FALSE_COLOUR_MM = 150, PICTURE_DPI = 150 };
+enum { GREY_MM = 80, FALSE_COLOUR_MM = 120, PICTURE_DPI = 150 };
 
 luxel_status luxel_check_report_name(const char *path, luxel_diagnostics *diagnostics)
 {

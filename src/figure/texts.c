@@ -140,7 +140,7 @@ static void print_conventions(const struct lx_figure *figure, struct lx_text *te
     const luxel_use use = {
         .screen = !figure->plane,
         .pixels = !figure->plane,
-        .range = isnan(figure->settings.low) && !figure->plane,
+        .range = isnan(figure->settings.low) && !figure->plane && !figure->settings.logarithmic,
         .brightness = luxel_field_quantity(figure->field) != LUXEL_IRRADIANCE,
     };
     luxel_conventions *conventions = NULL;
@@ -150,6 +150,10 @@ static void print_conventions(const struct lx_figure *figure, struct lx_text *te
         lx_figure_add_convention(figure, text, conventions->list[i].key, conventions->list[i].value);
     }
     luxel_conventions_free(conventions);
+    if (figure->settings.logarithmic && isnan(figure->settings.low)) {
+        lx_text_puts(text, "; ");
+        lx_figure_add_convention(figure, text, "range", "log");
+    }
 }
 
 /* The lights in a line, then the conventions, then the version, which stays with its name. */

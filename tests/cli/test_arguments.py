@@ -233,6 +233,10 @@ def version_and_usage(tap, tool):
     version = tool.run("--version")
     tap.ok(version.code == 0 and re.match(r"luxel 0\.1\.0\ninstruction set: [\w-]+\n$", version.out), "--version",
            version)
+    for words in ("--version", "--json"), ("version", "--json"), ("render", "--version", "--json"):
+        data = tool.run(*words).json()
+        tap.equal((list(data), data["version"], data["instruction_set"] in version.out),
+                  (["version", "instruction_set"], "0.1.0", True), " ".join(words))
     for command in "render", "probe", "grid", "check", "scene", "help":
         for word in (command, "--help"), ("help", command), (command, "-h"):
             result = tool.run(*word)

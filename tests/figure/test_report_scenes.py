@@ -2,6 +2,7 @@
 """Reports of rooms, meshes, reflected light and surfaces that the screen cuts off: what is said holds for the scene,
 and what does not hold for it is not said."""
 import re
+import subprocess
 
 from report_text import near, percent_of, report, rows, says
 from tap import Tap
@@ -168,4 +169,46 @@ def choices_in_russian(tap, tool):
             tap.equal(values, english, "in English")
 
 
-run_tests(Tap(), materials, formulas, normals, reflections, lengths, views, digits, choices_in_russian)
+def language_of_pdf(tap, tool):
+    """A PDF says its language, in a catalogue that its cross-references lead to, and readers find nothing wrong."""
+    for language in ("en", "ru"):
+        result = tool.run("report", "-s", "screen.resolution=[40,40]", "-o", "r.pdf",
+                          environment={"LANGUAGE": "" if language == "en" else language})
+        pdf = tool.read("r.pdf")
+        start = int(pdf.rsplit(b"startxref\n", 1)[1].split()[0])
+        root = int(re.search(rb"/Root (\d+) 0 R", pdf[start:]).group(1))
+        entry = re.match(rb"xref\n(\d+) 1\n(\d{10}) 00000 n \n", pdf[start:])
+        tap.ok(result.code == 0 and entry and int(entry.group(1)) == root, language + ": cross-references", pdf[start:])
+        catalogue = pdf[int(entry.group(2)):].split(b"endobj")[0]
+        tap.ok(catalogue.startswith(b"%d 0 obj\n" % root) and b"/Lang (%s)" % language.encode() in catalogue and
+               b"/Pages" in catalogue and b"/Outlines" in catalogue, language + ": the catalogue", catalogue)
+        before = int(re.search(rb"/Prev (\d+)", pdf[start:]).group(1))
+        tap.equal(pdf[before:before + 5], b"xref\n", language + ": what was there before")
+        for program in (["pdfinfo", tool.file("r.pdf")], ["pdftotext", tool.file("r.pdf"), "-"]):
+            read = subprocess.run(program, capture_output=True, text=True, check=False)
+            tap.ok(read.returncode == 0 and not read.stderr and len(read.stdout) > 100,
+                   "%s: %s reads it" % (language, program[0]), read)
+
+
+def figures_share_a_page(tap, tool):
+    """Both pictures of a square screen fit one page, whatever the language."""
+    for language in ("", "ru"):
+        tool.run("report", "-o", "r.pdf", environment={"LANGUAGE": language})
+        pages = subprocess.run(["pdftotext", "-layout", tool.file("r.pdf"), "-"], capture_output=True, text=True,
+                               check=True).stdout.split("\f")
+        first, second = ("Fig. 1", "Fig. 2") if not language else ("Рис. 1", "Рис. 2")
+        tap.equal(len(pages) - 1, 6, "six pages")
+        having = [[i for i, page in enumerate(pages) if name in page][0] for name in (first, second)]
+        tap.ok(having[1] - having[0] <= (not language), "the figures' pages", having)
+
+
+def logarithmic_footer(tap, tool):
+    """The small print of a figure says the range of its colours."""
+    for more, words in (([], "range max"), (["--log"], "range log")):
+        tool.run("figure", *more, "-o", "f.pdf", "-s", "screen.resolution=[60,60]")
+        read = subprocess.run(["pdftotext", tool.file("f.pdf"), "-"], capture_output=True, text=True, check=True).stdout
+        tap.equal(re.findall("range (?:max|log)", " ".join(read.split())), [words], "luxel figure " + " ".join(more))
+
+
+run_tests(Tap(), materials, formulas, normals, reflections, lengths, views, digits, choices_in_russian,
+          language_of_pdf, figures_share_a_page, logarithmic_footer)
