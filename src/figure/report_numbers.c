@@ -11,7 +11,16 @@
 
 const char *lx_report_number(double value, char *buffer)
 {
-    return lx_write_digits(value, 7, buffer);
+    return lx_write_digits(value, LX_REPORT_DIGITS, buffer);
+}
+
+const char *lx_report_bounded(double value, double error, int most, char *buffer)
+{
+    if (!(error > 0) || !isfinite(error) || value == 0)
+        return lx_write_digits(value, most, buffer);
+    const int digits = (int)floor(log10(fabs(value))) - (int)floor(log10(error)) + 2;
+    return digits < 1 ? lx_write_digits(0, most, buffer)
+                      : lx_write_digits(value, digits < most ? digits : most, buffer);
 }
 
 void lx_report_clear(struct lx_report *report)
