@@ -74,7 +74,7 @@ void lx_report_add_place(struct lx_text *text, const double *values, size_t coun
 enum { LX_REPORT_DIGITS = 7 };
 const char *lx_report_number(double value, char *buffer);
 
-/* A number with a bound of its error: in no more digits than that leaves, two of its own, and in no more than `most`. */
+/* A number with a bound of its error: in no more digits than that leaves, two of its own, and no more than `most`. */
 const char *lx_report_bounded(double value, double error, int most, char *buffer);
 
 #endif
