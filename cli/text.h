@@ -17,7 +17,7 @@ const char *text_lengths(const double *values_mm, size_t count, char buffer[TEXT
 void text_set_digits(unsigned digits);
 /* A value of a result, in the usual digits of the place or those that are asked for. */
 const char *text_value(char buffer[TEXT_SIZE], unsigned usual, double value);
-/* A value with a bound of its error: in no more digits than that leaves, two of its own, unless others are asked for. */
+/* A value with a bound of its error: in no more digits than that leaves, two of its own, or those asked for. */
 const char *text_bounded(char buffer[TEXT_SIZE], unsigned usual, double value, double error);
 /* The bound of a value's error as text_error() prints it, of the value as it stands there when its digits are asked for
  * or its error rounds it. */

@@ -11,8 +11,8 @@
  * luxel_probe_element() has it.  The quantity is the irradiance, whatever the settings say: a measuring plane has no
  * material.  The numbers are the same for any number of threads.  Threads as for luxel_render().
  *
- * Cells inside of bodies have no value: nobody sees or measures there.  A body is what a surface closes around, a sphere
- * that is seen from outside, a closed mesh, or a tube with covers, unless a light shines in it: that is a room.
+ * Cells inside of bodies have no value: nobody sees or measures there.  A body is what a surface closes around, a
+ * sphere that is seen from outside, a closed mesh, or a tube with covers, unless a light shines in it: that is a room.
  *
  * What is read off the values is what the cells' centres tell of the plane: where the light varies over a cell, their
  * average is not the plane's.  So the irradiance is integrated over the plane, too, whatever its cells: `mean` and
@@ -53,9 +53,9 @@ typedef struct luxel_grid {
     const char *unit;            /* of the values, in UTF-8, that of luxel_scene_unit() for the irradiance */
     const double *values;        /* rows x columns; 0 for a cell without a value */
     const double *errors;        /* rows x columns: bounds of |value - truth|; 0 for a cell without a value */
-    const uint8_t *mask;         /* rows x columns: 1 where the cell has a value, 0 where it lies on a source or inside */
+    const uint8_t *mask;         /* rows x columns: 1 where the cell has a value, 0 on a source or inside a body */
     size_t measured;             /* the number of cells that have a value */
-    size_t blocking_light;       /* where more than `enclosed` have none: the light on the first, as an index in the scene */
+    size_t blocking_light;       /* where more than `enclosed` have none: the light on the first, by index */
     double error;                /* the largest of the bounds */
     double average;              /* the plain mean of the values */
     double average_error;        /* bounds its distance from the mean of the true values at the cells' centres */

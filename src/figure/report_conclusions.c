@@ -40,7 +40,7 @@ static void conclude_peak(struct lx_report *report)
     lx_report_add_place(&position, peak->position_mm, 3);
     lx_document_item(report->document, sentences[peak->place],
                      LX_SPANS(LX_TERM_SPAN(lx_report_quantity(report)),
-                              LX_PLAIN(lx_report_value(report, peak->value, LX_REPORT_DIGITS, value)),
+                              LX_PLAIN(lx_report_bounded(report, peak->value, peak->error, LX_REPORT_DIGITS, value)),
                               LX_PLAIN(report->unit), LX_PLAIN(place.bytes), LX_PLAIN(position.bytes)));
     lx_text_clear(&place);
     lx_text_clear(&position);
@@ -155,11 +155,11 @@ static void conclude_plateau(struct lx_report *report)
         lx_document_item(report->document, LX_N("The {0} is 0 everywhere: the surface is dark."),
                          LX_SPANS(LX_TERM_SPAN(lx_report_quantity(report))));
     else
-        lx_document_item(
-            report->document, LX_N("The {0} has no peak: it is {1} {2} in a whole part of the surface."),
-            LX_SPANS(LX_TERM_SPAN(lx_report_quantity(report)),
-                     LX_PLAIN(lx_report_value(report, greatest->value, LX_REPORT_DIGITS, (char[LX_NUMBER_SIZE]){0})),
-                     LX_PLAIN(report->unit)));
+        lx_document_item(report->document, LX_N("The {0} has no peak: it is {1} {2} in a whole part of the surface."),
+                         LX_SPANS(LX_TERM_SPAN(lx_report_quantity(report)),
+                                  LX_PLAIN(lx_report_bounded(report, greatest->value, greatest->error, LX_REPORT_DIGITS,
+                                                             (char[LX_NUMBER_SIZE]){0})),
+                                  LX_PLAIN(report->unit)));
 }
 
 /* How much of the surface light arrives at. */
@@ -170,11 +170,18 @@ static void conclude_reach(struct lx_report *report)
     if (report->reach.has_direct && report->reach.has_ambient)
         lx_document_item(
             report->document,
-            LX_N("Ambient light is everywhere; that of the other sources reaches {0} % of the surface that "
-                 "is seen."),
+            LX_N("Ambient light is everywhere; that of the other sources reaches {0} % of the picture where it shows a "
+                 "surface."),
+            LX_SPANS(reached));
+    else if (report->reach.has_direct && report->statistics.has_reflected)
+        lx_document_item(
+            report->document,
+            LX_N("Light comes straight from a source to {0} % of the picture where it shows a surface; what surfaces "
+                 "reflect arrives elsewhere, too."),
             LX_SPANS(reached));
     else if (report->reach.has_direct)
-        lx_document_item(report->document, LX_N("Light reaches {0} % of the surface that is seen."), LX_SPANS(reached));
+        lx_document_item(report->document, LX_N("Light reaches {0} % of the picture where it shows a surface."),
+                         LX_SPANS(reached));
     else if (report->reach.has_ambient)
         lx_document_item(report->document, LX_N("All light is ambient: it is everywhere."), NULL);
     else

@@ -14,9 +14,24 @@ const char *lx_report_number(double value, char *buffer)
     return lx_write_digits(value, LX_REPORT_DIGITS, buffer);
 }
 
+static int digits_of(const struct lx_report *report, int by_default)
+{
+    return report->texts->digits > 0 ? (int)report->texts->digits : by_default;
+}
+
 const char *lx_report_value(const struct lx_report *report, double value, int by_default, char *buffer)
 {
-    return lx_write_digits(value, report->texts->digits > 0 ? (int)report->texts->digits : by_default, buffer);
+    return lx_write_digits(value, digits_of(report, by_default), buffer);
+}
+
+const char *lx_report_bounded(const struct lx_report *report, double value, double error, int by_default, char *buffer)
+{
+    const int most = digits_of(report, by_default);
+    if (!(error > 0) || !isfinite(error) || value == 0)
+        return lx_write_digits(value, most, buffer);
+    const int digits = (int)floor(log10(fabs(value))) - (int)floor(log10(error)) + 2;
+    return digits < 1 ? lx_write_digits(0, most, buffer)
+                      : lx_write_digits(value, digits < most ? digits : most, buffer);
 }
 
 void lx_report_clear(struct lx_report *report)

@@ -103,7 +103,8 @@ static void add_probe(struct lx_report *report, size_t i)
     lx_text_printf(&name, "P%zu", i + 1);
     lx_report_add_place(&place, (const double[]){probe->x_mm, probe->y_mm}, 2);
     const char *without = probe->on_surface ? LX_N("a source lies on it") : LX_N("off the surface");
-    struct lx_span exact = LX_PLAIN(lx_report_value(report, probe->value, LX_REPORT_EXACT_DIGITS, value));
+    struct lx_span exact =
+        LX_PLAIN(lx_report_bounded(report, probe->value, probe->error, LX_REPORT_EXACT_DIGITS, value));
     struct lx_span none = LX_TERM_SPAN(without), blank = LX_PLAIN("");
     /* what was asked to be rounded away counts as an error, too */
     const double rounded = report->texts->digits > 0 ? fabs(strtod(value, NULL) - probe->value) : 0;
@@ -125,30 +126,43 @@ static void add_points(struct lx_report *report)
         lx_document_paragraph(document, LX_N("The scene asks for no points."), NULL);
         return;
     }
+    /* with reflected light it is known to a bound alone */
+    const bool is_exact = !report->statistics.has_reflected;
     lx_document_paragraph(document,
-                          LX_N("The exact value is that at the point itself; the picture's is that of the pixel in "
-                               "which the point lies. Values in {0}, places in mm."),
+                          is_exact
+                              ? LX_N("The exact value is that at the point itself; the picture's is that of the "
+                                     "pixel in which the point lies. Values in {0}, places in mm.")
+                              : LX_N("The value is that at the point itself, to the error beside it; the picture's "
+                                     "is that of the pixel in which the point lies. Values in {0}, places in mm."),
                           LX_SPANS(LX_PLAIN(report->unit)));
     lx_document_table(document, "llrrr");
     lx_document_row(document,
-                    LX_SPANS(LX_TERM_SPAN(LX_N("point")), LX_MATH("(x,\\, y)"), LX_TERM_SPAN(LX_N("exact value")),
+                    LX_SPANS(LX_TERM_SPAN(LX_N("point")), LX_MATH("(x,\\, y)"),
+                             LX_TERM_SPAN(is_exact ? LX_N("exact value") : LX_N("value")),
                              LX_TERM_SPAN(LX_N("error at most")), LX_TERM_SPAN(LX_N("of the pixel"))),
                     false);
     for (size_t i = 0; i < report->probe_count; i++)
         add_probe(report, i);
 }
 
-static void add_statistic(struct lx_report *report, const char *english, double value, const double *place)
+/* `error`: of the value, 0 where its digits hold. */
+static void add_bounded(struct lx_report *report, const char *english, double value, double error, const double *place)
 {
     char number[LX_NUMBER_SIZE];
     struct lx_text text = {0};
     if (place)
         lx_report_add_place(&text, place, 2);
     lx_document_row(report->document,
-                    LX_SPANS(LX_TERM_SPAN(english), LX_PLAIN(lx_report_value(report, value, LX_REPORT_DIGITS, number)),
+                    LX_SPANS(LX_TERM_SPAN(english),
+                             LX_PLAIN(lx_report_bounded(report, value, error, LX_REPORT_DIGITS, number)),
                              LX_PLAIN(text.bytes ? text.bytes : "")),
                     false);
     lx_text_clear(&text);
+}
+
+static void add_statistic(struct lx_report *report, const char *english, double value, const double *place)
+{
+    add_bounded(report, english, value, 0, place);
 }
 
 /* The extrema of the exact function. */
@@ -156,11 +170,11 @@ static void add_true_extrema(struct lx_report *report)
 {
     const luxel_peak *greatest = &report->rendered.extrema.maximum, *least = &report->rendered.extrema.minimum;
     if (greatest->exists)
-        add_statistic(report, LX_N("true maximum"), greatest->value,
-                      greatest->place == LUXEL_PEAK_PLATEAU ? NULL : (const double[]){greatest->x_mm, greatest->y_mm});
+        add_bounded(report, LX_N("true maximum"), greatest->value, greatest->error,
+                    greatest->place == LUXEL_PEAK_PLATEAU ? NULL : (const double[]){greatest->x_mm, greatest->y_mm});
     if (least->exists)
-        add_statistic(report, LX_N("true minimum"), least->value,
-                      least->place == LUXEL_PEAK_PLATEAU ? NULL : (const double[]){least->x_mm, least->y_mm});
+        add_bounded(report, LX_N("true minimum"), least->value, least->error,
+                    least->place == LUXEL_PEAK_PLATEAU ? NULL : (const double[]){least->x_mm, least->y_mm});
 }
 
 static void add_pixel(struct lx_report *report, const char *english, const luxel_extremum *pixel)
@@ -225,8 +239,10 @@ static void add_statistics(struct lx_report *report)
     add_statistic(report, LX_N("standard deviation"), summary->standard_deviation, NULL);
     if (report->reach.has_direct)
         add_statistic(report,
-                      report->reach.has_ambient ? LX_N("share of the surface that light other than ambient reaches")
-                                                : LX_N("share of the surface that light reaches"),
+                      report->reach.has_ambient ? LX_N("share of the picture that light other than ambient reaches")
+                      : report->statistics.has_reflected
+                          ? LX_N("share of the picture that light reaches straight from a source")
+                          : LX_N("share of the picture that light reaches"),
                       report->reach.share, NULL);
     if (summary->has_evenness)
         add_statistic(report, LX_N("uniformity U0 = minimum of the pixels / mean"), summary->u0, NULL);

@@ -325,8 +325,8 @@ static lx_bounded doubt_outline(const struct lx_problem *problem, lx_bounded fou
 }
 
 /*
- * What the error of where obstacles lie may do across the arcs: an edge that runs along one, or a tube, begins or ends to
- * hide all of it at once, be it within the source or where that ends.  Along the arcs it is counted there.
+ * What the error of where obstacles lie may do across the arcs: an edge that runs along one, or a tube, begins or ends
+ * to hide all of it at once, be it within the source or where that ends.  Along the arcs it is counted there.
  */
 static double doubt_brinks(struct lx_problem *problem)
 {

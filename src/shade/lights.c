@@ -147,7 +147,7 @@ void lx_lights_set_plane(struct lx_lights *lights, const struct lx_shape *shape)
     lights->touch_mm = shape->touch_mm;
 }
 
-/* Takes a light that is in the plane, but for what rounding does, so far behind it that no pixel can think otherwise. */
+/* Takes a light in the plane, but for what rounding does, so far behind it that no pixel can think otherwise. */
 static void put_behind(const struct lx_lights *lights, struct lx_light_double *light)
 {
     static const double FAR_BEHIND = 3, SMALLEST_TURN = 1e-15;

@@ -34,7 +34,7 @@ luxel_status lx_plan_openings(struct lx_plan *plan, struct lx_control *control, 
     if (!surface->openings || !plan->opening_rules)
         return LUXEL_ERROR_MEMORY;
     for (size_t i = 0; i < items; i++) {
-        if (!lx_is_opening(&emitters->items[i]) || lx_is_behind_plane(surface, &emitters->items[i]))
+        if (!lx_is_opening(&emitters->items[i]) || lx_is_set_in(surface, &emitters->items[i]))
             continue;
         struct lx_planned_shell *planned = &surface->openings[surface->opening_count];
         planned->emitter = &emitters->items[i];

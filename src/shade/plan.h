@@ -108,8 +108,8 @@ static inline double lx_least_of(luxel_precision precision)
     return precision == LUXEL_SINGLE ? (double)FLT_TRUE_MIN : DBL_MIN;
 }
 
-/* Whether all of an extended emitter is behind a flat surface, or in its plane but for what rounding does: then nothing
- * of it arrives there, but for a highlight that counts below the horizon, too. */
-bool lx_is_behind_plane(const struct lx_planned_surface *surface, const struct lx_emitter *emitter);
+/* Whether an extended emitter is set into a flat surface, as a lamp into a ceiling, and reaches to its plane but for
+ * what rounding does: then nothing of it arrives there, but for a highlight that counts below the horizon, too. */
+bool lx_is_set_in(const struct lx_planned_surface *surface, const struct lx_emitter *emitter);
 
 #endif

@@ -73,13 +73,13 @@ static luxel_status plan_rules(struct lx_plan *plan, struct lx_control *control,
     return status;
 }
 
-bool lx_is_behind_plane(const struct lx_planned_surface *surface, const struct lx_emitter *emitter)
+bool lx_is_set_in(const struct lx_planned_surface *surface, const struct lx_emitter *emitter)
 {
     const struct lx_shape *shape = &surface->shape;
     const bool is_plain = surface->lobe.specular.value > 0 && surface->lobe.highlight == LX_HIGHLIGHT_PLAIN;
     double nearest;
     return lx_curvature(shape) == 0 && !is_plain &&
-           lx_reach_along(emitter, shape->anchor_mm, shape->axis, &nearest) <= shape->touch_mm;
+           fabs(lx_reach_along(emitter, shape->anchor_mm, shape->axis, &nearest)) <= shape->touch_mm;
 }
 
 static luxel_status plan_shells(struct lx_plan *plan, struct lx_control *control, struct lx_planned_surface *surface)
@@ -102,7 +102,7 @@ static luxel_status plan_shells(struct lx_plan *plan, struct lx_control *control
         const struct lx_emitter *emitter = &emitters->items[i];
         if (!goes_on(control, i))
             return LUXEL_CANCELLED;
-        if (!lx_is_shell(emitter) || lx_is_behind_plane(surface, emitter))
+        if (!lx_is_shell(emitter) || lx_is_set_in(surface, emitter))
             continue;
         struct lx_planned_shell *planned = &surface->shells[surface->shell_count];
         planned->emitter = emitter;

@@ -35,9 +35,10 @@ struct lx_plane_crossing lx_plane_cross(const struct lx_shape *plane, lx_bounded
                                         bool endless);
 
 /*
- * Whether a way that crosses the plane `room` within an edge meets the surface.  The edge itself does.  What lies beyond
- * it by no more than `beyond` does, too, so that edges that meet leave no gap: but that is in doubt, as is what rounding
- * cannot tell from the edge; a place whose offset from the anchor has no rounding may be told to lead to the very edge.
+ * Whether a way that crosses the plane `room` within an edge meets the surface.  The edge itself does.  What lies
+ * beyond it by no more than `beyond` does, too, so that edges that meet leave no gap: but that is in doubt, as is what
+ * rounding cannot tell from the edge; a place whose offset from the anchor has no rounding may be told to lead to the
+ * very edge.
  */
 lx_bounded lx_plane_is_within(const struct lx_shape *shape, lx_bounded3 place_mm, lx_bounded room, double beyond);
 
@@ -48,7 +49,7 @@ lx_bounded lx_plane_is_within(const struct lx_shape *shape, lx_bounded3 place_mm
 double lx_plane_beside(const struct lx_shape *plane, const double place_mm[3], const double way[3], bool endless,
                        double crossing_mm[3]);
 
-/* Whether an opening lies in the plane, to 1e-9 of its size and the plane's, and where its middle is from the centre. */
+/* Whether an opening lies in the plane, to 1e-9 of its size and the plane's, and where its middle is. */
 bool lx_plane_holds_opening(const struct lx_shape *plane, const struct lx_shape_opening *opening, double middle_mm[3]);
 
 /* Members of kinds, charts and bounds: coordinates are the offsets across and upward in mm. */

@@ -61,9 +61,9 @@ def the_exercise(tap, tool):
         lit = values[values >= 1.2e-38]
         reached = values[model.faced & (values >= 1.2e-38)]
         share = model.faced.mean()
-        tap.ok(near(table["share of the surface that light reaches"][0], share, 1e-6),
+        tap.ok(near(table["share of the picture that light reaches"][0], share, 1e-6),
                name + ": the share in the table", table, share)
-        tap.ok(near(percent_of(text, r"Light reaches (\S+) % of the surface"), 100 * share, 5e-3),
+        tap.ok(near(percent_of(text, r"Light reaches (\S+) % of the picture"), 100 * share, 5e-3),
                name + ": the share in the conclusions", text)
         tap.ok(near(table["mean"][0], values.mean(), 1e-6), name + ": the mean")
         tap.ok(near(table["median"][0], np.median(values), 1e-4), name + ": the median")
@@ -125,7 +125,7 @@ def kinds_of_light(tap, tool):
         says(tap, text, "The mean is", ambient or direct, name)
         says(tap, text, "sections through the maximum", direct, name)
         if direct:
-            tap.ok(near(percent_of(text, r"reaches (\S+) % of the surface"), 100 * share, 5e-3), name + ": the share")
+            tap.ok(near(percent_of(text, r"reaches (\S+) % of the picture"), 100 * share, 5e-3), name + ": the share")
     text = report(tool, *SMALL, "-s", "lights=[%s, %s]" % (POINT % 5, POINT % 5))
     says(tap, text, "has the greatest share there", False, "two that give the same")
     text = report(tool, *SMALL, "-s", "surfaces[0].center=[9000,0,1000]")
@@ -149,9 +149,9 @@ def other_scenes(tap, tool):
         tool.run("render", name, *small, *direct, "--quantity", "irradiance", "--precision", "double", "-o", "e.csv")
         values = np.array([float(line.split(",")[2]) for line in tool.read("e.csv").decode().splitlines()[1:]])
         wanted = 100 * (values > 0).mean()
-        tap.ok(near(percent_of(text, r"reaches (\S+) % of the surface"), wanted, 1e-2),
+        tap.ok(near(percent_of(text, r"reaches (\S+) % of the picture"), wanted, 1e-2),
                "%s %s: the share" % (name, more),
-               percent_of(text, r"reaches (\S+) % of the surface"), wanted)
+               percent_of(text, r"reaches (\S+) % of the picture"), wanted)
         says(tap, text, "Where another surface stands in the way",
              name in ("two-spheres", "desk") and not more, "%s %s" % (name, more))
         says(tap, text, "The normal of a sphere", True, name)

@@ -136,10 +136,11 @@ def test_grid_extrema(tap, tool):
     scene["lights[0].enabled"] = False
     tap.equal((grid.extrema(), pickle.loads(pickle.dumps(grid)).extrema()), (found, found),
               "those of the scene that was measured")
-    long = luxel.Scene("window").changed({"grids": [dict(TWO_GRIDS[0], n=[100, 50])]}).grid()  # for seconds
+    long = luxel.Scene("window").changed({"grids": [dict(TWO_GRIDS[1], n=[100, 50])]}).grid()  # for seconds
     cancelled = raises(luxel.LuxelError, long.extrema, progress=lambda done: False)
     tap.equal(cancelled and cancelled.status, "cancelled", "progress that returns False ends the search")
-    shining = luxel.Scene("two-spheres").changed({"grids": TWO_GRIDS[:1], "reflections": 1})
+    below = dict(TWO_GRIDS[0], center=[0, 0, 300])
+    shining = luxel.Scene("two-spheres").changed({"grids": [below], "reflections": 1})
     grid = shining.grid(reflected_error=0.1)
     found = grid.extrema()
     tap.ok(found.minimum.value <= grid.minimum.value + found.minimum.error and found.maximum.error > 0 and

@@ -416,7 +416,7 @@ static void test_advice(void **state)
     }
 }
 
-/* A lamp in the plane of a plate, as on a ceiling, lights none of it, however the observer turns it: each pixel is 0. */
+/* A lamp in the plane of a plate, as on a ceiling, lights none of it, however the observer stands: pixels are 0. */
 static void test_in_its_plane(void **state)
 {
     static const char *const lights[] = {

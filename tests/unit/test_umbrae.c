@@ -90,8 +90,8 @@ static void strips(void **state)
     }
 }
 
-/* A plate of a hundred metres and one of half a metre that end at x = 0 half way up to a point at (100, 0, 1000), a disk and a tube that do: places are
- * dark up to x = -100. */
+/* A plate of a hundred metres and one of half a metre, a disk and a tube, which end at x = 0 half way up to a point at
+ * (100, 0, 1000): places are dark up to x = -100. */
 static void edges(void **state)
 {
     static const char *const surfaces[] = {
