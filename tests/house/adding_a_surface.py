@@ -76,7 +76,7 @@ def reflected(luxel, folder, bounces, surface):
 
 
 def try_reflections(tap, luxel, folder):
-    """The ring sends on what a disk does, less what its hole would; without sides it is refused, not taken for black."""
+    """The ring sends on what a disk does, less what its hole would; without sides it is refused, not black."""
     ring = reflected(luxel, folder, 1, "ring, radius: 150, hole: 60")
     disk, hole = (reflected(luxel, folder, 1, "disk, radius: %d" % radius) for radius in (150, 60))
     off = abs(ring["irradiance"] - (disk["irradiance"] - hole["irradiance"]))
