@@ -100,11 +100,16 @@ struct sampling {
 static int sample_tile(const struct lx_radiosity *reflected, const struct lx_asking *asking, struct lx_tile *tile)
 {
     const struct lx_effort *effort = asking->effort;
+    const bool is_told = tile->is_sampled;
+    double told[LX_RULE_NODES];
+    memcpy(told, tile->direct.nodes, sizeof told);
     tile->is_guessed = false;
     if (lx_effort_is_left(effort) &&
-        !lx_direct_sample(&reflected->sampling, &reflected->faces[tile->face], asking, tile))
+        !lx_direct_sample(&reflected->sampling, &reflected->faces[tile->face], asking, tile)) {
+        tile->is_sampled = true;
         return 0;
-    return lx_effort_is_left(effort) ? -1 : lx_within_guess(reflected, asking, tile);
+    }
+    return lx_effort_is_left(effort) ? -1 : lx_within_guess(reflected, asking, is_told ? told : NULL, tile);
 }
 
 static void sample_tiles(void *data, unsigned worker, bool is_caller, unsigned first, unsigned last)

@@ -51,7 +51,9 @@ struct lx_tile {
     struct lx_direct direct;
     bool has_light;
     bool is_overlaid;                       /* another face lies on it (overlap.h) */
-    bool is_guessed;                        /* there was no effort left for its direct light, */
+    bool is_sampled;                        /* its direct light was, at its nodes at least; */
+    bool is_guessed;                        /* there was no effort left for all that it takes, */
+    double most_direct;                     /* and so much would arrive at a place if nothing hid the sources; */
     bool is_blind;                          /* or for what it receives (within.h), of which stays what is known: */
     bool has_past;                          /* solutions before told it */
     double past[LX_RULE_NODES], past_error; /* reflected irradiance, and a bound on all of it */

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Making veils of the scene's surfaces, and asking them. */
+/* Making veils of the scene's surfaces. */
 #include "veil.h"
 
 #include <math.h>
@@ -9,13 +9,10 @@
 #include "../base/memory.h"
 #include "../base/vector.h"
 #include "region.h"
+#include "round.h"
 
-/* Corners of what stands for a circle. */
-enum { MOST_ROUND = 40 };
-/* The effort of a question to a mesh, of a surface that may be in the way, and of asking it for a single way. */
-enum { MESH_EFFORT = 30, SURFACE_EFFORT = 3, WAY_EFFORT = 1 };
-/* Ends of ways that are left out, as a share of them. */
-static const double ENDS = 1e-9;
+/* The effort of a question to a mesh, and of a surface that may be in the way. */
+enum { MESH_EFFORT = 30, SURFACE_EFFORT = 3 };
 
 static void sub(const double a[3], const double b[3], double difference[3])
 {
@@ -23,9 +20,9 @@ static void sub(const double a[3], const double b[3], double difference[3])
         difference[i] = a[i] - b[i];
 }
 
-/* ---- making ---- */
+/* ---- planes ---- */
 
-static void begin_veil(struct lx_veils *veils)
+void lx_veils_begin(struct lx_veils *veils)
 {
     if (lx_reserve(&veils->items, &veils->capacity, veils->count + 1, sizeof *veils->items)) {
         veils->failed = true;
@@ -34,8 +31,7 @@ static void begin_veil(struct lx_veils *veils)
     veils->items[veils->count++] = (struct lx_veil){.first = veils->plane_count};
 }
 
-/* The plane through a place, hidden where the normal, of any length but 0, points to. */
-static void add_plane(struct lx_veils *veils, const double normal[3], const double through_mm[3])
+void lx_veils_plane(struct lx_veils *veils, const double normal[3], const double through_mm[3])
 {
     const double length = sqrt(lx_dot(normal, normal));
     if (veils->failed || !(length > 0))
@@ -53,22 +49,21 @@ static void add_plane(struct lx_veils *veils, const double normal[3], const doub
 
 static void add_half_space(struct lx_veils *veils, const double normal[3], const double through_mm[3])
 {
-    begin_veil(veils);
-    add_plane(veils, normal, through_mm);
+    lx_veils_begin(veils);
+    lx_veils_plane(veils, normal, through_mm);
     if (!veils->failed)
         veils->items[veils->count - 1].is_horizon = true;
 }
 
-/* What lies behind a convex polygon in a plane that has the place `height_mm` above itself. */
-static void add_polygon(struct lx_veils *veils, const double (*corners)[3], int count, const double axis[3],
-                        const double center_mm[3], double height_mm)
+void lx_veils_polygon(struct lx_veils *veils, const double (*corners)[3], int count, const double axis[3],
+                      const double center_mm[3], double height_mm)
 {
     double from[3], to[3], middle[3], edge[3], beyond[3];
     sub(center_mm, veils->place_mm, middle);
-    begin_veil(veils);
+    lx_veils_begin(veils);
     for (int i = 0; i < 3; i++)
         beyond[i] = height_mm > 0 ? -axis[i] : axis[i];
-    add_plane(veils, beyond, center_mm);
+    lx_veils_plane(veils, beyond, center_mm);
     for (int k = 0; k < count; k++) {
         sub(corners[k], veils->place_mm, from);
         sub(corners[(k + 1) % count], veils->place_mm, to);
@@ -76,35 +71,31 @@ static void add_polygon(struct lx_veils *veils, const double (*corners)[3], int 
         if (lx_dot(edge, middle) < 0)
             for (int i = 0; i < 3; i++)
                 edge[i] = -edge[i];
-        add_plane(veils, edge, veils->place_mm);
+        lx_veils_plane(veils, edge, veils->place_mm);
     }
 }
 
-static double height_over(const struct lx_veils *veils, const double axis[3], const double center_mm[3])
+double lx_veils_height(const struct lx_veils *veils, const double axis[3], const double center_mm[3])
 {
     double from[3];
     sub(veils->place_mm, center_mm, from);
     return lx_dot(axis, from);
 }
 
-/* How many corners stand for a circle that is seen under a half angle of this sine. */
-static int round_corners(double sine)
+void lx_veils_shape(struct lx_veils *veils, const struct lx_shape *shape)
 {
-    return sine < 0.5 ? 16 : sine < 0.8 ? 24 : MOST_ROUND;
-}
-
-static void corners_around(const double center_mm[3], const double first[3], const double second[3], double radius_mm,
-                           int count, double corners[MOST_ROUND][3])
-{
-    const double step = 2 * M_PI / count;
-    for (int k = 0; k < count; k++)
-        for (int i = 0; i < 3; i++)
-            corners[k][i] = center_mm[i] + radius_mm * (cos(k * step) * first[i] + sin(k * step) * second[i]);
+    lx_veils_begin(veils);
+    if (veils->failed)
+        return;
+    struct lx_veil *veil = &veils->items[veils->count - 1];
+    veil->shape = shape;
+    memcpy(veil->center_mm, shape->anchor_mm, sizeof veil->center_mm);
+    veil->radius_mm = shape->radius_mm;
 }
 
 static void add_plate(struct lx_veils *veils, const struct lx_smooth_sheet *plate)
 {
-    const double height = height_over(veils, plate->axis, plate->center_mm);
+    const double height = lx_veils_height(veils, plate->axis, plate->center_mm);
     double corners[4][3];
     if (fabs(height) <= veils->touch_mm)
         return;
@@ -114,85 +105,14 @@ static void add_plate(struct lx_veils *veils, const struct lx_smooth_sheet *plat
         for (int i = 0; i < 3; i++)
             corners[k][i] = plate->center_mm[i] + x * plate->across[i] + y * plate->upward[i];
     }
-    add_polygon(veils, (const double(*)[3])corners, 4, plate->axis, plate->center_mm, height);
-}
-
-/* A circle as a polygon of as much area. */
-static void add_disk(struct lx_veils *veils, const struct lx_smooth_sheet *disk)
-{
-    const double height = height_over(veils, disk->axis, disk->center_mm), radius = disk->half_mm[0];
-    double from[3], corners[MOST_ROUND][3];
-    if (fabs(height) <= veils->touch_mm)
-        return;
-    sub(veils->place_mm, disk->center_mm, from);
-    const int count = round_corners(radius / hypot(radius, sqrt(lx_dot(from, from))));
-    const double step = 2 * M_PI / count;
-    corners_around(disk->center_mm, disk->across, disk->upward, radius * sqrt(step / sin(step)), count, corners);
-    add_polygon(veils, (const double(*)[3])corners, count, disk->axis, disk->center_mm, height);
-}
-
-/*
- * The tangent of the half angle at which the corners of a pyramid are that takes as much of the view as a cone of
- * cosine c.  Each of its spherical triangles has two such sides b; tan(area/2) = t sin(step) / (1 + t cos(step)) with
- * t = tan^2(b/2).
- */
-static double tangent_of_corners(double c, int count)
-{
-    const double step = 2 * M_PI / count, half = tan(M_PI * (1 - c) / count);
-    const double t = fmin(half / (sin(step) - half * cos(step)), 0.999); /* a cone may be almost half of the view */
-    return 2 * sqrt(t) / (1 - t);
-}
-
-/* A ball hides what the circle does in which the tangents touch it.  False: the place is inside. */
-static bool add_ball(struct lx_veils *veils, const struct lx_smooth_sheet *ball)
-{
-    const double radius = ball->half_mm[0];
-    double way[3], first[3], second[3], middle[3], corners[MOST_ROUND][3];
-    sub(ball->center_mm, veils->place_mm, way);
-    const double away = lx_normalize(way), share = radius / away, below = 1 - share * share;
-    if (!(below > 1e-12))
-        return false;
-    for (int i = 0; i < 3; i++)
-        middle[i] = veils->place_mm[i] + away * below * way[i];
-    lx_around_axis(way, first, second);
-    const int count = round_corners(share);
-    corners_around(middle, first, second, away * below * tangent_of_corners(sqrt(below), count), count, corners);
-    add_polygon(veils, (const double(*)[3])corners, count, way, middle, -1);
-    return true;
-}
-
-static void add_shape(struct lx_veils *veils, const struct lx_shape *shape)
-{
-    begin_veil(veils);
-    if (veils->failed)
-        return;
-    struct lx_veil *veil = &veils->items[veils->count - 1];
-    veil->shape = shape;
-    memcpy(veil->center_mm, shape->anchor_mm, sizeof veil->center_mm);
-    veil->radius_mm = shape->radius_mm;
-}
-
-/* Whether one ball may stand before another as the place sees them: their cones overlap. */
-static bool may_stand_before(const struct lx_veils *veils, const double center_mm[3], double radius_mm,
-                             const double behind_mm[3], double behind_radius_mm)
-{
-    double way[3], from[3];
-    sub(behind_mm, veils->place_mm, way);
-    sub(center_mm, veils->place_mm, from);
-    const double far = lx_normalize(way), near = lx_normalize(from);
-    if (near - radius_mm > far + behind_radius_mm)
-        return false;
-    if (near <= radius_mm || far <= behind_radius_mm)
-        return true;
-    const double widths = asin(radius_mm / near) + asin(behind_radius_mm / far);
-    return widths >= M_PI || lx_dot(way, from) >= cos(widths) - 1e-12;
+    lx_veils_polygon(veils, (const double(*)[3])corners, 4, plate->axis, plate->center_mm, height);
 }
 
 /* Whether a plate has the place and all of a face on one of its sides. */
 static bool is_aside(const struct lx_veils *veils, const struct lx_smooth_sheet *plate,
                      const struct lx_matte_face *face)
 {
-    const double height = height_over(veils, plate->axis, plate->center_mm);
+    const double height = lx_veils_height(veils, plate->axis, plate->center_mm);
     const double side = height > 0 ? 1 : -1;
     const double back[3] = {-side * plate->axis[0], -side * plate->axis[1], -side * plate->axis[2]};
     return lx_face_reach(face, back, plate->center_mm) <= veils->touch_mm;
@@ -208,7 +128,7 @@ static void add_mesh(struct lx_veils *veils, const struct lx_shape *mesh, const 
     lx_effort_take(veils->effort, MESH_EFFORT);
     const size_t count = lx_mesh_within(mesh, (const double(*)[4])region.planes, region.count, FEW, found);
     if (count > FEW) {
-        add_shape(veils, mesh);
+        lx_veils_shape(veils, mesh);
         return;
     }
     for (size_t i = 0; i < count; i++) {
@@ -216,24 +136,13 @@ static void add_mesh(struct lx_veils *veils, const struct lx_shape *mesh, const 
         double corners[3][3], middle[3];
         if (!lx_mesh_sheet(mesh, found[i], &sheet))
             continue;
-        const double height = height_over(veils, sheet.axis, sheet.center_mm);
+        const double height = lx_veils_height(veils, sheet.axis, sheet.center_mm);
         if (fabs(height) <= veils->touch_mm || is_aside(veils, &sheet, face))
             continue;
         lx_mesh_corners(mesh, found[i], corners);
         for (int k = 0; k < 3; k++)
             middle[k] = (corners[0][k] + corners[1][k] + corners[2][k]) / 3;
-        add_polygon(veils, (const double(*)[3])corners, 3, sheet.axis, middle, height);
-    }
-}
-
-/* Whether a surface that has such a sheet hides from any place outside what one convex veil does. */
-static bool is_convex(const struct lx_smooth_sheet *sheet)
-{
-    switch (sheet->type) {
-    case LX_SHEET_TUBE: return false;
-    case LX_SHEET_BALL: return sheet->turn > 0;
-    case LX_SHEET_DISK: return sheet->half_mm[1] == 0;
-    default: return true;
+        lx_veils_polygon(veils, (const double(*)[3])corners, 3, sheet.axis, middle, height);
     }
 }
 
@@ -244,23 +153,25 @@ static bool add_surface(struct lx_veils *veils, const struct lx_prepared_surface
     struct lx_smooth_sheet sheets[LX_MOST_SHEETS];
     const struct lx_shape *shape = &surface->shape;
     lx_effort_take(veils->effort, SURFACE_EFFORT);
-    if (!may_stand_before(veils, shape->anchor_mm, shape->radius_mm, face->center_mm, face->radius_mm))
+    if (!lx_may_stand_before(veils, shape->anchor_mm, shape->radius_mm, face->center_mm, face->radius_mm))
         return true;
     if (lx_mesh_count(shape) > 0) {
         add_mesh(veils, shape, face);
         return true;
     }
-    if (lx_shape_sheets(shape, sheets) == 0 || !is_convex(&sheets[0])) {
-        add_shape(veils, shape);
-    } else if (sheets[0].type == LX_SHEET_PLATE) {
+    if (lx_shape_sheets(shape, sheets) == 0) {
+        lx_veils_shape(veils, shape);
+        return true;
+    }
+    switch (sheets[0].type) {
+    case LX_SHEET_DISK: lx_veils_disk(veils, shape, &sheets[0]); return true;
+    case LX_SHEET_TUBE: return lx_veils_tube(veils, shape, &sheets[0], face);
+    case LX_SHEET_BALL: return lx_veils_ball(veils, shape, &sheets[0], face);
+    default:
         if (!is_aside(veils, &sheets[0], face))
             add_plate(veils, &sheets[0]);
-    } else if (sheets[0].type == LX_SHEET_DISK) {
-        add_disk(veils, &sheets[0]);
-    } else {
-        return add_ball(veils, &sheets[0]);
+        return true;
     }
-    return true;
 }
 
 /* The part of a round face that is turned away from the place is on one side of a plane. */
@@ -268,6 +179,7 @@ static bool add_turned(struct lx_veils *veils, const struct lx_matte_face *face)
 {
     const struct lx_smooth_sheet *sheet = &face->sheet;
     double from[3], through[3];
+    bool is_beside = false;
     sub(veils->place_mm, sheet->center_mm, from);
     if (face->is_flat)
         return sheet->turn * lx_dot(sheet->axis, from) > veils->touch_mm;
@@ -275,8 +187,11 @@ static bool add_turned(struct lx_veils *veils, const struct lx_matte_face *face)
         const double along = lx_dot(from, sheet->axis);
         for (int i = 0; i < 3; i++)
             from[i] -= along * sheet->axis[i];
+        is_beside = fabs(along) <= sheet->half_mm[1] + veils->touch_mm;
     }
     const double away = sqrt(lx_dot(from, from)), radius = sheet->half_mm[0];
+    if (is_beside && sheet->turn < 0 && away > radius * (1 + 1e-9))
+        return false;
     if (sheet->type == LX_SHEET_BALL)
         if (sheet->turn < 0 ? away > radius * (1 + 1e-9) : away < radius * (1 - 1e-9))
             return false;
@@ -301,8 +216,8 @@ static void add_own(struct lx_veils *veils, const struct lx_prepared_surface *ow
     const double side = lx_dot(normal, receiver->normal) > 0 ? -1 : 1;
     for (int i = 0; i < 3; i++)
         normal[i] *= side;
-    begin_veil(veils);
-    add_plane(veils, normal, receiver->place_mm);
+    lx_veils_begin(veils);
+    lx_veils_plane(veils, normal, receiver->place_mm);
 }
 
 /* The shell of a tube, seen from outside, hides its inner side but for what the ends leave; a mesh hides anything. */
@@ -364,9 +279,8 @@ bool lx_veils_set(const struct lx_prepared *prepared, const struct lx_receiver *
         } else if (lx_closed_boxes_turn_away(veils->boxes, s, receiver->place_mm)) {
             continue;
         } else if (s == receiver->own && lx_mesh_count(&surface->shape) == 0) {
-            if (is_within(&surface->shape, receiver))
-                add_shape(veils, &surface->shape);
-            continue;
+            if (!is_within(&surface->shape, receiver))
+                continue;
         }
         if (!add_surface(veils, surface, face))
             return false;
@@ -380,85 +294,4 @@ void lx_veils_clear(struct lx_veils *veils)
     free(veils->items);
     lx_shafts_clear(&veils->shafts);
     *veils = (struct lx_veils){0};
-}
-
-/* ---- asking ---- */
-
-enum lx_outlook lx_veil_look(const struct lx_veils *veils, const struct lx_veil *veil, const struct lx_tile_cell *cell)
-{
-    enum lx_outlook sight = LX_NONE_SEEN;
-    if (veil->shape)
-        return may_stand_before(veils, veil->center_mm, veil->radius_mm, cell->center_mm, cell->radius_mm) &&
-                       !lx_region_is_free(veils, veil->shape, cell)
-                   ? LX_PART_SEEN
-                   : LX_ALL_SEEN;
-    const bool is_round = lx_dot(cell->first_mm, cell->first_mm) == 0;
-    for (size_t k = veil->first; k < veil->first + veil->count; k++) {
-        const double *plane = veils->planes[k], middle = lx_dot(plane, cell->center_mm) + plane[3];
-        const double spread =
-            is_round ? cell->radius_mm : fabs(lx_dot(plane, cell->first_mm)) + fabs(lx_dot(plane, cell->second_mm));
-        if (middle + spread <= veils->touch_mm)
-            return LX_ALL_SEEN;
-        if (middle - spread < -veils->touch_mm)
-            sight = LX_PART_SEEN;
-    }
-    return sight;
-}
-
-enum lx_outlook lx_veils_look(const struct lx_veils *veils, const struct lx_tile_cell *cell)
-{
-    enum lx_outlook sight = LX_ALL_SEEN;
-    for (size_t i = 0; i < veils->count; i++) {
-        const enum lx_outlook one = lx_veil_look(veils, &veils->items[i], cell);
-        if (one == LX_NONE_SEEN)
-            return LX_NONE_SEEN;
-        if (one == LX_PART_SEEN)
-            sight = LX_PART_SEEN;
-    }
-    return sight;
-}
-
-bool lx_veils_have_shapes(const struct lx_veils *veils, const struct lx_tile_cell *cell)
-{
-    for (size_t i = 0; i < veils->count; i++)
-        if (veils->items[i].shape && lx_veil_look(veils, &veils->items[i], cell) != LX_ALL_SEEN)
-            return true;
-    return false;
-}
-
-bool lx_veils_are_horizons(const struct lx_veils *veils, const struct lx_tile_cell *cell)
-{
-    for (size_t i = 0; i < veils->count; i++)
-        if (!veils->items[i].is_horizon && lx_veil_look(veils, &veils->items[i], cell) != LX_ALL_SEEN)
-            return false;
-    return true;
-}
-
-static bool shape_takes(const struct lx_veils *veils, const struct lx_shape *shape, const double place_mm[3])
-{
-    double from[3], way[3];
-    lx_effort_take(veils->effort, WAY_EFFORT);
-    sub(place_mm, veils->place_mm, way);
-    for (int i = 0; i < 3; i++) {
-        from[i] = veils->place_mm[i] + ENDS * way[i];
-        way[i] *= 1 - 2 * ENDS;
-    }
-    if (!shape->kind->takes)
-        return shape->kind->blocks(shape, lx_exact3(from), lx_exact3(way), false).value != 0;
-    for (int i = 0; i < 3; i++)
-        from[i] -= shape->anchor_mm[i];
-    return shape->kind->takes(shape, from, way, false);
-}
-
-bool lx_veils_leave(const struct lx_veils *veils, const double place_mm[3])
-{
-    for (size_t i = 0; i < veils->count; i++) {
-        const struct lx_veil *veil = &veils->items[i];
-        bool hidden = true;
-        for (size_t k = veil->first; k < veil->first + veil->count && hidden; k++)
-            hidden = lx_dot(veils->planes[k], place_mm) + veils->planes[k][3] > 0;
-        if (veil->shape ? shape_takes(veils, veil->shape, place_mm) : hidden)
-            return false;
-    }
-    return true;
 }

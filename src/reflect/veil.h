@@ -28,7 +28,8 @@ static inline bool lx_receives_from_own(const struct lx_receiver *receiver, cons
 
 struct lx_veil {
     size_t first, count;            /* planes */
-    const struct lx_shape *shape;   /* instead of planes: by its own answer */
+    const struct lx_shape *shape;   /* instead of planes: by its own answer; */
+    bool is_ball;                   /* or the ball below, with what is behind it */
     bool is_horizon;                /* at its border nothing arrives anyway: the kernel is 0 there */
     double center_mm[3], radius_mm; /* a ball around that */
 };
@@ -54,6 +55,9 @@ bool lx_veils_set(const struct lx_prepared *prepared, const struct lx_receiver *
                   const struct lx_matte_face *face, size_t f, double size_mm, struct lx_veils *veils);
 void lx_veils_clear(struct lx_veils *veils);
 
+/* Whether one ball may stand before another as the place sees them: their cones overlap. */
+bool lx_may_stand_before(const struct lx_veils *veils, const double center_mm[3], double radius_mm,
+                         const double behind_mm[3], double behind_radius_mm);
 enum lx_outlook lx_veil_look(const struct lx_veils *veils, const struct lx_veil *veil, const struct lx_tile_cell *cell);
 enum lx_outlook lx_veils_look(const struct lx_veils *veils, const struct lx_tile_cell *cell);
 

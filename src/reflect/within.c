@@ -87,15 +87,18 @@ bool lx_within_rows(const struct lx_radiosity *reflected, struct lx_effort *effo
 
 /* ---- direct light ---- */
 
-static void halve(struct lx_direct *direct)
+static double greatest_of(const struct lx_direct *direct)
 {
+    double greatest = 0;
     for (int q = 0; q < LX_RULE_NODES; q++)
-        direct->nodes[q] /= 2;
+        greatest = fmax(greatest, fabs(direct->nodes[q]));
     for (int i = 0; direct->quarters && i < 4; i++)
-        halve(&direct->quarters[i]);
+        greatest = fmax(greatest, greatest_of(&direct->quarters[i]));
+    return greatest;
 }
 
-int lx_within_guess(const struct lx_radiosity *reflected, const struct lx_asking *asking, struct lx_tile *tile)
+int lx_within_guess(const struct lx_radiosity *reflected, const struct lx_asking *asking, const double *told,
+                    struct lx_tile *tile)
 {
     enum { FEW_LEVELS = 2 };
     const struct lx_asking unbounded = {.control = asking->control, .is_caller = asking->is_caller};
@@ -106,10 +109,14 @@ int lx_within_guess(const struct lx_radiosity *reflected, const struct lx_asking
     sampling.most_levels = FEW_LEVELS;
     if (lx_direct_sample(&sampling, &reflected->faces[tile->face], &unbounded, tile))
         return -1;
-    halve(&tile->direct);
-    for (int q = 0; q < LX_RULE_NODES; q++)
-        light += tile->cell.area[q] * fabs(tile->direct.nodes[q]);
-    tile->direct_error = tile->direct_error / 2 + light / lx_tile_area(tile);
+    tile->most_direct = greatest_of(&tile->direct);
+    for (int q = 0; q < LX_RULE_NODES; q++) {
+        const double open = fmax(tile->direct.nodes[q], 0), value = told ? fmin(fmax(told[q], 0), open) : open / 2;
+        light += tile->cell.area[q] * (fmax(value, open - value) + fabs(tile->direct.nodes[q] - open));
+        tile->direct.nodes[q] = value;
+    }
+    lx_direct_clear(&tile->direct);
+    tile->direct_error += light / lx_tile_area(tile);
     tile->is_guessed = true;
     return 0;
 }
@@ -121,16 +128,6 @@ struct sender {
     double brightest, flux, area;
 };
 
-static double greatest_of(const struct lx_direct *direct)
-{
-    double greatest = 0;
-    for (int q = 0; q < LX_RULE_NODES; q++)
-        greatest = fmax(greatest, fabs(direct->nodes[q]));
-    for (int i = 0; direct->quarters && i < 4; i++)
-        greatest = fmax(greatest, greatest_of(&direct->quarters[i]));
-    return greatest;
-}
-
 static struct sender sender_of(const struct lx_radiosity *reflected, const struct lx_tile *tile)
 {
     const double between = 2; /* the nodes of the finest windows */
@@ -139,7 +136,7 @@ static struct sender sender_of(const struct lx_radiosity *reflected, const struc
     for (int q = 0; q < LX_RULE_NODES; q++)
         light += tile->cell.area[q] * tile->direct.nodes[q];
     return (struct sender){
-        .brightest = reflectance * between * (tile->is_guessed ? 2 : 1) * greatest_of(&tile->direct),
+        .brightest = reflectance * between * (tile->is_guessed ? tile->most_direct : greatest_of(&tile->direct)),
         .flux = reflectance * (fmax(light, 0) + tile->direct_error * area),
         .area = area,
     };
@@ -171,9 +168,31 @@ static double first_bounce(const struct lx_radiosity *reflected, const struct se
     return fmin(sum, brightest);
 }
 
+/* What arrives of others in the mean, as in a sphere of as much area and light, where the share of all ways that end on
+ * faces is that of the tiles of which it is known. */
+static double mean_received(const struct lx_radiosity *reflected)
+{
+    double area = 0, reflecting = 0, sent = 0, known = 0, seen = 0;
+    for (size_t t = 0; t < reflected->tile_count; t++) {
+        const struct lx_tile *tile = &reflected->tiles[t];
+        const double reflectance = reflected->faces[tile->face].reflectance;
+        for (int q = 0; q < LX_RULE_NODES; q++) {
+            const double at = tile->cell.area[q];
+            area += at;
+            reflecting += reflectance * at;
+            sent += reflectance * at * tile->direct.nodes[q];
+            known += tile->is_blind ? 0 : at;
+            seen += tile->is_blind ? 0 : at * reflected->seen[t * LX_RULE_NODES + (size_t)q];
+        }
+    }
+    const double share = known > 0 ? fmin(seen / known, 1) : 1;
+    return fmax(share * sent / (area - (reflected->bounces == 1 ? 0 : share * reflecting)), 0);
+}
+
 int lx_within_ceilings(struct lx_radiosity *reflected)
 {
     const size_t count = reflected->tile_count;
+    const double mean = mean_received(reflected);
     struct sender *senders = lx_new_array(count, sizeof *senders);
     double *first = lx_new_array(count, sizeof *first), brightest = 0, greatest = 0, reflectance = 0;
     const int failed = senders && first ? 0 : -1;
@@ -191,9 +210,10 @@ int lx_within_ceilings(struct lx_radiosity *reflected)
         struct lx_tile *tile = &reflected->tiles[t];
         if (!tile->is_blind || tile->has_past)
             continue;
-        tile->past_error = (first[t] + further) / 2;
+        const double most = first[t] + further, value = fmin(mean, most);
+        tile->past_error = fmax(value, most - value);
         for (int q = 0; q < LX_RULE_NODES; q++)
-            tile->past[q] = tile->past_error;
+            tile->past[q] = value;
     }
     free(senders);
     free(first);

@@ -1,8 +1,9 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * Work within what effort is left, and what is told of tiles for which there is none: direct light on them is half of
- * what would arrive if nothing hid the sources, and what they receive from others is half of a ceiling, the most that
- * it can be; either with as much error.
+ * Work within what effort is left, and what is told of tiles for which there is none.  The values are the best
+ * that is known: direct light as its first samples are, or else half of what would arrive if nothing hid the sources,
+ * and what they receive from others as in a sphere of as much area and light.  The errors reach from there to nothing,
+ * and to all that would arrive so, or to a ceiling of what others can send.
  */
 #ifndef LX_REFLECT_WITHIN_H
 #define LX_REFLECT_WITHIN_H
@@ -35,8 +36,10 @@ bool lx_within_rows(const struct lx_radiosity *reflected, struct lx_effort *effo
                     const struct lx_window *window, const struct lx_tile_cell *cell, struct lx_veils *veils,
                     struct lx_rows **rows);
 
-/* Direct light of a tile by what would arrive if nothing hid it; 0, or -1. */
-int lx_within_guess(const struct lx_radiosity *reflected, const struct lx_asking *asking, struct lx_tile *tile);
+/* Direct light of a tile by what would arrive if nothing hid it, and by what its first samples told at the nodes; NULL:
+ * there are none.  0, or -1. */
+int lx_within_guess(const struct lx_radiosity *reflected, const struct lx_asking *asking, const double *told,
+                    struct lx_tile *tile);
 
 /* Sets what is known of the tiles that are blind, where nothing is yet.  0, or -1 when memory ran out. */
 int lx_within_ceilings(struct lx_radiosity *reflected);

@@ -20,7 +20,7 @@ struct lx_smooth_sheet {
     double center_mm[3]; /* of a triangle the corner at t = -1 */
     double across[3], upward[3], axis[3]; /* unit, at right angles */
     double half_mm[2]; /* of a plate; of a triangle the side at t = 1, and the height over it; of what is round the
-                        * radius, and of a tube half its height, of a disk the radius of the hole in its middle */
+                        * radius, and of a tube half its height, of a disk the hole's radius */
     double middle;     /* the angle in the middle of a sector; how far the middle of a triangle's side is across */
 };
 
@@ -29,8 +29,8 @@ enum { LX_MOST_SHEETS = 12 };
 /* The sheets of a shape, as its kind has them; returns how many, 0: it has none, or is a mesh. */
 int lx_shape_sheets(const struct lx_shape *shape, struct lx_smooth_sheet sheets[LX_MOST_SHEETS]);
 
-/* For kinds: the sheets on both sides of a plate, of the sectors of a disk or a tube, with their half_mm, and of a ball,
- * which has no inside unless it is hollow; how many. */
+/* For kinds: the sheets on both sides of a plate, of the sectors of a disk or a tube, with their half_mm, and of a
+ * ball, which has no inside unless it is hollow; how many. */
 int lx_sheets_of_plate(const struct lx_shape *shape, struct lx_smooth_sheet *sheets);
 int lx_sheets_of_sectors(const struct lx_shape *shape, enum lx_sheet_type type, double radius_mm, double half_mm,
                          struct lx_smooth_sheet *sheets);

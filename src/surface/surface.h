@@ -225,8 +225,8 @@ struct lx_surface_kind {
                     double inside_mm[3]);
     /* The mesh that parameters name, where they do.  NULL: never. */
     bool (*mesh)(const void *parameters, struct lx_mesh_use *use);
-    /* Its sides, cut into sheets (sheet.h), in room for LX_MOST_SHEETS; returns how many.  NULL: nobody can integrate over
-     * it, so that it cannot stand in a scene with reflections, unless it is a mesh, or of parts that can. */
+    /* Its sides, cut into sheets (sheet.h), in room for LX_MOST_SHEETS; returns how many.  NULL: nobody can integrate
+     * over it, so that it cannot stand in a scene with reflections, unless it is a mesh, or of parts that can. */
     int (*sheets)(const struct lx_shape *shape, struct lx_smooth_sheet *sheets);
     const struct lx_surface_chart *chart;
     const struct lx_surface_bounds *bounds;

@@ -2,8 +2,8 @@
 """The surface that docs/ADDING-A-SURFACE.md adds (test_adding.py).
 
 The new surface, a ring, must look as the disk that it is cut out of, show through its hole what is behind, take away
-the light that the disk takes and the disk in its hole does not, reflect what these reflect, have a true maximum, and speak
-up in help and errors.
+the light that the disk takes and the disk in its hole does not, reflect what these reflect, have a true maximum, and
+speak up in help and errors.
 """
 import json
 import re
@@ -70,13 +70,13 @@ lights:
 
 def reflected(luxel, folder, bounces, surface):
     (folder / "reflecting.yaml").write_text(REFLECTING % (bounces, surface))
-    made = call(luxel, "probe", folder / "reflecting.yaml", "--at", "100,0,0,0,0,1", "--quantity", "irradiance", "--json",
-                "--reflected-error", "1e-4")
+    made = call(luxel, "probe", folder / "reflecting.yaml", "--at", "100,0,0,0,0,1", "--quantity", "irradiance",
+                "--json", "--reflected-error", "1e-4")
     return json.loads(made.stdout)["points"][0]["reflected"] if made.returncode == 0 else made
 
 
 def try_reflections(tap, luxel, folder):
-    """The ring sends on what a disk does, less what its hole would; one without sides is refused, not taken for black."""
+    """The ring sends on what a disk does, less what its hole would; without sides it is refused, not black."""
     ring = reflected(luxel, folder, 1, "ring, radius: 150, hole: 60")
     disk, hole = (reflected(luxel, folder, 1, "disk, radius: %d" % radius) for radius in (150, 60))
     off = abs(ring["irradiance"] - (disk["irradiance"] - hole["irradiance"]))
@@ -88,7 +88,8 @@ def try_reflections(tap, luxel, folder):
            abs(narrow["irradiance"] - whole["irradiance"]) <= narrow["error"] + whole["error"],
            "with next to no hole it reflects as the disk does", str((narrow, whole)))
     kind = folder / "luxel/src/surface/ring.c"
-    kind.write_text(re.sub(r"/\* Its sides.*?^}\n\n|    \.sheets = ring_sheets,\n", "", kind.read_text(), flags=re.S | re.M))
+    sides = r"/\* Its sides.*?^}\n\n|    \.sheets = ring_sheets,\n"
+    kind.write_text(re.sub(sides, "", kind.read_text(), flags=re.S | re.M))
     made = call("ninja", "-C", folder / "build", "cli/luxel")
     tap.ok(made.returncode == 0, "it builds without sides", made.stdout[-2000:])
     bare = reflected(luxel, folder, 1, "ring, radius: 150, hole: 60")

@@ -111,6 +111,33 @@ static void furnace(void **state)
            at, 5, 5e-3);
 }
 
+/* What reaches into a ball is hidden in it, not only behind the circle in which ways touch the ball. */
+static void bodies_in_bodies(void **state)
+{
+    (void)state;
+    const double truth = 2 * 0.3 / (1 - 0.3);
+    const struct truth at[] = {{{0, 0, -800}, {0, 0, 1}, truth},
+                               {{500, 300, -800}, {0, 0, 1}, truth},
+                               {{0, -1200, -300}, {0, 1, 0}, truth},
+                               {{-300, 0, -300}, {-1, 0, 0}, truth}};
+    static const char *const others[] = {
+        "{type: sphere, center: [300, 0, -300], radius: 300, " MATERIAL("0.3") "}",
+        "{type: disk, center: [200, 0, -300], radius: 400, axis: [0.3, 0.1, 1], " MATERIAL("0.3") "}",
+        "{type: rectangle, center: [0, 0, -300], size: [500, 550], " MATERIAL("0.3") "}",
+        "{type: sphere, center: [700, 300, 800], radius: 300, " MATERIAL("0.3") "}",
+        "{type: cylinder, center: [700, 0, 0], radius: 150, height: 1600, axis: [0, 0, 1], " MATERIAL(
+            "0.3") "}, {type: disk, center: [600, 50, -100], radius: 300, " MATERIAL("0.3") "}"};
+    for (size_t i = 0; i < sizeof others / sizeof *others; i++) {
+        char surfaces[TEXT_SIZE];
+        const int length = snprintf(surfaces, sizeof surfaces,
+                                    "{type: room, center: [0, 0, 0], size: [3000, 2400, 1600], %s}, "
+                                    "{type: sphere, center: [0, 0, -300], radius: 300, %s}, %s",
+                                    MATERIAL("0.3"), MATERIAL("0.3"), others[i]);
+        assert_true(length > 0 && length < TEXT_SIZE);
+        expect(scene_of("all", surfaces, "{type: ambient, irradiance: 2}"), at, 4, 1e-2);
+    }
+}
+
 /* The kernel of a sphere is constant: mean rho E / (1 - rho) on all of it, whatever the lamp's pattern. */
 static void integrating_sphere(void **state)
 {
@@ -306,6 +333,7 @@ int main(void)
         cmocka_unit_test(cube),
         cmocka_unit_test(corners_of_a_cube),
         cmocka_unit_test(furnace),
+        cmocka_unit_test(bodies_in_bodies),
         cmocka_unit_test(integrating_sphere),
         cmocka_unit_test(concentric_spheres),
         cmocka_unit_test(one_bounce),

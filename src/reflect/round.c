@@ -1,0 +1,222 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * Veils of what is round.  A ball or a tube that stands apart hides what is in the cone of the ways that touch it,
+ * beyond where they do; where a face reaches into it, what is inside is hidden, too.
+ */
+#include "round.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "../base/vector.h"
+
+/* Corners of what stands for a circle. */
+enum { MOST_ROUND = 40 };
+
+static void sub(const double a[3], const double b[3], double difference[3])
+{
+    for (int i = 0; i < 3; i++)
+        difference[i] = a[i] - b[i];
+}
+
+/* How many corners stand for a circle that is seen under a half angle of this sine. */
+static int round_corners(double sine)
+{
+    return sine < 0.5 ? 16 : sine < 0.8 ? 24 : MOST_ROUND;
+}
+
+static void corners_around(const double center_mm[3], const double first[3], const double second[3], double radius_mm,
+                           int count, double corners[MOST_ROUND][3])
+{
+    const double step = 2 * M_PI / count;
+    for (int k = 0; k < count; k++)
+        for (int i = 0; i < 3; i++)
+            corners[k][i] = center_mm[i] + radius_mm * (cos(k * step) * first[i] + sin(k * step) * second[i]);
+}
+
+/* A circle as a polygon of as much area. */
+void lx_veils_disk(struct lx_veils *veils, const struct lx_shape *shape, const struct lx_smooth_sheet *disk)
+{
+    const double height = lx_veils_height(veils, disk->axis, disk->center_mm), radius = disk->half_mm[0];
+    double from[3], corners[MOST_ROUND][3];
+    if (disk->half_mm[1] > 0) {
+        lx_veils_shape(veils, shape); /* a hole makes it hollow */
+        return;
+    }
+    if (fabs(height) <= veils->touch_mm)
+        return;
+    sub(veils->place_mm, disk->center_mm, from);
+    const int count = round_corners(radius / hypot(radius, sqrt(lx_dot(from, from))));
+    const double step = 2 * M_PI / count;
+    corners_around(disk->center_mm, disk->across, disk->upward, radius * sqrt(step / sin(step)), count, corners);
+    lx_veils_polygon(veils, (const double(*)[3])corners, count, disk->axis, disk->center_mm, height);
+}
+
+/* A veil of all that is in a prism around a circle, of as much area. */
+static void add_prism(struct lx_veils *veils, const double center_mm[3], const double first[3], const double second[3],
+                      double radius_mm)
+{
+    const double step = 2 * M_PI / MOST_ROUND, reach = radius_mm * sqrt(step / sin(step));
+    double corners[MOST_ROUND][3];
+    corners_around(center_mm, first, second, reach, MOST_ROUND, corners);
+    lx_veils_begin(veils);
+    for (int k = 0; k < MOST_ROUND; k++) {
+        double inwards[3];
+        for (int i = 0; i < 3; i++)
+            inwards[i] = 2 * center_mm[i] - corners[k][i] - corners[(k + 1) % MOST_ROUND][i];
+        lx_veils_plane(veils, inwards, corners[k]);
+    }
+}
+
+/* ---- balls ---- */
+
+/* Whether some of a face is in a ball, as far as balls around faces tell. */
+static bool enters_ball(const struct lx_matte_face *face, const struct lx_smooth_sheet *ball)
+{
+    const struct lx_smooth_sheet *sheet = &face->sheet;
+    const double radius = ball->half_mm[0] * (1 - 1e-9);
+    double from[3];
+    sub(ball->center_mm, face->center_mm, from);
+    if (sqrt(lx_dot(from, from)) >= radius + face->radius_mm)
+        return false;
+    sub(ball->center_mm, sheet->center_mm, from);
+    const double away = face->is_flat ? fabs(lx_dot(from, sheet->axis)) : sqrt(lx_dot(from, from)) - sheet->half_mm[0];
+    return sheet->type == LX_SHEET_TUBE || fabs(away) < radius;
+}
+
+static void add_ball(struct lx_veils *veils, const struct lx_smooth_sheet *ball)
+{
+    lx_veils_begin(veils);
+    if (veils->failed)
+        return;
+    struct lx_veil *veil = &veils->items[veils->count - 1];
+    veil->is_ball = true;
+    memcpy(veil->center_mm, ball->center_mm, sizeof veil->center_mm);
+    veil->radius_mm = ball->half_mm[0];
+}
+
+/* The circle in which a ball cuts the plane of a flat face. */
+static void add_section(struct lx_veils *veils, const struct lx_smooth_sheet *ball, const struct lx_smooth_sheet *face)
+{
+    double from[3], middle[3];
+    sub(ball->center_mm, face->center_mm, from);
+    const double height = lx_dot(from, face->axis);
+    for (int i = 0; i < 3; i++)
+        middle[i] = ball->center_mm[i] - height * face->axis[i];
+    add_prism(veils, middle, face->across, face->upward,
+              sqrt(fmax(ball->half_mm[0] * ball->half_mm[0] - height * height, 0)));
+}
+
+/*
+ * The tangent of the half angle at which the corners of a pyramid are that takes as much of the view as a cone of
+ * cosine c.  Each of its spherical triangles has two such sides b; tan(area/2) = t sin(step) / (1 + t cos(step)) with
+ * t = tan^2(b/2).
+ */
+static double tangent_of_corners(double c, int count)
+{
+    const double step = 2 * M_PI / count, half = tan(M_PI * (1 - c) / count);
+    const double t = fmin(half / (sin(step) - half * cos(step)), 0.999); /* a cone may be almost half of the view */
+    return 2 * sqrt(t) / (1 - t);
+}
+
+bool lx_veils_ball(struct lx_veils *veils, const struct lx_shape *shape, const struct lx_smooth_sheet *ball,
+                   const struct lx_matte_face *face)
+{
+    const double radius = ball->half_mm[0];
+    double way[3], first[3], second[3], middle[3], corners[MOST_ROUND][3];
+    if (ball->turn < 0) {
+        lx_veils_shape(veils, shape); /* it is hollow */
+        return true;
+    }
+    sub(ball->center_mm, veils->place_mm, way);
+    const double away = lx_normalize(way), share = radius / away, below = 1 - share * share;
+    if (!(below > 1e-12)) /* the place is inside */
+        return false;
+    if (enters_ball(face, ball)) {
+        if (!face->is_flat) {
+            add_ball(veils, ball);
+            return true;
+        }
+        add_section(veils, ball, &face->sheet);
+    }
+    for (int i = 0; i < 3; i++)
+        middle[i] = veils->place_mm[i] + away * below * way[i];
+    lx_around_axis(way, first, second);
+    const int count = round_corners(share);
+    corners_around(middle, first, second, away * below * tangent_of_corners(sqrt(below), count), count, corners);
+    lx_veils_polygon(veils, (const double(*)[3])corners, count, way, middle, -1);
+    return true;
+}
+
+/* ---- tubes ---- */
+
+/* How far the axis of a tube is from a face, at least: from the polygon that it makes along the axis, or from the ball
+ * around it. */
+static double distance_of_axis(const struct lx_matte_face *face, const struct lx_smooth_sheet *tube)
+{
+    double corners[4][3], at[4][2], from[3], nearest = HUGE_VAL;
+    bool left = false, right = false;
+    if (!lx_is_polygon(face->sheet.type)) {
+        sub(face->center_mm, tube->center_mm, from);
+        return hypot(lx_dot(from, tube->across), lx_dot(from, tube->upward)) - face->radius_mm;
+    }
+    const int count = lx_face_corners(face, corners);
+    for (int c = 0; c < count; c++) {
+        sub(corners[c], tube->center_mm, from);
+        at[c][0] = lx_dot(from, tube->across);
+        at[c][1] = lx_dot(from, tube->upward);
+    }
+    for (int c = 0; c < count; c++) {
+        const double *a = at[c], *b = at[(c + 1) % count], x = b[0] - a[0], y = b[1] - a[1], square = x * x + y * y;
+        const double share = square > 0 ? fmin(fmax(-(a[0] * x + a[1] * y) / square, 0), 1) : 0;
+        const double side = a[0] * y - a[1] * x;
+        nearest = fmin(nearest, hypot(a[0] + share * x, a[1] + share * y));
+        left = left || side > 0;
+        right = right || side < 0;
+    }
+    return left && right ? nearest : 0;
+}
+
+/* Whether the place and all of a face are between the planes of both ends of a tube. */
+static bool is_between_ends(const struct lx_veils *veils, const struct lx_smooth_sheet *tube,
+                            const struct lx_matte_face *face)
+{
+    const double back[3] = {-tube->axis[0], -tube->axis[1], -tube->axis[2]}, most = tube->half_mm[1] + veils->touch_mm;
+    return fabs(lx_veils_height(veils, tube->axis, tube->center_mm)) <= most &&
+           lx_face_reach(face, tube->axis, tube->center_mm) <= most &&
+           lx_face_reach(face, back, tube->center_mm) <= most;
+}
+
+/* Between its ends a tube is as good as one without end: two planes touch it. */
+bool lx_veils_tube(struct lx_veils *veils, const struct lx_shape *shape, const struct lx_smooth_sheet *tube,
+                   const struct lx_matte_face *face)
+{
+    const double radius = tube->half_mm[0];
+    double from[3], inwards[3], aside[3], edge[3], chord[3];
+    sub(veils->place_mm, tube->center_mm, from);
+    const double x = lx_dot(from, tube->across), y = lx_dot(from, tube->upward), away = hypot(x, y);
+    const bool is_outside = away > radius * (1 + 1e-9);
+    const bool is_entered = distance_of_axis(face, tube) < radius * (1 - 1e-9);
+    if (!is_between_ends(veils, tube, face) || (is_entered && !(is_outside && face->is_flat))) {
+        lx_veils_shape(veils, shape);
+        return true;
+    }
+    if (!is_outside)
+        return false;
+    const double sine = radius / away, cosine = sqrt(1 - sine * sine);
+    for (int i = 0; i < 3; i++) {
+        inwards[i] = -(x * tube->across[i] + y * tube->upward[i]) / away;
+        chord[i] = tube->center_mm[i] - radius * sine * inwards[i];
+    }
+    lx_cross(tube->axis, inwards, aside);
+    lx_veils_begin(veils);
+    lx_veils_plane(veils, inwards, chord);
+    for (int side = -1; side <= 1; side += 2) {
+        for (int i = 0; i < 3; i++)
+            edge[i] = sine * inwards[i] + side * cosine * aside[i];
+        lx_veils_plane(veils, edge, veils->place_mm);
+    }
+    if (is_entered)
+        add_prism(veils, tube->center_mm, tube->across, tube->upward, radius);
+    return true;
+}
