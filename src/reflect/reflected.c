@@ -274,7 +274,8 @@ static void set_fineness(struct lx_radiosity *reflected)
                                            .narrow = 0.07 * fourth,
                                            .flat_part = 0.3 * fourth,
                                            .round_part = 0.06 * fourth,
-                                           .group = 0.16 * fourth};
+                                           .group = 0.16 * fourth,
+                                           .has_details = true};
     reflected->coarse = (struct lx_fineness){.seen = 0.45 * eighth,
                                              .rough = 0.25 * fourth,
                                              .narrow = 0.14 * fourth,
