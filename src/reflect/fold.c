@@ -17,7 +17,7 @@
  * no more than the first share of what it is an eighth of the radius away.
  */
 static const double MISSED = 0.025, NEAR = 0.125;
-/* Cells are seldom wider than this as the light sees them, and about so many times it is their diagonal along a line. */
+/* Cells are seldom wider than this as the light sees them; a line all around it crosses about so many diagonals. */
 static const double WIDE = 0.25, PER_DIAGONAL = 4.4;
 /* Lines of a table at which cells of that size miss no more of all its light than this are bent as smooth light is. */
 static const double SMOOTH = 1e-3;
