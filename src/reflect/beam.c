@@ -20,9 +20,6 @@ static const double SHARE = 0.25;
 /* The samples of a cell and its quarters are eight each way: some of them are in a beam of this share of its radius. */
 static const double SEEN = 0.5;
 
-/* A cone that falls off over a greater share of its angle has no edge. */
-static const double SOFT = 0.3;
-
 /* Peaks of a table that are wider than this show in the first samples. */
 static const double PEAK = 0.25;
 /* Peaks do not count that give less than this share of what may be missed in all. */
@@ -66,19 +63,6 @@ static void make_beam(const struct lx_emitter *emitter, struct lx_beam *beam)
     beam->axis[1] = profile->axis.y.value;
     beam->axis[2] = profile->axis.z.value;
     beam->half_rad = half_angle(profile, beam->axis);
-    const double inner_rad = profile->inner_rad.value, outer_rad = profile->outer_rad.value;
-    if (!profile->luminaire && profile->falloff != LX_NO_CONE && outer_rad - inner_rad < SOFT * outer_rad)
-        beam->edge_rad = (inner_rad + outer_rad) / 2;
-}
-
-/*
- * A cell beside a disk of radius 1 misses a segment of it between its border and its first samples, which are 1/16 of
- * its side away: of height h, the segment is 4/3 sqrt(2) h^(3/2) / pi of the disk.
- */
-static double radius_at_edge(double share)
-{
-    const double height = pow(share * 3 * M_PI / (4 * M_SQRT2), 2.0 / 3);
-    return fmin(0.5, 16 * height / M_SQRT2);
 }
 
 /* ---- peaks of a luminaire ---- */
@@ -184,7 +168,7 @@ static int add_peaks(const struct lx_emitter *emitter, double share, struct lx_b
 int lx_beams_make(const struct lx_emitters *emitters, double share, struct lx_beams *beams)
 {
     const size_t count = lx_item_count(emitters);
-    *beams = (struct lx_beams){.at_edge = radius_at_edge(share)};
+    *beams = (struct lx_beams){0};
     for (size_t i = 0; i < count; i++) {
         const struct lx_emitter *emitter = &emitters->items[i];
         if (emitter->type == LX_UNIFORM || emitter->type == LX_DIRECTION)
@@ -205,28 +189,26 @@ void lx_beams_clear(struct lx_beams *beams)
 }
 
 /* Twice the half angle is where a beam has its skirts, too; a source of some size has no smaller spot than itself. */
-static bool is_narrow(const struct lx_beam *beam, double at_edge, const struct lx_tile_cell *cell)
+static bool is_narrow(const struct lx_beam *beam, const struct lx_tile_cell *cell)
 {
     double to[3];
     for (int i = 0; i < 3; i++)
         to[i] = cell->center_mm[i] - beam->place_mm[i];
     const double away = lx_normalize(to);
     const double across = cell->radius_mm + beam->radius_mm;
-    const bool is_wide = SEEN * cell->radius_mm > (away + beam->radius_mm) * sin(beam->half_rad);
-    const bool has_edge = beam->edge_rad > 0 && cell->radius_mm > at_edge * away * sin(beam->edge_rad);
-    if ((is_wide && beam->half_rad >= HALF) || (away <= across && (is_wide || has_edge)))
-        return true;
-    if (!is_wide && !has_edge)
+    if (SEEN * cell->radius_mm <= (away + beam->radius_mm) * sin(beam->half_rad))
         return false;
-    const double off = acos(fmax(-1, fmin(1, lx_dot(to, beam->axis)))), width = asin(across / away);
-    return (is_wide && fabs(off - beam->ring_rad) <= beam->around_rad + 2 * beam->half_rad + width) ||
-           (has_edge && fabs(off - beam->edge_rad) <= width);
+    if (away <= across)
+        return true;
+    const double off = acos(fmax(-1, fmin(1, lx_dot(to, beam->axis))));
+    return beam->half_rad >= HALF ||
+           fabs(off - beam->ring_rad) <= beam->around_rad + 2 * beam->half_rad + asin(across / away);
 }
 
 bool lx_beams_narrow(const struct lx_beams *beams, const struct lx_tile_cell *cell)
 {
     for (size_t i = 0; i < beams->count; i++)
-        if (is_narrow(&beams->items[i], beams->at_edge, cell))
+        if (is_narrow(&beams->items[i], cell))
             return true;
     return false;
 }

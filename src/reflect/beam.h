@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * Beams: where light may fall so narrowly that samples of a window miss it, below the beam of a narrow spot, at its
- * edge and close to a source.  Windows there are sampled more finely whatever their samples tell.
+ * Beams: where light may fall so narrowly that samples of a window miss it, below the beam of a narrow spot and
+ * close to a source.  Windows there are sampled more finely whatever their samples tell.
  */
 #ifndef LX_REFLECT_BEAM_H
 #define LX_REFLECT_BEAM_H
@@ -17,13 +17,11 @@ struct lx_beam {
     double axis[3], half_rad;      /* within which most of its light is, at most HALF of beam.c */
     double around_rad;             /* how far from there light as narrow may be, too: of a peak that is long */
     double ring_rad;               /* of a ring, how far from the axis it is, all around; of all else 0 */
-    double edge_rad;               /* where a cone ends at once, or nearly; 0: nowhere */
 };
 
 struct lx_beams {
     struct lx_beam *items;
     size_t count, capacity;
-    double at_edge; /* radii of cells that an edge crosses, as a share of the cone's */
 };
 
 /* Beams, no part of which that is more than `share` of its flux is to be missed.  0, or -1 when memory ran out; to be

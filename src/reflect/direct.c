@@ -101,10 +101,19 @@ static int node_around(const struct lx_window *tile, const struct lx_window *win
     return LX_ORDER * at[0] + at[1];
 }
 
-/* Adds a flux that is left at outlines. */
-static void leave(const struct descent *descent, const struct lx_window *window, double flux)
+/* Fluxes that the samples of a cell are off by, as geometry tells. */
+struct missed {
+    double shadows; /* at outlines, */
+    struct lx_beside beside;
+    bool counts; /* so much that it is to be looked at more closely */
+};
+
+/* Adds what is left at outlines and folds; at jumps the nodes have now too much light, now too little. */
+static void leave(struct descent *descent, const struct lx_window *window, const struct missed *missed)
 {
-    descent->tile->local_error[node_around(&descent->tile->window, window)] += flux;
+    const double jumps = SAFETY * missed->beside.jumps;
+    descent->squares += jumps * jumps;
+    descent->tile->local_error[node_around(&descent->tile->window, window)] += missed->shadows + missed->beside.bends;
 }
 
 /* Adds a flux by which the last samples are beside the polynomial of a window, without signs. */
@@ -161,6 +170,21 @@ static double find_crossings(const struct descent *descent, const struct lx_tile
     return found->irradiance * lx_cell_area(cell) + open;
 }
 
+static struct missed find_missed(const struct descent *descent, const struct lx_tile_cell *cell,
+                                 const struct lx_crossings *larger, struct lx_crossings *found,
+                                 double nodes[LX_RULE_NODES])
+{
+    const struct lx_sampling_direct *sampling = descent->sampling;
+    struct missed missed = {.shadows = find_crossings(descent, cell, larger, found, nodes)};
+    const bool is_plain = sampling->outlines.count > 0 && found->count == 0;
+    missed.beside =
+        lx_folds_beside(&sampling->folds, cell, is_plain ? sampling->world.prepared : NULL, descent->face->surface);
+    lx_effort_take(descent->asking->effort, sampling->folds.count);
+    missed.counts =
+        missed.shadows > sampling->narrow_flux || missed.beside.jumps + missed.beside.bends > sampling->fold_flux;
+    return missed;
+}
+
 /*
  * Goes on from a window whose light at the nodes is known, to its quarters; they stay where they tell something.  What
  * they tell is followed down to level `most`, and so many levels further below a beam.
@@ -174,7 +198,8 @@ static int look_closer(struct descent *descent, const struct lx_window *window, 
     uint32_t *room = lx_new_array(4 * crossings->count, sizeof *room);
     struct lx_crossings on[4];
     struct change changes[4] = {{0}}, all = {0};
-    double moments[LX_RULE_NODES] = {0}, missed[4] = {0};
+    struct missed missed[4] = {{0}};
+    double moments[LX_RULE_NODES] = {0};
     bool is_narrow[4] = {false};
     int failed = quarters && cells && room ? 0 : -1, narrow = 0;
     for (int i = 0; i < 4 && !failed; i++) {
@@ -183,12 +208,11 @@ static int look_closer(struct descent *descent, const struct lx_window *window, 
         lx_cell_make(descent->face, &quarter, &cells[i]);
         failed = sample_cell(sampling, &cells[i], descent->asking, quarters[i].nodes, &error);
         on[i].items = room + (size_t)i * crossings->count;
-        missed[i] = find_crossings(descent, &cells[i], crossings, &on[i], quarters[i].nodes);
+        missed[i] = find_missed(descent, &cells[i], crossings, &on[i], quarters[i].nodes);
         foresee(direct->nodes, i, foreseen);
         changes[i] = quarter_change(foreseen, quarters[i].nodes, &cells[i], error);
         add_change(&all, &changes[i]);
-        is_narrow[i] =
-            level < DEEPEST && (lx_beams_narrow(&sampling->beams, &cells[i]) || missed[i] > sampling->narrow_flux);
+        is_narrow[i] = level < DEEPEST && (lx_beams_narrow(&sampling->beams, &cells[i]) || missed[i].counts);
         narrow += is_narrow[i];
     }
     direct->quarters = quarters;
@@ -205,7 +229,7 @@ static int look_closer(struct descent *descent, const struct lx_window *window, 
         }
         if (narrow > 0)
             end_at(descent, &changes[i]);
-        leave(descent, &quarter, missed[i]);
+        leave(descent, &quarter, &missed[i]);
         if (on[i].count == 0)
             bend(descent, &quarter, (narrow > 0 ? KEPT : 1) * changes[i].off, cells[i].radius_mm);
     }
@@ -232,13 +256,12 @@ int lx_direct_sample(const struct lx_sampling_direct *sampling, const struct lx_
     memset(tile->bent_reach, 0, sizeof tile->bent_reach);
     int failed = !crossings.items || sample_cell(sampling, &tile->cell, asking, tile->direct.nodes, &error) ? -1 : 0;
     if (!failed) {
-        const double missed = find_crossings(&descent, &tile->cell, NULL, &crossings, tile->direct.nodes);
-        if (isfinite(sampling->least_flux) || lx_beams_narrow(&sampling->beams, &tile->cell) ||
-            missed > sampling->narrow_flux)
+        const struct missed missed = find_missed(&descent, &tile->cell, NULL, &crossings, tile->direct.nodes);
+        if (isfinite(sampling->least_flux) || lx_beams_narrow(&sampling->beams, &tile->cell) || missed.counts)
             failed =
                 look_closer(&descent, &tile->window, &tile->cell, &crossings, 0, sampling->most_levels, &tile->direct);
         else
-            leave(&descent, &tile->window, missed);
+            leave(&descent, &tile->window, &missed);
     }
     for (int q = 0; q < LX_RULE_NODES; q++)
         descent.errors += tile->local_error[q];

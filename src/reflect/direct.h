@@ -2,7 +2,7 @@
 /*
  * Direct light on tiles, sampled by the world of elements: on each window at the nodes of Gauss's rule, and again on
  * its quarters until these tell nothing new, no beam is so narrow that they might miss it, and what they may miss
- * between the outlines of surfaces does not count.
+ * between the outlines of surfaces and at folds does not count.
  */
 #ifndef LX_REFLECT_DIRECT_H
 #define LX_REFLECT_DIRECT_H
@@ -10,6 +10,7 @@
 #include "../shade/world.h"
 #include "beam.h"
 #include "crossing.h"
+#include "fold.h"
 #include "tile.h"
 
 struct lx_sampling_direct {
@@ -17,11 +18,13 @@ struct lx_sampling_direct {
     struct lx_lobe lobe;
     struct lx_beams beams;
     struct lx_outlines outlines;
+    struct lx_folds folds;
     const struct lx_prepared *open; /* the scene without shadows */
     /* Differences below this, in mm^2 times irradiance, tell nothing; infinite: beams and outlines alone are looked
      * for. */
     double least_flux;
-    double narrow_flux; /* nor does what may be missed between outlines on one window */
+    double narrow_flux; /* nor does what may be missed between outlines on one window, */
+    double fold_flux;   /* or at folds */
     int most_levels;    /* of quarters, below those that beams ask for */
 };
 

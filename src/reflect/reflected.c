@@ -29,6 +29,8 @@ static const double LITTLE = 5e-2;
 /* Light between outlines that may be missed on one window, as a share of that; or, as long as nobody knows how much
  * light there is, of all that would fall without shadows. */
 static const double NARROW = 1.0 / 64, NARROW_AT_FIRST = 1e-3;
+/* Light at folds that may be missed on one window, as a share of that; they are looked for once it is known. */
+static const double FOLDED = 1.0 / 32;
 /* How exact integrals over sources are made that samples of direct light take, as a share of the bound that is wanted:
  * errors of samples count as errors of the direct light. */
 static const double SAMPLED = 1e-3;
@@ -53,6 +55,7 @@ static void free_solution(struct lx_kept *kept)
     lx_closed_boxes_clear(&reflected->boxes);
     lx_beams_clear(&reflected->sampling.beams);
     lx_outlines_clear(&reflected->sampling.outlines);
+    lx_folds_clear(&reflected->sampling.folds);
     free(reflected->tiles);
     free(reflected->groups);
     free(reflected->first_tile);
@@ -175,7 +178,8 @@ static luxel_status light_up(struct lx_radiosity *reflected, double error)
     double flux = 0;
     const double share = LITTLE * fmax(error, LEAST_ERROR);
     const bool has_room = is_lit && !lx_beams_make(&reflected->prepared->emitters, share, &sampling->beams) &&
-                          !lx_outlines_make(&reflected->sampled, &sampling->outlines);
+                          !lx_outlines_make(&reflected->sampled, &sampling->outlines) &&
+                          !lx_folds_make(&reflected->sampled.emitters, share, &sampling->folds);
     if (has_room && sampling->outlines.count > 0)
         sampling->narrow_flux = NARROW_AT_FIRST * open_flux(reflected);
     luxel_status status = has_room ? sample(reflected) : LUXEL_ERROR_MEMORY;
@@ -191,6 +195,7 @@ static luxel_status light_up(struct lx_radiosity *reflected, double error)
         return status;
     sampling->least_flux = share * flux;
     sampling->narrow_flux = NARROW * sampling->least_flux;
+    sampling->fold_flux = FOLDED * sampling->least_flux;
     return sample(reflected);
 }
 
@@ -274,7 +279,8 @@ static void set_fineness(struct lx_radiosity *reflected)
                                            .narrow = 0.07 * fourth,
                                            .flat_part = 0.3 * fourth,
                                            .round_part = 0.06 * fourth,
-                                           .group = 0.16 * fourth};
+                                           .group = 0.16 * fourth,
+                                           .has_details = true};
     reflected->coarse = (struct lx_fineness){.seen = 0.45 * eighth,
                                              .rough = 0.25 * fourth,
                                              .narrow = 0.14 * fourth,
@@ -336,6 +342,7 @@ luxel_status lx_reflected_make(const struct lx_reflected_wish *wish, struct lx_r
         .sampling = {.world = {NULL, wish->kernels},
                      .lobe = lx_lobe_irradiance(),
                      .least_flux = HUGE_VAL,
+                     .fold_flux = HUGE_VAL,
                      .most_levels = LEVELS},
         .bounces = bounces->choice < 0 ? bounces->whole : 0,
         .threads = wish->threads,

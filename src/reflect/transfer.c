@@ -205,10 +205,12 @@ static double seen_share(const struct lx_fineness *fineness, const struct light_
     return is_narrow(light->direct) ? fineness->narrow : fineness->rough;
 }
 
-/* Shadows that begin in a cell and what hides a part of it are often one thing's, and errors of neither cancel. */
-static double flat_share(const struct lx_fineness *fineness, const struct light_at *light)
+/* Whether the polynomial of a window will do for what is seen of it: it has the light of all of it, not of a part.  By
+ * nodes coarse integrals take it, so that they differ from fine ones by what a horizon leaves in doubt. */
+static bool tells_part(const struct lx_fineness *fineness, const struct light_at *light, enum lx_outlook sight,
+                       bool by_nodes)
 {
-    return has_detail(light) ? fineness->narrow : fineness->flat_part;
+    return sight != LX_PART_SEEN || !has_detail(light) || (by_nodes && !fineness->has_details);
 }
 
 static void send_cell(const struct sending *sending, const struct lx_window *window, struct lx_tile_cell *cell,
@@ -219,12 +221,13 @@ static void send_cell(const struct sending *sending, const struct lx_window *win
                                                     lx_veils_have_shapes(sending->of->veils, cell));
     const double share = sight == LX_ALL_SEEN ? seen_share(fineness, light)
                          : by_nodes           ? part_share(sending, cell)
-                                              : flat_share(fineness, light);
+                                              : fineness->flat_part;
     const bool has_levels = level < MOST_LEVELS;
     double values[LX_RULE_NODES];
     if (sight == LX_NONE_SEEN || !lx_effort_take(sending->of->veils->effort, CELL_EFFORT))
         return;
-    if (has_levels && !(sight == LX_ALL_SEEN && sending->of->constant > 0) && !is_small(sending, cell, share)) {
+    if (has_levels && !(sight == LX_ALL_SEEN && sending->of->constant > 0) &&
+        !(is_small(sending, cell, share) && tells_part(fineness, light, sight, by_nodes))) {
         cut_cell(sending, window, cell, light, level);
         return;
     }

@@ -18,6 +18,7 @@
  * groups. */
 struct lx_fineness {
     double seen, rough, narrow, flat_part, round_part, group;
+    bool has_details; /* light is asked in all detail where a part of it is seen */
 };
 
 struct lx_sent {

@@ -107,6 +107,7 @@ int lx_within_guess(const struct lx_radiosity *reflected, const struct lx_asking
     sampling.world.prepared = sampling.open;
     sampling.outlines.count = 0; /* there are no shadows */
     sampling.most_levels = FEW_LEVELS;
+    sampling.fold_flux = HUGE_VAL;
     if (lx_direct_sample(&sampling, &reflected->faces[tile->face], &unbounded, tile))
         return -1;
     tile->most_direct = greatest_of(&tile->direct);
