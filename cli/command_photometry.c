@@ -261,11 +261,16 @@ static void print_room(const struct luminaire *luminaire)
     const struct room_ratings *room = &luminaire->room;
     const luxel_ugr_table *glare = &luminaire->glare;
     const double *const tabular = glare->backgrounds[room->room];
-    const char *const names[] = {_("ceiling, %"),          _("walls, %"),
-                                 _("floor, %"),            _("background by the table, cd/m²"),
-                                 _("background, cd/m²"),   _("its error at most"),
-                                 _("crosswise, by the table"), _("crosswise"),
-                                 _("endwise, by the table"),   _("endwise"),
+    const char *const names[] = {_("ceiling, %"),
+                                 _("walls, %"),
+                                 _("floor, %"),
+                                 _("background by the table, cd/m²"),
+                                 _("background, cd/m²"),
+                                 _("its error at most"),
+                                 _("crosswise, by the table"),
+                                 _("crosswise"),
+                                 _("endwise, by the table"),
+                                 _("endwise"),
                                  _("error at most")};
     struct text_table *table = text_table_new("lrrrrr");
     char cells[LUXEL_UGR_REFLECTANCES][TEXT_SIZE];
@@ -277,10 +282,17 @@ static void print_room(const struct luminaire *luminaire)
     for (size_t line = 0; line < COUNT_OF(names); line++) {
         row[0] = names[line];
         for (size_t i = 0; i < LUXEL_UGR_REFLECTANCES; i++) {
-            const double numbers[] = {
-                line < 3 ? 100 * luxel_ugr_reflectance(i, line) : 0, 0, 0, tabular[i], room->background[i].value,
-                room->background[i].error, glare->ratings[room->room][0][i], room->ratings[0][i],
-                glare->ratings[room->room][1][i], room->ratings[1][i], room->errors[i]};
+            const double numbers[] = {line < 3 ? 100 * luxel_ugr_reflectance(i, line) : 0,
+                                      0,
+                                      0,
+                                      tabular[i],
+                                      room->background[i].value,
+                                      room->background[i].error,
+                                      glare->ratings[room->room][0][i],
+                                      room->ratings[0][i],
+                                      glare->ratings[room->room][1][i],
+                                      room->ratings[1][i],
+                                      room->errors[i]};
 
             if (line < 3)
                 text_format(cells[i], "%.0f", numbers[0]);

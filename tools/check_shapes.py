@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 """Surfaces answer for themselves: nothing outside src/surface asks which shape a surface has.
 
-The kernels stand by shape in their table, which shade/general.h and general.c read; the structs of what users write are
+The kernels stand by shape in their table, which world/general.h and general.c read; the structs of what users write are
 seen by the kinds, and by tests, alone.
 """
 import re
@@ -14,7 +14,7 @@ from tap import Tap
 ASKS = re.compile(r"\bLX_SPHERE\b|\bLX_PLATE\b|\bLX_GENERAL\b|\bLX_SHAPE_TYPES\b|\benum lx_shape_type\b|"
                   r"\bshape(?:\.|->)type\b(?! [!=]= LX_GROUP)|\blx_(?:sphere|plate)_parameters\b|surface/authored\.h|"
                   r"variant->name, \"(?:sphere|rectangle|disk|cylinder)\"")
-MAY_ASK = re.compile(r"^src/(surface/|shade/(kernel[a-z_]*|general)\.[ch]$|light/)")
+MAY_ASK = re.compile(r"^src/(surface/|kernel/[a-z_]*|world/(kernel[a-z_]*|general)\.[ch]$|light/)")
 
 
 def find_askers(root):

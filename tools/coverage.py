@@ -4,8 +4,9 @@
 
     coverage.py BUILD_FOLDER [SOURCE...]
 
-of a folder that was built with -Db_coverage=true and in which tests have run.  With sources (as src/format/obj.c), just
-these, each in a line.  BUILD_FOLDER/coverage.json and, without sources, the pages in BUILD_FOLDER/coverage/ show all.
+of a folder that was built with -Db_coverage=true and in which tests have run.  With sources (as
+src/format/mesh/obj.c), just these, each in a line.  BUILD_FOLDER/coverage.json and, without sources, the pages in
+BUILD_FOLDER/coverage/ show all.
 
 The kernels are inlined for each kind and precision of each instruction set, and gcov counts a branch once for each
 copy, most of them decided while compiling: of these files only the lines count.
@@ -16,7 +17,7 @@ import re
 import subprocess
 import sys
 
-KERNELS = re.compile(r"src/shade/(kernel.*|lanes\.h)")
+KERNELS = re.compile(r"src/(kernel/.*|world/kernel.*)")
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 
 

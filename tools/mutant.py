@@ -16,7 +16,8 @@ import re
 
 LISTS = os.path.join("tools", "mutants", "*.txt")
 # Where random faults are put: what decides about numbers, not what reads and writes texts.
-CORE = ["src/light/*.c", "src/material/*.c", "src/surface/*.c", "src/shade/*.[ch]", "src/field/*.c",
+CORE = ["src/light/**/*.c", "src/material/*.c", "src/surface/*.c", "src/kernel/*.[ch]", "src/world/**/*.[ch]",
+        "src/flux/*.[ch]", "src/picture/**/*.[ch]", "src/field/*.c",
         "src/base/bounded.[ch]", "src/base/number.c", "src/base/wide.[ch]", "src/base/pose.c",
         "src/scene/conventions.c", "src/scene/validate.c", "src/scene/mend.c",
         "src/parameter/value.c", "src/parameter/rules.c",
@@ -87,7 +88,8 @@ def read_block(path, lines):
 
 
 def core_files(root):
-    return sorted({os.path.relpath(path, root) for pattern in CORE for path in glob.glob(os.path.join(root, pattern))})
+    return sorted({os.path.relpath(path, root) for pattern in CORE
+                   for path in glob.glob(os.path.join(root, pattern), recursive=True)})
 
 
 def other_numbers(text):

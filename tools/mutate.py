@@ -37,6 +37,10 @@ SUITES = ["unit", "properties", "formats", "reference", "cli", "fuzz", "examples
 ENOUGH = 95.0
 ROOT = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
 LIBRARY = "src/libluxel-objects.a"
+# Tests of what lights elements and pixels.
+LIGHT_TESTS = ["rounding", "adaptive", "work", "tight", "surfaces", "shells", "lights", "blocks", "grid",
+               "precision", "cubature", "plates", "kernel functions generic", "kernels", "units", "evaluator",
+               "reference probes", "extended_pictures", "reference pictures"]
 # The tests of a room's own, which find most of its faults; the others follow by suite.
 OWN_TESTS = {
     "src/base": ["bounded", "wide", "number", "rows"],
@@ -44,9 +48,10 @@ OWN_TESTS = {
                   "cubature", "reference probes"],
     "src/material": ["lobe", "tight", "reference probes"],
     "src/surface": ["surfaces", "tight", "plates", "view", "reference probes"],
-    "src/shade": ["rounding", "adaptive", "work", "tight", "surfaces", "shells", "lights", "blocks", "grid",
-                  "precision", "cubature", "plates", "kernel functions generic", "kernels", "units", "evaluator",
-                  "reference probes", "extended_pictures", "reference pictures"],
+    "src/kernel": LIGHT_TESTS,
+    "src/world": LIGHT_TESTS,
+    "src/flux": LIGHT_TESTS,
+    "src/picture": LIGHT_TESTS,
     "src/field": ["statistics", "compare", "greys", "work", "profile", "foreign", "isophotes", "field_files",
                   "extrema"],
     "src/scene": ["guard", "yaml", "validate", "write", "advise", "advice_texts", "alternatives", "advise_peak"],
@@ -205,7 +210,7 @@ class Trial:
 
     def order(self, path):
         """A fault is sought first where others of its file were found, then in its room's own tests."""
-        room = os.path.dirname(path)
+        room = "/".join(path.split(os.sep)[:2])
         own = OWN_TESTS.get(room, [])
 
         def key(test):

@@ -50,39 +50,39 @@ typedef struct luxel_place {
 
 /* The answer of a probe.  Numbers of the scene's unit are those of luxel_scene_unit(). */
 typedef struct luxel_probe {
-    bool has_screen;          /* false for a free element; then there is no x_mm, y_mm */
-    double x_mm;              /* the place on the screen */
-    double y_mm;              /* the place on the screen */
-    bool has_pixel;           /* false for a free element and off the screen; then there is no column, row */
-    unsigned column;          /* of the pixel that the place falls in, from 0 at the left */
-    unsigned row;             /* of the pixel that the place falls in, from 0 at the top */
-    bool on_surface;          /* true for a free element */
-    bool has_value;           /* false off every surface and where a source lies on the element */
-    double value;             /* the exact value, the sum over the lights */
-    double error;             /* bounds |value - truth| */
-    bool tolerance_reached;   /* whether error <= tolerance * |value|, or, where the error does not tell the value from
+    bool has_screen;        /* false for a free element; then there is no x_mm, y_mm */
+    double x_mm;            /* the place on the screen */
+    double y_mm;            /* the place on the screen */
+    bool has_pixel;         /* false for a free element and off the screen; then there is no column, row */
+    unsigned column;        /* of the pixel that the place falls in, from 0 at the left */
+    unsigned row;           /* of the pixel that the place falls in, from 0 at the top */
+    bool on_surface;        /* true for a free element */
+    bool has_value;         /* false off every surface and where a source lies on the element */
+    double value;           /* the exact value, the sum over the lights */
+    double error;           /* bounds |value - truth| */
+    bool tolerance_reached; /* whether error <= tolerance * |value|, or, where the error does not tell the value from
                                  0, tolerance times what would arrive if nothing stood in the way; see luxel_settings */
-    bool has_reflected;       /* whether surfaces reflect light to each other; then value and error have it */
+    bool has_reflected;     /* whether surfaces reflect light to each other; then value and error have it */
     double reflected_irradiance; /* E_r, what the element receives this way */
-    double reflected_value;   /* what that adds to the value */
-    double reflected_error;   /* bounds the error of what it adds */
-    bool reflected_reached;   /* whether reflected_error <= reflected_error * |value|; see luxel_settings */
-    bool has_pixel_value;     /* false where there is no pixel, or it has no value */
-    double pixel_value;       /* the picture's value at the pixel */
-    double position_mm[3];    /* the element's place, where on_surface */
-    double normal[3];         /* the element's unit normal, where on_surface */
-    double view[3];           /* the unit vector V to the observer that was used, where on_surface */
-    size_t surface;           /* the surface whose material counts, as an index in the scene's list, where on_surface;
+    double reflected_value;      /* what that adds to the value */
+    double reflected_error;      /* bounds the error of what it adds */
+    bool reflected_reached;      /* whether reflected_error <= reflected_error * |value|; see luxel_settings */
+    bool has_pixel_value;        /* false where there is no pixel, or it has no value */
+    double pixel_value;          /* the picture's value at the pixel */
+    double position_mm[3];       /* the element's place, where on_surface */
+    double normal[3];            /* the element's unit normal, where on_surface */
+    double view[3];              /* the unit vector V to the observer that was used, where on_surface */
+    size_t surface;            /* the surface whose material counts, as an index in the scene's list, where on_surface;
                                * SIZE_MAX where the list is empty */
-    const char *surface_name; /* its name in the scene, NULL where it has none; lives as long as the probe */
-    unsigned part;            /* the part of it that the element lies on, of a room a wall; else 0 */
-    const char *part_name;    /* what that is called, such as "floor"; NULL where the surface has no parts */
-    bool lies_on_surface;     /* whether the element lies on that surface; always where has_screen */
-    bool is_enclosed;         /* whether a free element is inside the body that a surface bounds */
-    size_t enclosing_surface; /* that surface, the first of them */
-    bool source_on_element;   /* whether a source lies on the element, which then has no value */
-    size_t blocking_light;    /* that source's light, as an index in the scene's list */
-    size_t share_count;       /* one for each enabled light, where has_value */
+    const char *surface_name;  /* its name in the scene, NULL where it has none; lives as long as the probe */
+    unsigned part;             /* the part of it that the element lies on, of a room a wall; else 0 */
+    const char *part_name;     /* what that is called, such as "floor"; NULL where the surface has no parts */
+    bool lies_on_surface;      /* whether the element lies on that surface; always where has_screen */
+    bool is_enclosed;          /* whether a free element is inside the body that a surface bounds */
+    size_t enclosing_surface;  /* that surface, the first of them */
+    bool source_on_element;    /* whether a source lies on the element, which then has no value */
+    size_t blocking_light;     /* that source's light, as an index in the scene's list */
+    size_t share_count;        /* one for each enabled light, where has_value */
     luxel_light_share *shares; /* the lights' shares, in the scene's order */
 } luxel_probe;
 

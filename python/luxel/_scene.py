@@ -301,14 +301,12 @@ class Scene:
         "double" (float64, 1e-11); where values of scenes are subtracted, as by SciPy's optimizers for derivatives,
         "double" is needed: a step of 1e-8 changes nothing in float32.  `threads` 0: as many as pay.  `stride` n: a
         quick look at each n-th pixel.  `light_error` E: many points may be taken together, within E of the value.
-        `reflected_error`: the bound wanted of what surfaces reflect, as a share of the maximum, 0.01 unless it is given;
-        `statistics` tell which was reached.  `progress` is called with the share done; where it returns False, the work
-        ends with a LuxelError.
-        The same bytes for any number of threads.
+        `reflected_error`: the bound wanted of what surfaces reflect, a share of the maximum; `statistics` tell which
+        was reached.  `progress` is called with the share done; False ends the work with a LuxelError.  The same bytes
+        for any number of threads.
 
         `lights`: a name, an index or several: these alone give light, whether they are enabled or not, as everywhere
-        else that takes `lights`.  Pictures of groups that have each light once add up to that of all.
-        """
+        else that takes `lights`.  Groups that have each light once add up to the picture of all."""
         return made(self._handle, settings(self._carried, quantity, precision, threads, instruction_set, None,
                                            light_error, stride, minimum_reached, progress, reflected_error,
                                            self._group(lights)))

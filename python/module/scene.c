@@ -221,8 +221,7 @@ static PyObject *scene_unit(PyObject *module, PyObject *arguments)
     luxel_settings settings;
     const luxel_scene *scene;
 
-    if (!PyArg_ParseTuple(arguments, "Oiz#", &handle, &quantity, &lights, &size) ||
-        !(scene = scene_of(module, handle)))
+    if (!PyArg_ParseTuple(arguments, "Oiz#", &handle, &quantity, &lights, &size) || !(scene = scene_of(module, handle)))
         return NULL;
     luxel_settings_init(&settings);
     settings.quantity = (luxel_quantity)quantity;

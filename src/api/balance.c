@@ -12,7 +12,7 @@
 #include "../base/number.h"
 #include "../base/phrase.h"
 #include "../light/totals.h"
-#include "../shade/evaluate.h"
+#include "../world/evaluate.h"
 #include "reflecting.h"
 
 /* More threads than these are not worth their while. */

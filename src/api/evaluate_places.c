@@ -5,8 +5,8 @@
 #include <string.h>
 
 #include "../base/rows.h"
-#include "../shade/evaluate.h"
-#include "../shade/world.h"
+#include "../world/evaluate.h"
+#include "../world/world.h"
 
 /* A control counts its rows in an unsigned; more places than this go one part after the other. */
 static const size_t MOST_AT_A_TIME = (size_t)1 << 30;

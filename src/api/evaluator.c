@@ -7,7 +7,7 @@
 
 #include "../base/diagnostics.h"
 #include "../base/memory.h"
-#include "../shade/evaluate.h"
+#include "../world/evaluate.h"
 #include "reflecting.h"
 
 /* On surfaces by what was found for the picture, elsewhere by an integral over all of them. */

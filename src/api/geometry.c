@@ -10,9 +10,9 @@
 
 #include "../base/diagnostics.h"
 #include "../base/memory.h"
-#include "../shade/camera.h"
-#include "../shade/plan_make.h"
-#include "../shade/seen.h"
+#include "../picture/plan_make.h"
+#include "../picture/seen.h"
+#include "../world/camera.h"
 #include "session.h"
 
 /* Scratch memory of one thread. */

@@ -19,7 +19,7 @@
 #include "../base/vector.h"
 #include "../scene/observer.h"
 #include "../scene/scene.h"
-#include "../shade/evaluate.h"
+#include "../world/evaluate.h"
 #include "glare_light.h"
 #include "reflecting.h"
 

@@ -6,11 +6,11 @@
 
 #include "../base/pose.h"
 #include "../base/vector.h"
-#include "../format/photometry_area.h"
+#include "../format/lamp/photometry_area.h"
 #include "../light/distribution.h"
-#include "../light/elliptic.h"
-#include "../light/extended.h"
 #include "../light/light.h"
+#include "../light/solid/elliptic.h"
+#include "../light/solid/extended.h"
 #include "../light/totals.h"
 
 /* The area of faces that look at the eye. */

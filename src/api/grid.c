@@ -12,9 +12,9 @@
 #include "../base/memory.h"
 #include "../base/number.h"
 #include "../base/rows.h"
-#include "../light/extended.h"
+#include "../light/solid/extended.h"
 #include "../scene/scene.h"
-#include "../shade/evaluate.h"
+#include "../world/evaluate.h"
 #include "grid_measuring.h"
 #include "reflecting.h"
 

@@ -5,7 +5,7 @@
 
 #include <luxel/grid.h>
 
-#include "../shade/cells.h"
+#include "../world/cells.h"
 
 struct lx_measured {
     luxel_grid grid; /* first, so that its address is that of the whole */

@@ -4,8 +4,8 @@
 #define LX_API_GRID_MEASURING_H
 
 #include "../base/rows.h"
-#include "../shade/bodies.h"
-#include "../shade/world.h"
+#include "../world/bodies.h"
+#include "../world/world.h"
 #include "grid.h"
 
 struct lx_measuring {

@@ -8,9 +8,9 @@
 #include <string.h>
 
 #include "../base/memory.h"
-#include "../light/extended.h"
-#include "../shade/evaluate.h"
-#include "../shade/flux.h"
+#include "../flux/flux.h"
+#include "../light/solid/extended.h"
+#include "../world/evaluate.h"
 #include "grid_measuring.h"
 
 /* From this share of the mean on the sampling error is said to be one. */

@@ -91,7 +91,7 @@ bool lx_output_carries(const char *path)
     return lx_find_format(path, NULL, &format) == LUXEL_OK && format->read_tags;
 }
 
-static enum lx_sample sample_of(const struct luxel_field *field, unsigned bits)
+static enum lx_sample_type sample_of(const struct luxel_field *field, unsigned bits)
 {
     if (bits > 0)
         return bits == 16 ? LX_SAMPLE_U16 : LX_SAMPLE_U8;

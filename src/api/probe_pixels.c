@@ -9,8 +9,8 @@
 #include "../base/diagnostics.h"
 #include "../base/memory.h"
 #include "../base/rows.h"
-#include "../shade/camera.h"
-#include "../shade/panels.h"
+#include "../picture/polynomial/panels.h"
+#include "../world/camera.h"
 #include "reflecting.h"
 
 /* A pixel that is wanted: the tile it lies in, by the place of that in the picture, and whose probe it is. */
@@ -93,7 +93,7 @@ static void shade_panel(const struct pixels *pixels, const struct scratch *scrat
     unsigned shown[LX_PANEL_SIDE];
     const struct neighbourhood panel = neighbourhood_of(pixels, first);
     struct lx_control control = {.rows = 1};
-    const struct lx_canvas canvas = {panel.first, panel.top, panel.x_mm, panel.y_mm, values, mask, LX_PANEL_SIDE};
+    const struct lx_picture_part canvas = {panel.first, panel.top, panel.x_mm, panel.y_mm, values, mask, LX_PANEL_SIDE};
     lx_shade_panels(&pixels->session->plan, scratch->panels, scratch->shader, &control, false, &canvas, panel.top,
                     panel.first, 1, shown);
     for (const struct wanted *at = first; at < end; at++)

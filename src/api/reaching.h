@@ -7,7 +7,7 @@
 #define LX_API_REACHING_H
 
 #include "../field/field.h"
-#include "../shade/reach.h"
+#include "../picture/reach.h"
 #include "session.h"
 
 struct lx_reaching {

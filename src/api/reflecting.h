@@ -3,8 +3,8 @@
 #ifndef LX_API_REFLECTING_H
 #define LX_API_REFLECTING_H
 
+#include "../picture/shader.h"
 #include "../reflect/reflected.h"
-#include "../shade/shader.h"
 #include "refuse.h"
 #include "session.h"
 

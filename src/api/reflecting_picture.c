@@ -7,8 +7,8 @@
 #include "../base/diagnostics.h"
 #include "../base/memory.h"
 #include "../format/kept.h"
-#include "../shade/evaluate.h"
-#include "../shade/seen.h"
+#include "../picture/seen.h"
+#include "../world/evaluate.h"
 #include "reflecting.h"
 
 /* The picture is looked at by so many samples on each axis, or by all of its pixels; of about so many of them the whole

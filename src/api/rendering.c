@@ -15,8 +15,8 @@
 #include "../base/diagnostics.h"
 #include "../base/memory.h"
 #include "../base/number.h"
+#include "../picture/effort.h"
 #include "../scene/lit.h"
-#include "../shade/effort.h"
 #include "reflecting.h"
 
 /* The row's pixels off the surfaces are 0, and no other is below. */
@@ -93,7 +93,7 @@ static size_t render_row(struct lx_rendering *rendering, struct lx_shader_memory
 struct lx_panel_rows {
     atomic_uint left;
 };
-struct lx_piece {
+struct lx_render_piece {
     unsigned shown[LX_PANEL_SIDE];
 };
 
@@ -122,7 +122,7 @@ static void render_piece(void *data, unsigned worker, bool is_caller, unsigned p
     struct lx_rendering *rendering = data;
     const struct luxel_field *field = rendering->field;
     const struct lx_strip *strip = &rendering->computed->strip;
-    const struct lx_canvas canvas = {
+    const struct lx_picture_part canvas = {
         .top = strip->first,
         .x_mm = field->x_mm,
         .y_mm = field->y_mm + strip->first,

@@ -4,7 +4,7 @@
 #define LX_API_RENDERING_H
 
 #include "../field/field.h"
-#include "../shade/panels.h"
+#include "../picture/polynomial/panels.h"
 #include "reaching.h"
 
 /* Rows that are held at a time, and what was gathered of each. */
@@ -24,7 +24,7 @@ struct lx_rendering {
     struct lx_shader_memory **memories; /* one for each thread */
     struct lx_panels_memory **panels;   /* where the plan has panels, likewise; and of each: */
     struct lx_panel_rows *panel_rows;   /* row of panels of a strip, */
-    struct lx_piece *pieces;            /* and piece of these */
+    struct lx_render_piece *pieces;     /* and piece of these */
     struct lx_held held[2];             /* the second has room only where the first has not for all rows */
     struct lx_held *computed;           /* these rows are being computed, */
     struct lx_held *finished;           /* and these, which come before, handed on; NULL: none yet */

@@ -7,8 +7,8 @@
 
 #include "../base/diagnostics.h"
 #include "../base/number.h"
+#include "../picture/plan_make.h"
 #include "../scene/scene.h"
-#include "../shade/plan_make.h"
 #include "refuse.h"
 #include "session.h"
 

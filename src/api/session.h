@@ -8,8 +8,8 @@
 
 #include <luxel/render.h>
 
+#include "../picture/plan.h"
 #include "../reflect/reflected.h"
-#include "../shade/plan.h"
 
 struct lx_session {
     luxel_settings settings;

@@ -11,8 +11,8 @@
 
 #include "../base/rows.h"
 #include "../base/vector.h"
-#include "../shade/among.h"
-#include "../shade/evaluate.h"
+#include "../world/among.h"
+#include "../world/evaluate.h"
 
 struct settling {
     const struct lx_prepared *prepared;

@@ -4,7 +4,7 @@
 
 #include <math.h>
 
-#include "../shade/camera.h"
+#include "../world/camera.h"
 
 bool luxel_scene_project(const luxel_scene *scene, const double position_mm[3], double screen_mm[2])
 {

@@ -6,13 +6,13 @@
 #include "document.h"
 
 /* A piece of a text: in which the words of a sentence and what stands in for {0}, {1} ... follow each other. */
-struct lx_piece {
+struct lx_text_piece {
     enum lx_span_type type; /* PLAIN, CODE, FORMULA or STRONG: terms have become plain */
     char *text;
 };
 
 struct lx_pieces {
-    struct lx_piece *items;
+    struct lx_text_piece *items;
     size_t count, capacity;
 };
 

@@ -118,7 +118,7 @@ static bool is_formula(struct luxel_document *document, const char *notation)
 static void add_piece(struct luxel_document *document, struct lx_pieces *pieces, enum lx_span_type type,
                       const char *bytes, size_t length)
 {
-    struct lx_piece *last = pieces->count > 0 ? &pieces->items[pieces->count - 1] : NULL;
+    struct lx_text_piece *last = pieces->count > 0 ? &pieces->items[pieces->count - 1] : NULL;
     struct lx_text text = {0};
     if (length == 0 || document->failed)
         return;
@@ -135,7 +135,7 @@ static void add_piece(struct luxel_document *document, struct lx_pieces *pieces,
         free(last->text);
         last->text = taken;
     } else {
-        pieces->items[pieces->count++] = (struct lx_piece){type, taken};
+        pieces->items[pieces->count++] = (struct lx_text_piece){type, taken};
     }
 }
 

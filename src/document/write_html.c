@@ -74,7 +74,7 @@ static void add_element(struct lx_text *text, const char *name, const char *cont
 static void add_pieces(struct lx_text *text, const struct lx_pieces *pieces)
 {
     for (size_t i = 0; i < pieces->count; i++) {
-        const struct lx_piece *piece = &pieces->items[i];
+        const struct lx_text_piece *piece = &pieces->items[i];
         switch (piece->type) {
         case LX_SPAN_CODE: add_element(text, "code", piece->text); break;
         case LX_SPAN_STRONG: add_element(text, "strong", piece->text); break;

@@ -101,7 +101,7 @@ static void add_wrapped(struct lx_text *text, const char *command, const char *p
 static void add_pieces(struct lx_text *text, const struct lx_pieces *pieces)
 {
     for (size_t i = 0; i < pieces->count; i++) {
-        const struct lx_piece *piece = &pieces->items[i];
+        const struct lx_text_piece *piece = &pieces->items[i];
         switch (piece->type) {
         case LX_SPAN_CODE:
             lx_text_puts(text, "\\texttt{");
@@ -190,7 +190,7 @@ static void add_code(struct lx_text *text, const char *code)
 /* A formula that is longer than a line is set as a paragraph, where LaTeX breaks it. */
 static void add_formula(struct lx_text *text, const char *notation)
 {
-    const struct lx_pieces pieces = {.items = &(struct lx_piece){LX_SPAN_FORMULA, (char *)notation}, .count = 1};
+    const struct lx_pieces pieces = {.items = &(struct lx_text_piece){LX_SPAN_FORMULA, (char *)notation}, .count = 1};
     struct lx_text plain = {0};
     lx_pieces_add_plain(&plain, &pieces);
     bool breaks = plain.bytes && !strchr(notation, '&') && !strstr(notation, "\\\\") &&

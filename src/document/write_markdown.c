@@ -41,7 +41,7 @@ enum place { IN_TEXT, IN_CELL, IN_MARKED_CELL };
 static void add_placed(struct lx_text *text, const struct lx_pieces *pieces, enum place place)
 {
     for (size_t i = 0; i < pieces->count; i++) {
-        const struct lx_piece *piece = &pieces->items[i];
+        const struct lx_text_piece *piece = &pieces->items[i];
         const char *stars = piece->type == LX_SPAN_STRONG && place != IN_MARKED_CELL ? "**" : "";
         switch (piece->type) {
         case LX_SPAN_CODE: add_code(text, piece->text); break;

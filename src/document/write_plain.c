@@ -22,7 +22,7 @@ static void add_formula(struct lx_text *text, const char *notation)
 void lx_pieces_add_plain(struct lx_text *text, const struct lx_pieces *pieces)
 {
     for (size_t i = 0; i < pieces->count; i++) {
-        const struct lx_piece *piece = &pieces->items[i];
+        const struct lx_text_piece *piece = &pieces->items[i];
         if (piece->type == LX_SPAN_FORMULA)
             add_formula(text, piece->text);
         else
@@ -286,7 +286,8 @@ void lx_document_write_plain(const struct luxel_document *document, struct lx_te
     add_pieces(text, &document->title, "", "");
     add_cover_lines(text, document, LX_COVER_SIDE, LX_COVER_FOOT);
     for (size_t i = 0; i < document->byline_count && !has_cover; i++) {
-        const struct lx_pieces byline = {.items = &(struct lx_piece){LX_SPAN_PLAIN, document->bylines[i]}, .count = 1};
+        const struct lx_pieces byline = {.items = &(struct lx_text_piece){LX_SPAN_PLAIN, document->bylines[i]},
+                                         .count = 1};
         add_pieces(text, &byline, "", "");
     }
     for (size_t i = 0; i < document->block_count; i++) {

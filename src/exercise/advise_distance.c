@@ -7,7 +7,7 @@
 #include <stdio.h>
 
 #include "../base/number.h"
-#include "../shade/prepared.h"
+#include "../world/prepared.h"
 #include "adviser.h"
 
 /* A share of a surface's radius: nearer, and half of the light falls on less than a tenth of its width. */

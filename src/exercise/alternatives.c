@@ -15,7 +15,7 @@
 #include "../parameter/decode.h"
 #include "../scene/lit.h"
 #include "../scene/materials.h"
-#include "../shade/camera.h"
+#include "../world/camera.h"
 
 /* Where the key of a convention stands. */
 enum holder { SCREEN, OBSERVER, MATERIAL, LIGHT };

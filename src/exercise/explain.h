@@ -6,7 +6,7 @@
 #include <luxel/probe.h>
 
 #include "../document/document.h"
-#include "../shade/reference.h"
+#include "../world/reference.h"
 
 /* The formulas of just the conventions that a scene uses, without numbers: place, normal, view, lights, material. */
 void lx_explain_model(struct luxel_document *document, const struct lx_prepared *prepared, luxel_quantity quantity);

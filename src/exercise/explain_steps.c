@@ -11,7 +11,7 @@
 #include "../light/distribution.h"
 #include "../light/placed.h"
 #include "../parameter/words.h"
-#include "../shade/camera.h"
+#include "../world/camera.h"
 #include "explain.h"
 #include "parameter_tables.h"
 

@@ -18,7 +18,7 @@
 #include "../base/number.h"
 #include "../base/phrase.h"
 #include "../field/field.h"
-#include "../shade/camera.h"
+#include "../world/camera.h"
 #include "alternatives.h"
 
 #define PAIR_STRICTNESS 0.1

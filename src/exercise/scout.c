@@ -12,10 +12,10 @@
 #include "../api/refuse.h"
 #include "../base/memory.h"
 #include "../base/number.h"
-#include "../light/extended.h"
-#include "../shade/prepared.h"
+#include "../light/solid/extended.h"
 #include "../surface/mesh_faces.h"
 #include "../surface/sheet.h"
+#include "../world/prepared.h"
 
 enum {
     SAMPLES = 48,           /* along the shorter side of the screen */
@@ -51,8 +51,8 @@ static double cost_of(const struct lx_emitter *emitter, bool shines, size_t shad
 /* What the sources are like. */
 struct sources {
     size_t count;
-    double cost;   /* of all at a pixel */
-    bool are_slow; /* whether any is extended and makes a highlight */
+    double cost;       /* of all at a pixel */
+    bool are_slow;     /* whether any is extended and makes a highlight */
     bool are_extended; /* whether any is */
     size_t tubes;      /* that stand in their light */
     bool too_many;

@@ -7,7 +7,7 @@
 
 #include "../base/diagnostics.h"
 #include "../base/memory.h"
-#include "../shade/camera.h"
+#include "../world/camera.h"
 #include "extrema.h"
 #include "extrema_plain.h"
 #include "field.h"

@@ -15,7 +15,7 @@
 
 #include "../base/rows.h"
 #include "../base/vector.h"
-#include "../shade/evaluate.h"
+#include "../world/evaluate.h"
 
 struct lx_spot {
     size_t surface;

@@ -6,7 +6,7 @@
  */
 #include "extrema_plain.h"
 
-#include "../shade/evaluate.h"
+#include "../world/evaluate.h"
 #include "extrema.h"
 #include "field.h"
 

@@ -7,8 +7,8 @@
 #include <string.h>
 
 #include "../base/memory.h"
-#include "../light/extended.h"
-#include "../shade/camera.h"
+#include "../light/solid/extended.h"
+#include "../world/camera.h"
 #include "extrema.h"
 #include "field.h"
 

@@ -2,7 +2,7 @@
 /* Spots: places on surfaces, how they are moved, lit and seen. */
 #include <math.h>
 
-#include "../shade/camera.h"
+#include "../world/camera.h"
 #include "extrema.h"
 
 const struct lx_shape *lx_spot_shape(const struct lx_hunt *hunt, const struct lx_spot *spot)

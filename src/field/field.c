@@ -4,7 +4,7 @@
 #include <string.h>
 
 #include "../base/memory.h"
-#include "../shade/camera.h"
+#include "../world/camera.h"
 #include "field.h"
 
 size_t lx_field_bytes(unsigned columns, unsigned rows, luxel_precision precision)

@@ -8,7 +8,7 @@
 
 #include "../base/diagnostics.h"
 #include "../base/memory.h"
-#include "../shade/camera.h"
+#include "../world/camera.h"
 #include "gather.h"
 
 /* How far the values of a picture may be from the exact ones, relative to its maximum; more than any precision. */

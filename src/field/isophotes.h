@@ -19,7 +19,7 @@
 #include <luxel/isophotes.h>
 
 #include "../base/rows.h"
-#include "../shade/evaluate.h"
+#include "../world/evaluate.h"
 #include "field.h"
 
 /* No surface is seen. */

@@ -5,7 +5,7 @@
 #include <string.h>
 
 #include "../base/memory.h"
-#include "../shade/camera.h"
+#include "../world/camera.h"
 #include "isophotes.h"
 
 /* -- making it -- */

@@ -11,8 +11,8 @@
 #include "../base/number.h"
 #include "../base/rows.h"
 #include "../base/wide.h"
-#include "../shade/camera.h"
-#include "../shade/evaluate.h"
+#include "../world/camera.h"
+#include "../world/evaluate.h"
 #include "field.h"
 #include "gather.h"
 

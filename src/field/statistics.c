@@ -4,7 +4,7 @@
 #include <stdlib.h>
 
 #include "../base/memory.h"
-#include "../shade/kernel.h"
+#include "../kernel/kernel.h"
 #include "field.h"
 #include "gather.h"
 

@@ -158,12 +158,12 @@ static luxel_status write_to(const struct lx_destination *destination, const lux
                      : lx_out_of_memory(diagnostics);
     if (status == LUXEL_OK) {
         const char *title = diagram.settings.title;
-        const struct lx_sheet sheet = {.title = title ? title : "",
-                                       .width_mm = diagram.settings.width_mm,
-                                       .dots_per_inch = diagram.settings.dots_per_inch,
-                                       .dark = diagram.settings.dark,
-                                       .draw = draw,
-                                       .what = &diagram};
+        const struct lx_page_sheet sheet = {.title = title ? title : "",
+                                            .width_mm = diagram.settings.width_mm,
+                                            .dots_per_inch = diagram.settings.dots_per_inch,
+                                            .dark = diagram.settings.dark,
+                                            .draw = draw,
+                                            .what = &diagram};
         status = lx_sheet_write(&sheet, destination, diagnostics);
     }
     for (int i = 0; i < 2; i++)

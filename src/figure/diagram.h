@@ -5,7 +5,7 @@
 
 #include <luxel/figure.h>
 
-#include "../format/photometry_section.h"
+#include "../format/lamp/photometry_section.h"
 #include "canvas.h"
 
 struct lx_diagram {

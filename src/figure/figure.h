@@ -13,7 +13,7 @@
 enum { LX_MOST_LEVELS = 64, LX_MOST_BOXES = 256 };
 
 /* Outlines of surfaces on the screen, as chains of places. */
-struct lx_outline {
+struct lx_figure_outline {
     double (*places_mm)[2];
     size_t count, capacity;
 };
@@ -25,7 +25,7 @@ struct lx_lamp {
 };
 
 /* What the figure of a measuring plane has beside that of a picture. */
-struct lx_plane {
+struct lx_figure_plane {
     luxel_grid *grid;
     luxel_grid_extrema extrema; /* on the whole plane */
     struct lx_lamp *lamps;
@@ -46,20 +46,20 @@ struct lx_figure {
     luxel_scene *copy;      /* of the scene, which the rest points into */
     struct lx_rendered own; /* empty where it was given one */
     const luxel_field *field;
-    struct lx_plane *plane;     /* NULL: it shows the picture */
-    double size_mm[2];          /* of the map, whose middle is at (0, 0) */
-    struct lx_scale axes[2];    /* what is written along its sides, which may run downwards */
-    const char *axis_names[2];  /* English */
-    luxel_isophotes *isophotes; /* NULL: none are drawn */
+    struct lx_figure_plane *plane; /* NULL: it shows the picture */
+    double size_mm[2];             /* of the map, whose middle is at (0, 0) */
+    struct lx_scale axes[2];       /* what is written along its sides, which may run downwards */
+    const char *axis_names[2];     /* English */
+    luxel_isophotes *isophotes;    /* NULL: none are drawn */
     luxel_extrema extrema;
     double levels[LX_MOST_LEVELS];
     size_t level_count;
-    struct lx_scale scale;       /* of the colours */
-    char *title, *label, *print; /* the small print */
-    bool has_below, has_above;   /* whether the picture has values beyond it */
-    struct lx_outline *outlines; /* one for each chain of what is seen of a contour */
+    struct lx_scale scale;              /* of the colours */
+    char *title, *label, *print;        /* the small print */
+    bool has_below, has_above;          /* whether the picture has values beyond it */
+    struct lx_figure_outline *outlines; /* one for each chain of what is seen of a contour */
     size_t outline_count, outline_capacity;
-    struct lx_outline *contours; /* closed, one for each surface; together they enclose what shows one */
+    struct lx_figure_outline *contours; /* closed, one for each surface; together they enclose what shows one */
     size_t contour_count;
     struct lx_labels *labels;   /* where the map is labelled, of its last drawing: one is drawn at a time */
     luxel_profile *sections[2]; /* horizontal, vertical; NULL: none */
@@ -90,7 +90,7 @@ luxel_settings lx_whole_picture(const luxel_settings *settings);
 
 /* The plane of a grid: its values, the field between them, the lights before it, and its axes (plane.c). */
 luxel_status lx_figure_plane(struct lx_figure *figure, const luxel_settings *settings, luxel_diagnostics *diagnostics);
-void lx_plane_free(struct lx_plane *plane);
+void lx_plane_free(struct lx_figure_plane *plane);
 /* Moves the isolux lines of a plane to the edges of its shadows (plane_lines.c). */
 luxel_status lx_plane_move_lines(struct lx_figure *figure, const luxel_settings *settings,
                                  luxel_diagnostics *diagnostics);

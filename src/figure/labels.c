@@ -42,14 +42,14 @@ void lx_labels_free(struct lx_labels *labels)
 /* ---- patches ---- */
 
 /* Half of what a patch covers along a direction. */
-static double reach_along(const struct lx_patch *patch, double along_x, double along_y)
+static double reach_along(const struct lx_label_patch *patch, double along_x, double along_y)
 {
     double c = cos(patch->angle), s = sin(patch->angle);
     return (fabs(c * along_x + s * along_y) * patch->width + fabs(c * along_y - s * along_x) * patch->height) / 2;
 }
 
 /* Whether some line of the sides of `a` has all of `b` behind it. */
-static bool is_apart(const struct lx_patch *a, const struct lx_patch *b)
+static bool is_apart(const struct lx_label_patch *a, const struct lx_label_patch *b)
 {
     for (int side = 0; side < 2; side++) {
         double x = cos(a->angle + side * M_PI / 2), y = sin(a->angle + side * M_PI / 2);
@@ -59,12 +59,12 @@ static bool is_apart(const struct lx_patch *a, const struct lx_patch *b)
     return false;
 }
 
-static bool meet(const struct lx_patch *a, const struct lx_patch *b)
+static bool meet(const struct lx_label_patch *a, const struct lx_label_patch *b)
 {
     return !is_apart(a, b) && !is_apart(b, a);
 }
 
-static bool fits(const struct lx_labels *labels, const struct lx_patch *patch)
+static bool fits(const struct lx_labels *labels, const struct lx_label_patch *patch)
 {
     const struct lx_pane *map = &labels->plot->box;
     double across = reach_along(patch, 1, 0) + AWAY * labels->size, up = reach_along(patch, 0, 1) + AWAY * labels->size;
@@ -127,7 +127,7 @@ static void enter_lines(struct lx_labels *labels)
                      line->y_mm[k % line->count], name);
     }
     for (size_t i = 0; i < figure->outline_count; i++) {
-        const struct lx_outline *outline = &figure->outlines[i];
+        const struct lx_figure_outline *outline = &figure->outlines[i];
         for (size_t k = 1; k < outline->count; k++)
             enter_mm(labels, outline->places_mm[k - 1][0], outline->places_mm[k - 1][1], outline->places_mm[k][0],
                      outline->places_mm[k][1], CELL_SHARED);
@@ -139,7 +139,7 @@ static void enter_lines(struct lx_labels *labels)
 }
 
 /* The share of a patch that other lines than `own` run through. */
-static double crowded(struct lx_labels *labels, const struct lx_patch *patch, uint16_t own)
+static double crowded(struct lx_labels *labels, const struct lx_label_patch *patch, uint16_t own)
 {
     enum { ACROSS = 24, DOWN = 12 };
     double c = cos(patch->angle), s = sin(patch->angle);
@@ -171,7 +171,7 @@ static void ground_at(const struct lx_labels *labels, double x, double y, double
 }
 
 /* The mean colour under a patch; returns how much the brightness varies there. */
-static double ground_under(const struct lx_labels *labels, const struct lx_patch *patch, double color[3])
+static double ground_under(const struct lx_labels *labels, const struct lx_label_patch *patch, double color[3])
 {
     enum { ACROSS = 9, DOWN = 3 };
     double least = 1, most = 0, sum[3] = {0, 0, 0};
@@ -206,14 +206,14 @@ static void add_mark(struct lx_labels *labels, enum lx_mark_type type, double x_
     *label = (struct lx_label){.mark = type, .marked = {x, y}};
     ground_at(labels, x, y, ground);
     contrast(ground, label->mark_color);
-    labels->marks[labels->mark_count++] = (struct lx_patch){.x = x, .y = y, .width = room, .height = room};
+    labels->marks[labels->mark_count++] = (struct lx_label_patch){.x = x, .y = y, .width = room, .height = room};
 }
 
 /* The lights before a plane, by their names. */
 static void add_lamps(struct lx_labels *labels)
 {
     const struct lx_figure *figure = labels->figure;
-    const struct lx_plane *plane = figure->plane;
+    const struct lx_figure_plane *plane = figure->plane;
     for (size_t i = 0; i < plane->lamp_count && labels->count < LX_MOST_LABELS / 4; i++) {
         add_mark(labels, LX_MARK_LAMP, plane->lamps[i].place_mm[0], plane->lamps[i].place_mm[1]);
         for (size_t k = 0; k < figure->light_count; k++)
@@ -251,19 +251,19 @@ static void place_beside(struct lx_labels *labels, struct lx_label *label)
     static const double steps[] = {0.55, 1.3, 2.2, 3.4, 5};
     struct lx_type type = {.size = LETTERS * labels->size, .bold = true};
     struct lx_pane text = lx_measure(labels->canvas, label->text, &type);
-    struct lx_patch best = {.width = 0};
+    struct lx_label_patch best = {.width = 0};
     double least = HUGE_VAL;
     for (size_t i = 0; i < LX_COUNT(steps) * LX_COUNT(directions); i++) {
         const double *way = directions[i % LX_COUNT(directions)];
         double step = steps[i / LX_COUNT(directions)], away = step * labels->size, ground[3];
         /* beside the mark its label is at its height or a little above or below */
-        struct lx_patch patch = {.x = label->marked[0] + way[0] * (away + text.width / 2),
-                                 .y = label->marked[1] + way[1] * (away * 0.4 + text.height / 2),
-                                 .width = text.width,
-                                 .height = text.height};
+        struct lx_label_patch patch = {.x = label->marked[0] + way[0] * (away + text.width / 2),
+                                       .y = label->marked[1] + way[1] * (away * 0.4 + text.height / 2),
+                                       .width = text.width,
+                                       .height = text.height};
         if (way[0] == 0)
             patch.y = label->marked[1] + way[1] * (away + text.height / 2);
-        struct lx_patch apart = patch; /* so that two of them do not read as one */
+        struct lx_label_patch apart = patch; /* so that two of them do not read as one */
         apart.width += labels->size;
         if (!fits(labels, &apart))
             continue;
@@ -372,7 +372,7 @@ static void at_length(double (*track)[3], size_t count, double length, double at
 
 /* Along the chord under the label, upright for who reads; how far the line bulges away from it counts against it. */
 static double try_place(struct lx_labels *labels, size_t count, double length, const struct lx_pane *text, uint16_t own,
-                        struct lx_patch *patch)
+                        struct lx_label_patch *patch)
 {
     double before[2], behind[2], middle[2], total = labels->track[count - 1][2], half = text->width / 2;
     if (length - half < 0 || length + half > total)
@@ -383,7 +383,7 @@ static double try_place(struct lx_labels *labels, size_t count, double length, c
     double angle = atan2(behind[1] - before[1], behind[0] - before[0]);
     if (cos(angle) < 0)
         angle += M_PI;
-    *patch = (struct lx_patch){middle[0], middle[1], text->width, text->height, angle};
+    *patch = (struct lx_label_patch){middle[0], middle[1], text->width, text->height, angle};
     if (!fits(labels, patch))
         return HUGE_VAL;
     double bulge = hypot(middle[0] - (before[0] + behind[0]) / 2, middle[1] - (before[1] + behind[1]) / 2);
@@ -407,7 +407,7 @@ static void label_line(struct lx_labels *labels, size_t index)
     if (labels->count == LX_MOST_LABELS || total < (line->closed ? 4 : 2.5) * text.width)
         return;
     for (int i = 1; i < TRIES; i++) {
-        struct lx_patch patch;
+        struct lx_label_patch patch;
         double badness = try_place(labels, count, total * i / TRIES, &text, own, &patch);
         if (badness >= least)
             continue;
@@ -484,7 +484,7 @@ void lx_clip_labels(const struct lx_labels *labels)
     cairo_t *cairo = labels->canvas->cairo;
     cairo_rectangle(cairo, map->x, map->y, map->width, map->height);
     for (size_t i = 0; i < labels->count; i++) {
-        const struct lx_patch *patch = &labels->labels[i].patch;
+        const struct lx_label_patch *patch = &labels->labels[i].patch;
         if (!*labels->labels[i].text || labels->labels[i].mark != LX_MARK_NONE)
             continue;
         cairo_save(cairo);
@@ -527,7 +527,7 @@ static void draw_mark(const struct lx_labels *labels, const struct lx_label *lab
 /* From the mark to the nearest point of its label. */
 static void draw_leader(const struct lx_labels *labels, const struct lx_label *label)
 {
-    const struct lx_patch *patch = &label->patch;
+    const struct lx_label_patch *patch = &label->patch;
     double x = fmin(fmax(label->marked[0], patch->x - patch->width / 2), patch->x + patch->width / 2);
     double y = fmin(fmax(label->marked[1], patch->y - patch->height / 4), patch->y + patch->height / 4);
     double length = hypot(x - label->marked[0], y - label->marked[1]), start = 0.6 * labels->size;

@@ -9,7 +9,7 @@
 enum { LX_MOST_LABELS = 512, LX_LABEL_TEXT = 48, LX_LABEL_CELLS = 256 };
 
 /* A rectangle turned around its middle, clockwise. */
-struct lx_patch {
+struct lx_label_patch {
     double x, y, width, height, angle;
 };
 
@@ -19,7 +19,7 @@ struct lx_label {
     enum lx_mark_type mark; /* what it marks, at `marked`; LX_MARK_NONE: a line, or the value at a point */
     double marked[2];
     char text[LX_LABEL_TEXT]; /* empty: there was no room for it */
-    struct lx_patch patch;
+    struct lx_label_patch patch;
     bool led; /* so far from the mark that a line leads to it */
     double mark_color[3], color[3], halo[3];
 };
@@ -27,7 +27,7 @@ struct lx_label {
 struct lx_labels {
     struct lx_label labels[LX_MOST_LABELS];
     size_t count;
-    struct lx_patch marks[LX_MOST_LABELS]; /* the room that marks take */
+    struct lx_label_patch marks[LX_MOST_LABELS]; /* the room that marks take */
     size_t mark_count;
     const struct lx_figure *figure;
     const struct lx_canvas *canvas;

@@ -132,7 +132,7 @@ static void draw_surfaces(const struct lx_figure *figure, const struct lx_canvas
     cairo_paint(cairo);
     cairo_save(cairo);
     for (size_t i = 0; i < figure->contour_count; i++) {
-        const struct lx_outline *contour = &figure->contours[i];
+        const struct lx_figure_outline *contour = &figure->contours[i];
         cairo_new_sub_path(cairo);
         for (size_t k = 0; k < contour->count; k++)
             cairo_line_to(cairo, lx_plot_x(plot, contour->places_mm[k][0]), lx_plot_y(plot, contour->places_mm[k][1]));
@@ -198,7 +198,7 @@ static void draw_outlines(const struct lx_figure *figure, const struct lx_canvas
     cairo_set_line_width(canvas->cairo, LINE * plot->size);
     cairo_set_line_join(canvas->cairo, CAIRO_LINE_JOIN_ROUND);
     for (size_t i = 0; i < figure->outline_count; i++) {
-        const struct lx_outline *outline = &figure->outlines[i];
+        const struct lx_figure_outline *outline = &figure->outlines[i];
         for (size_t k = 0; k < outline->count; k++)
             cairo_line_to(canvas->cairo, lx_plot_x(plot, outline->places_mm[k][0]),
                           lx_plot_y(plot, outline->places_mm[k][1]));

@@ -4,8 +4,8 @@
 #include <string.h>
 
 #include "../base/memory.h"
-#include "../shade/camera.h"
-#include "../shade/evaluate.h"
+#include "../world/camera.h"
+#include "../world/evaluate.h"
 #include "figure.h"
 
 /* Whether what is seen a little inside the edge is this surface. */
@@ -19,7 +19,7 @@ static bool is_seen(const struct lx_figure *figure, const luxel_evaluator *evalu
     return value.on_surface && value.surface == surface->authored && value.part == surface->part;
 }
 
-static int append(struct lx_outline *outline, const double at[2])
+static int append(struct lx_figure_outline *outline, const double at[2])
 {
     if (lx_reserve((void **)&outline->places_mm, &outline->capacity, outline->count + 1, sizeof *outline->places_mm) <
         0)
@@ -34,13 +34,13 @@ static int add_place(struct lx_figure *figure, bool begins, const double at[2])
         if (lx_reserve((void **)&figure->outlines, &figure->outline_capacity, figure->outline_count + 1,
                        sizeof *figure->outlines) < 0)
             return -1;
-        figure->outlines[figure->outline_count++] = (struct lx_outline){0};
+        figure->outlines[figure->outline_count++] = (struct lx_figure_outline){0};
     }
     return append(&figure->outlines[figure->outline_count - 1], at);
 }
 
 /* All contours run the same way round, so that together they enclose whatever one of them does. */
-static void turn_round(struct lx_outline *contour)
+static void turn_round(struct lx_figure_outline *contour)
 {
     double area = 0;
     for (size_t i = 0; i < contour->count; i++) {
@@ -81,7 +81,7 @@ struct drawing_of {
     struct lx_figure *figure;
     const luxel_evaluator *evaluator;
     const struct lx_prepared_surface *surface;
-    struct lx_outline *contour;
+    struct lx_figure_outline *contour;
     struct lx_camera camera;
     bool is_open; /* the last place was drawn */
 };

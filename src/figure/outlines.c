@@ -29,7 +29,7 @@ void luxel_outlines_free(luxel_outlines *outlines)
 }
 
 /* Chains of one place are no lines. */
-static bool is_line(const struct lx_outline *outline)
+static bool is_line(const struct lx_figure_outline *outline)
 {
     return outline->count >= 2;
 }
@@ -50,7 +50,7 @@ static luxel_outlines *copy(const struct lx_figure *figure)
     }
     double *at = whole->places_mm;
     for (size_t i = 0; i < figure->outline_count; i++) {
-        const struct lx_outline *outline = &figure->outlines[i];
+        const struct lx_figure_outline *outline = &figure->outlines[i];
         if (!is_line(outline))
             continue;
         whole->lines[count++] = (luxel_outline){outline->count, at, at + outline->count};

@@ -114,7 +114,7 @@ static void add_formula(struct words *words, const char *notation)
     lx_formula_free(formula);
 }
 
-static void add_piece(struct words *words, const struct lx_piece *piece, bool after_formula)
+static void add_piece(struct words *words, const struct lx_text_piece *piece, bool after_formula)
 {
     size_t from = words->text.length;
     if (piece->type == LX_SPAN_FORMULA) {

@@ -18,7 +18,7 @@ enum { FINE_CELLS = 40000, FINE_CELLS_COSTLY = 2500 };
 /* Eyes tell no more of a colour. */
 static const double FINE_TOLERANCE = 1e-4;
 
-void lx_plane_free(struct lx_plane *plane)
+void lx_plane_free(struct lx_figure_plane *plane)
 {
     if (!plane)
         return;
@@ -58,7 +58,7 @@ static void set_axis(struct lx_figure *figure, int side)
 /* The lights that stand in front of the plane, where they stand over it. */
 static int find_lamps(struct lx_figure *figure)
 {
-    struct lx_plane *plane = figure->plane;
+    struct lx_figure_plane *plane = figure->plane;
     const luxel_grid *grid = plane->grid;
     const size_t count = luxel_scene_light_count(figure->copy);
     plane->lamps = lx_new_array(count + 1, sizeof *plane->lamps);
@@ -103,7 +103,7 @@ static luxel_status make_field(struct lx_figure *figure, const luxel_settings *s
 /* The whole plane, as the contour of what has colours. */
 static int make_contour(struct lx_figure *figure)
 {
-    struct lx_outline *contour = figure->contours = lx_new_array(1, sizeof *figure->contours);
+    struct lx_figure_outline *contour = figure->contours = lx_new_array(1, sizeof *figure->contours);
     if (!contour)
         return -1;
     figure->contour_count = 1;
@@ -122,7 +122,7 @@ static int make_contour(struct lx_figure *figure)
 static luxel_status find_maximum(struct lx_figure *figure, const luxel_settings *settings,
                                  luxel_diagnostics *diagnostics)
 {
-    struct lx_plane *plane = figure->plane;
+    struct lx_figure_plane *plane = figure->plane;
     const luxel_grid *grid = plane->grid;
     luxel_peak *maximum = &figure->extrema.maximum;
     double away[3];

@@ -22,8 +22,8 @@ enum { HALVINGS = 8 };
 /* A vertex between two samples, along one of the coordinates. */
 struct vertex {
     double *x_mm, *y_mm;
-    double *moves;    /* one of these */
-    double below_mm;  /* where that is at the sample below the level, and at the one above it */
+    double *moves;   /* one of these */
+    double below_mm; /* where that is at the sample below the level, and at the one above it */
     double above_mm;
     double level, step; /* step: by how much the samples differ */
 };

@@ -11,7 +11,7 @@
 #include "../base/sink.h"
 #include "../exercise/explain.h"
 #include "../scene/lit.h"
-#include "../shade/prepared.h"
+#include "../world/prepared.h"
 #include "figure.h"
 #include "pages.h"
 

@@ -8,7 +8,7 @@
 
 #include "../base/sink.h"
 
-struct lx_sheet {
+struct lx_page_sheet {
     const char *title; /* of the PDF */
     double width_mm, dots_per_inch;
     bool dark;
@@ -18,11 +18,11 @@ struct lx_sheet {
 };
 
 /* The sheet as a PNG file's bytes, the caller's; LUXEL_ERROR_MEMORY. */
-luxel_status lx_sheet_png(const struct lx_sheet *sheet, luxel_diagnostics *diagnostics, unsigned char **bytes,
+luxel_status lx_sheet_png(const struct lx_page_sheet *sheet, luxel_diagnostics *diagnostics, unsigned char **bytes,
                           size_t *length);
 
 /* Writes it as a file by the extension of its name, whole or not at all. */
-luxel_status lx_sheet_write(const struct lx_sheet *sheet, const struct lx_destination *destination,
+luxel_status lx_sheet_write(const struct lx_page_sheet *sheet, const struct lx_destination *destination,
                             luxel_diagnostics *diagnostics);
 
 #endif

@@ -29,12 +29,12 @@ luxel_status luxel_check_figure_name(const char *path, luxel_diagnostics *diagno
     return lx_find_ending(path, endings, sizeof endings / sizeof endings[0], diagnostics, &found);
 }
 
-static double height_of(const struct lx_sheet *sheet)
+static double height_of(const struct lx_page_sheet *sheet)
 {
     return sheet->draw(sheet->what, NULL, sheet->width_mm * POINTS);
 }
 
-static void paint(const struct lx_sheet *sheet, cairo_t *cairo, double width)
+static void paint(const struct lx_page_sheet *sheet, cairo_t *cairo, double width)
 {
     struct lx_canvas canvas = lx_canvas_of(cairo, sheet->dark);
     lx_color(&canvas, canvas.ground, 1);
@@ -92,7 +92,7 @@ static bool encode(cairo_surface_t *image, double dots_per_inch, struct lx_text 
     return done && !bytes->failed;
 }
 
-static bool draw_png(const struct lx_sheet *sheet, struct lx_text *bytes)
+static bool draw_png(const struct lx_page_sheet *sheet, struct lx_text *bytes)
 {
     double width = sheet->width_mm * POINTS, height = height_of(sheet);
     double scale = sheet->dots_per_inch / 72;
@@ -109,7 +109,7 @@ static bool draw_png(const struct lx_sheet *sheet, struct lx_text *bytes)
 }
 
 /* Pictures of more dots than that cannot be drawn on. */
-static luxel_status check_dots(const struct lx_sheet *sheet, luxel_diagnostics *diagnostics)
+static luxel_status check_dots(const struct lx_page_sheet *sheet, luxel_diagnostics *diagnostics)
 {
     enum { MOST_DOTS = 32767 };
     double longest = fmax(sheet->width_mm * POINTS, height_of(sheet));
@@ -123,7 +123,7 @@ static luxel_status check_dots(const struct lx_sheet *sheet, luxel_diagnostics *
     return LUXEL_ERROR_ARGUMENT;
 }
 
-luxel_status lx_sheet_png(const struct lx_sheet *sheet, luxel_diagnostics *diagnostics, unsigned char **bytes,
+luxel_status lx_sheet_png(const struct lx_page_sheet *sheet, luxel_diagnostics *diagnostics, unsigned char **bytes,
                           size_t *length)
 {
     struct lx_text text = {0};
@@ -145,7 +145,7 @@ static cairo_status_t collect(void *data, const unsigned char *bytes, unsigned c
     return text->failed ? CAIRO_STATUS_NO_MEMORY : CAIRO_STATUS_SUCCESS;
 }
 
-static bool draw_vector(const struct lx_sheet *sheet, size_t format, struct lx_text *bytes)
+static bool draw_vector(const struct lx_page_sheet *sheet, size_t format, struct lx_text *bytes)
 {
     double width = sheet->width_mm * POINTS, height = height_of(sheet);
     cairo_surface_t *surface = format == PDF ? cairo_pdf_surface_create_for_stream(collect, bytes, width, height)
@@ -168,7 +168,7 @@ static bool draw_vector(const struct lx_sheet *sheet, size_t format, struct lx_t
     return done;
 }
 
-luxel_status lx_sheet_write(const struct lx_sheet *sheet, const struct lx_destination *destination,
+luxel_status lx_sheet_write(const struct lx_page_sheet *sheet, const struct lx_destination *destination,
                             luxel_diagnostics *diagnostics)
 {
     struct lx_text bytes = {0};
@@ -192,20 +192,20 @@ static double draw_figure(const void *figure, cairo_t *cairo, double width)
     return lx_figure_draw(figure, cairo, width);
 }
 
-static struct lx_sheet sheet_of(const struct lx_figure *figure)
+static struct lx_page_sheet sheet_of(const struct lx_figure *figure)
 {
-    return (struct lx_sheet){.title = figure->title,
-                             .width_mm = figure->settings.width_mm,
-                             .dots_per_inch = figure->settings.dots_per_inch,
-                             .dark = figure->settings.dark,
-                             .draw = draw_figure,
-                             .what = figure};
+    return (struct lx_page_sheet){.title = figure->title,
+                                  .width_mm = figure->settings.width_mm,
+                                  .dots_per_inch = figure->settings.dots_per_inch,
+                                  .dark = figure->settings.dark,
+                                  .draw = draw_figure,
+                                  .what = figure};
 }
 
 luxel_status lx_figure_png(const struct lx_figure *figure, luxel_diagnostics *diagnostics, unsigned char **bytes,
                            size_t *length)
 {
-    const struct lx_sheet sheet = sheet_of(figure);
+    const struct lx_page_sheet sheet = sheet_of(figure);
     return lx_sheet_png(&sheet, diagnostics, bytes, length);
 }
 
@@ -220,7 +220,7 @@ static luxel_status write_to(const struct lx_destination *destinations, size_t c
     if (status == LUXEL_OK)
         status = lx_figure_make(scene, settings, wanted, NULL, diagnostics, &figure);
     if (status == LUXEL_OK) {
-        const struct lx_sheet sheet = sheet_of(figure);
+        const struct lx_page_sheet sheet = sheet_of(figure);
         for (size_t i = 0; i < count; i++) {
             const luxel_status one = lx_sheet_write(&sheet, &destinations[i], diagnostics);
             written[i] = one == LUXEL_OK;

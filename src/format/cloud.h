@@ -26,7 +26,7 @@ struct lx_cloud {
     void *values;   /* row by row */
     enum lx_cloud_intensities intensities;
     char unused[LX_UNUSED_SIZE]; /* the names of columns that were passed over; "": there were none */
-    struct lx_kept_slot *tree;   /* what was planted of it (shade/tree.h); NULL: it is not kept */
+    struct lx_kept_slot *tree;   /* what was planted of it (picture/cluster/tree.h); NULL: it is not kept */
 };
 
 static inline void lx_cloud_row(const struct lx_cloud *cloud, size_t i, double row[LX_CLOUD_COLUMNS])

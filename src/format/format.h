@@ -15,7 +15,7 @@
 enum { LX_MOST_PIXELS = 65536 };
 
 /* What the samples of an image are; one bit each, so that a format can name several. */
-enum lx_sample { LX_SAMPLE_U8 = 1, LX_SAMPLE_F32 = 2, LX_SAMPLE_F64 = 4, LX_SAMPLE_U16 = 8 };
+enum lx_sample_type { LX_SAMPLE_U8 = 1, LX_SAMPLE_F32 = 2, LX_SAMPLE_F64 = 4, LX_SAMPLE_U16 = 8 };
 
 /*
  * An image to write: rows x columns x channels samples, row 0 on top, without gaps.  All is the caller's.  What
@@ -25,7 +25,7 @@ enum lx_sample { LX_SAMPLE_U8 = 1, LX_SAMPLE_F32 = 2, LX_SAMPLE_F64 = 4, LX_SAMP
 struct lx_image {
     unsigned columns, rows;
     unsigned channels; /* 1: no format takes more yet */
-    enum lx_sample sample;
+    enum lx_sample_type sample;
     const void *data;          /* uint8_t, uint16_t, float or double in the host's byte order */
     const uint8_t *mask;       /* rows x columns, 1 where there is a value; NULL: everywhere */
     const double *x_mm, *y_mm; /* the places of the columns and of the rows; NULL: not known */
@@ -52,18 +52,18 @@ struct lx_writer {
 /* An image that was read; start with {0}.  It owns everything. */
 struct lx_loaded {
     unsigned columns, rows;
-    enum lx_sample sample; /* LX_SAMPLE_F32 or LX_SAMPLE_F64 */
-    void *values;          /* float or double, aligned for vectors */
-    uint8_t *mask;         /* NULL: the file tells none */
-    double *x_mm, *y_mm;   /* NULL: the file tells no places */
-    char *unit;            /* NULL: the file tells none */
+    enum lx_sample_type sample; /* LX_SAMPLE_F32 or LX_SAMPLE_F64 */
+    void *values;               /* float or double, aligned for vectors */
+    uint8_t *mask;              /* NULL: the file tells none */
+    double *x_mm, *y_mm;        /* NULL: the file tells no places */
+    char *unit;                 /* NULL: the file tells none */
     struct lx_tags tags;
 };
 
 struct lx_format {
     const char *ending; /* lower case, with its dot: ".png" */
     const char *name;   /* as people call it: "PNG" */
-    unsigned samples;   /* the kinds of samples that it takes: bits of enum lx_sample */
+    unsigned samples;   /* the kinds of samples that it takes: bits of enum lx_sample_type */
     bool needs_places;  /* whether an image without x_mm and y_mm cannot be written */
     const char *magic;  /* the bytes that its files begin with; NULL: any */
     size_t magic_length;

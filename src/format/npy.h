@@ -10,10 +10,10 @@ struct lx_npy {
     unsigned rows, columns;    /* both 0: the array has not two dimensions; cut where no array is that large */
     bool fortran;              /* column by column */
     bool big_endian;
-    char kind;             /* 'f': real, 'i': whole, 'u': whole from 0 on, 'b': true or false */
-    size_t width;          /* of a number, in bytes; 0: they are of another kind */
-    enum lx_sample sample; /* what holds them: float32 where it does so exactly, else float64 */
-    size_t start;          /* where they begin */
+    char kind;                  /* 'f': real, 'i': whole, 'u': whole from 0 on, 'b': true or false */
+    size_t width;               /* of a number, in bytes; 0: they are of another kind */
+    enum lx_sample_type sample; /* what holds them: float32 where it does so exactly, else float64 */
+    size_t start;               /* where they begin */
 };
 
 /* Reads it.  What is not as it should be, a word of the format; NULL: nothing, or the source has failed. */

@@ -21,7 +21,7 @@
 #include <stdint.h>
 
 #include "../base/frame.h"
-#include "../format/photometry.h"
+#include "../format/lamp/photometry.h"
 #include "distribution_even.h"
 #include "profile.h"
 

@@ -2,7 +2,7 @@
 /*
  * The table of a distribution on lines that are all equally far apart, where each of its own lines is one of them: then
  * the cell that two angles lie in is counted and need not be searched.  Between lines that were there before the new
- * ones change nothing, as the function is linear there.  Pictures look up cells so (shade/tabled.h).
+ * ones change nothing, as the function is linear there.  Pictures look up cells so (picture/polynomial/tabled.h).
  */
 #ifndef LX_LIGHT_DISTRIBUTION_EVEN_H
 #define LX_LIGHT_DISTRIBUTION_EVEN_H

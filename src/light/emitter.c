@@ -8,7 +8,7 @@
 #include "../base/rows.h"
 #include "../format/cloud.h"
 #include "emitter.h"
-#include "shell_facets.h"
+#include "solid/shell_facets.h"
 
 /* Emitters that are appended between two questions whether to go on. */
 enum { BETWEEN_CHECKS = 128 };

@@ -9,7 +9,7 @@
 
 #include <luxel/photometry.h>
 
-#include "../format/mesh_survey.h"
+#include "../format/mesh/mesh_survey.h"
 #include "../parameter/table.h"
 #include "emitter.h"
 

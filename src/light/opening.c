@@ -9,7 +9,7 @@
 #include "../base/phrase.h"
 #include "../base/pose.h"
 #include "../base/vector.h"
-#include "facets.h"
+#include "solid/facets.h"
 #include "spread.h"
 
 const char *const lx_opening_words[] = {"point", "file", NULL};

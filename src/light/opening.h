@@ -20,7 +20,7 @@ struct lx_opening_shape {
     uint64_t given;
     double size_mm[3]; /* of a rectangle and of a box: along c0, along C = 90, along the axis */
     double radius_mm, height_mm;
-    double radii_mm[3]; /* of one that a file declares and that is not round; 0: it is (light/elliptic.h) */
+    double radii_mm[3]; /* of one that a file declares and that is not round; 0: it is (light/solid/elliptic.h) */
     double center_mm[3];
     double axis[3];
 };

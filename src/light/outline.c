@@ -8,7 +8,7 @@
 #include <string.h>
 
 #include "../base/memory.h"
-#include "facets_make.h"
+#include "solid/facets_make.h"
 
 /* A corner that turns to the right by less than this is taken for a straight one. */
 static const double STRAIGHT = 0x1p-44;

@@ -7,7 +7,7 @@
 #include <string.h>
 
 #include "../parameter/check.h"
-#include "solid_angle.h"
+#include "solid/solid_angle.h"
 
 struct lx_emitter lx_shining_emitter(const struct lx_shining *shining, const double position_mm[3], double intensity,
                                      struct lx_profile profile)

@@ -8,10 +8,10 @@
 #define LX_LIGHT_SPREAD_H
 
 #include "../parameter/check.h"
-#include "extended.h"
-#include "facets.h"
 #include "law.h"
 #include "light.h"
+#include "solid/extended.h"
+#include "solid/facets.h"
 
 struct lx_spread {
     double radiance; /* W/(sr m^2) or cd/m^2 */

@@ -9,8 +9,8 @@
 #include <string.h>
 
 #include "../base/pose.h"
-#include "extended.h"
-#include "solid_angle.h"
+#include "solid/extended.h"
+#include "solid/solid_angle.h"
 
 /* ---- flux ---- */
 

@@ -3,7 +3,7 @@
 #ifndef LX_PARAMETER_MESH_FILE_H
 #define LX_PARAMETER_MESH_FILE_H
 
-#include "../format/mesh.h"
+#include "../format/mesh/mesh.h"
 #include "check.h"
 
 /*

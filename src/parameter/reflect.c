@@ -18,7 +18,7 @@ static void free_rules(struct lx_reflected *item)
     free(item->rules);
 }
 
-void lx_reflection_clear(struct lx_reflection *reflection)
+void lx_reflection_clear(struct lx_parameter_reflection *reflection)
 {
     for (size_t i = 0; i < reflection->count; i++) {
         struct lx_reflected *item = &reflection->items[i];
@@ -31,11 +31,11 @@ void lx_reflection_clear(struct lx_reflection *reflection)
     free(reflection->words);
     free(reflection->items);
     free(reflection->kinds);
-    *reflection = (struct lx_reflection){0};
+    *reflection = (struct lx_parameter_reflection){0};
 }
 
 /* Words of the tables in the reflection's language, kept by it; NULL where out of memory. */
-static const char *keep_words(struct lx_reflection *reflection, struct lx_text *words)
+static const char *keep_words(struct lx_parameter_reflection *reflection, struct lx_text *words)
 {
     char *text = lx_text_render(words, reflection->translate, reflection->data);
     if (!text || lx_reserve(&reflection->words, &reflection->word_capacity, reflection->word_count + 1,
@@ -46,7 +46,7 @@ static const char *keep_words(struct lx_reflection *reflection, struct lx_text *
     return reflection->words[reflection->word_count++] = text;
 }
 
-static const char *keep_phrase(struct lx_reflection *reflection, const char *english)
+static const char *keep_phrase(struct lx_parameter_reflection *reflection, const char *english)
 {
     struct lx_text text = {0};
     lx_add_phrase(&text, english, NULL);
@@ -102,7 +102,8 @@ static void measure(const struct lx_parameter *parameter, luxel_parameter *shown
 }
 
 /* A parameter in words; false where out of memory. */
-static bool describe(struct lx_reflection *reflection, const struct lx_parameter *parameter, luxel_parameter *shown)
+static bool describe(struct lx_parameter_reflection *reflection, const struct lx_parameter *parameter,
+                     luxel_parameter *shown)
 {
     const char *unit = lx_unit_word(parameter->unit, false);
     struct lx_text type = {0}, legal = {0}, advised = {0};
@@ -170,7 +171,7 @@ static int add_rules(struct lx_reflected *item, const struct lx_table *table, co
 }
 
 /* Appends a parameter; `path` and `choices` become the list's. */
-static int append(struct lx_reflection *reflection, const struct lx_parameter *parameter, const char *variant,
+static int append(struct lx_parameter_reflection *reflection, const struct lx_parameter *parameter, const char *variant,
                   char *path, char *choices)
 {
     if (lx_reserve((void **)&reflection->items, &reflection->capacity, reflection->count + 1,
@@ -203,10 +204,10 @@ static char *join_path(const char *up, const char *key)
     return lx_text_take(&path);
 }
 
-static int reflect_table(struct lx_reflection *reflection, const struct lx_table *table, const char *up,
+static int reflect_table(struct lx_parameter_reflection *reflection, const struct lx_table *table, const char *up,
                          const char *variant);
 
-static int append_kinds(struct lx_reflection *reflection, const struct lx_parameter *list)
+static int append_kinds(struct lx_parameter_reflection *reflection, const struct lx_parameter *list)
 {
     for (size_t i = 0; list->variants[i]; i++) {
         const struct lx_variant *variant = list->variants[i];
@@ -223,7 +224,7 @@ static int append_kinds(struct lx_reflection *reflection, const struct lx_parame
 }
 
 /* The key `type` of a list's elements, the keys common to them, and those of each variant. */
-static int reflect_list(struct lx_reflection *reflection, const struct lx_parameter *list, const char *path)
+static int reflect_list(struct lx_parameter_reflection *reflection, const struct lx_parameter *list, const char *path)
 {
     static const struct lx_parameter type = {.name = "type",
                                              .label = "Type",
@@ -251,7 +252,7 @@ static int reflect_list(struct lx_reflection *reflection, const struct lx_parame
     return result;
 }
 
-static int reflect_groups(struct lx_reflection *reflection, const struct lx_parameter *list, const char *path,
+static int reflect_groups(struct lx_parameter_reflection *reflection, const struct lx_parameter *list, const char *path,
                           const char *variant)
 {
     struct lx_text element = {0};
@@ -263,7 +264,7 @@ static int reflect_groups(struct lx_reflection *reflection, const struct lx_para
     return result;
 }
 
-static int reflect_table(struct lx_reflection *reflection, const struct lx_table *table, const char *up,
+static int reflect_table(struct lx_parameter_reflection *reflection, const struct lx_table *table, const char *up,
                          const char *variant)
 {
     int result = 0;
@@ -290,9 +291,10 @@ static int reflect_table(struct lx_reflection *reflection, const struct lx_table
     return result;
 }
 
-int lx_reflect(const struct lx_table *table, luxel_translate translate, void *data, struct lx_reflection *reflection)
+int lx_reflect(const struct lx_table *table, luxel_translate translate, void *data,
+               struct lx_parameter_reflection *reflection)
 {
-    *reflection = (struct lx_reflection){.translate = translate, .data = data};
+    *reflection = (struct lx_parameter_reflection){.translate = translate, .data = data};
     int result = reflect_table(reflection, table, "", NULL);
     if (result < 0)
         lx_reflection_clear(reflection);

@@ -14,7 +14,7 @@ struct lx_reflected {
     luxel_rule *rules; /* their choices are texts of their own */
 };
 
-struct lx_reflection {
+struct lx_parameter_reflection {
     struct lx_reflected *items;
     size_t count, capacity;
     luxel_kind *kinds;
@@ -29,7 +29,8 @@ struct lx_reflection {
  * Lists all parameters of a table and of those below it, in words of a language (NULL: English).  0, or -1 when
  * memory ran out (the list is then empty).
  */
-int lx_reflect(const struct lx_table *table, luxel_translate translate, void *data, struct lx_reflection *reflection);
-void lx_reflection_clear(struct lx_reflection *reflection);
+int lx_reflect(const struct lx_table *table, luxel_translate translate, void *data,
+               struct lx_parameter_reflection *reflection);
+void lx_reflection_clear(struct lx_parameter_reflection *reflection);
 
 #endif

@@ -9,7 +9,7 @@
 #include "../base/memory.h"
 #include "../base/vector.h"
 #include "../light/distribution.h"
-#include "../light/extended.h"
+#include "../light/solid/extended.h"
 
 /* Beams are no wider than this: from a source that is close, even light of all directions falls narrowly. */
 static const double HALF = 0.5;

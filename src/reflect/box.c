@@ -8,7 +8,7 @@
 
 #include "../base/memory.h"
 #include "../base/vector.h"
-#include "../light/extended.h"
+#include "../light/solid/extended.h"
 #include "solution.h"
 
 /* Directions that are along one another. */

@@ -6,7 +6,7 @@
 #include <string.h>
 
 #include "../base/vector.h"
-#include "../shade/reference.h"
+#include "../world/reference.h"
 
 /* In coordinates of a cell, -1 to 1: outlines that are nearer to its border lie on it; half a penumbra of this width
  * shows in its samples. */
@@ -125,7 +125,7 @@ static bool cast(const struct square *square, const struct lx_outline_light *lig
 
 /* The part of an outline that is above the plane of a square and below the light; false: there is none. */
 static bool clip_height(const struct square *square, const struct lx_outline_light *light,
-                        const struct lx_outline *outline, double ends_mm[2][3])
+                        const struct lx_shadow_outline *outline, double ends_mm[2][3])
 {
     const double most = light->at.endless ? HUGE_VAL : BELOW * square->height_mm;
     double heights[2] = {0, 0}, range[2] = {0, 1};
@@ -168,7 +168,7 @@ static bool meets(double ends[2][2], double half)
 /* Half the width of the penumbra at a place of an outline, in coordinates of the square; `slope` is how fast these grow
  * across it. */
 static double penumbra(const struct square *square, const struct lx_outline_light *light,
-                       const struct lx_outline *outline, const double place_mm[3], double slope)
+                       const struct lx_shadow_outline *outline, const double place_mm[3], double slope)
 {
     double at[3], moved[3], most = 0;
     cast(square, light, NOWHERE, place_mm, at);
@@ -181,8 +181,8 @@ static double penumbra(const struct square *square, const struct lx_outline_ligh
 }
 
 /* Whether a shadow may begin on a square, and where. */
-static bool crosses(const struct square *square, const struct lx_outline_light *light, const struct lx_outline *outline,
-                    struct beginning *beginning)
+static bool crosses(const struct square *square, const struct lx_outline_light *light,
+                    const struct lx_shadow_outline *outline, struct beginning *beginning)
 {
     double ends[2][3], ends_at[2][2], middle[3], slopes[2], along[2];
     if (!clip_height(square, light, outline, ends))
@@ -210,7 +210,8 @@ static bool crosses(const struct square *square, const struct lx_outline_light *
 }
 
 /* Which nodes are on the dark side of the plane through an outline and the light. */
-static void find_nodes(const struct lx_tile_cell *cell, const struct lx_outline *outline, struct beginning *beginning)
+static void find_nodes(const struct lx_tile_cell *cell, const struct lx_shadow_outline *outline,
+                       struct beginning *beginning)
 {
     const double here = lx_dot(outline->dark, outline->from_mm);
     beginning->dark = 0;
@@ -542,7 +543,7 @@ void lx_crossings_find(const struct lx_outlines *outlines, const struct lx_matte
     *found = (struct lx_crossings){.items = found->items};
     for (size_t i = 0; i < count; i++) {
         const uint32_t number = larger ? larger->items[i] : (uint32_t)i;
-        const struct lx_outline *outline = &outlines->items[number];
+        const struct lx_shadow_outline *outline = &outlines->items[number];
         const struct lx_outline_light *light = &outlines->lights[outline->light];
         struct beginning beginning;
         if (light != group.light) {

@@ -7,7 +7,7 @@
 #ifndef LX_REFLECT_DIRECT_H
 #define LX_REFLECT_DIRECT_H
 
-#include "../shade/world.h"
+#include "../world/world.h"
 #include "beam.h"
 #include "crossing.h"
 #include "fold.h"

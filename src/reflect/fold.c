@@ -9,7 +9,7 @@
 #include "../base/memory.h"
 #include "../base/vector.h"
 #include "../light/distribution.h"
-#include "../shade/reference.h"
+#include "../world/reference.h"
 
 /*
  * Of a function that is a power p of the distance from a line on one side, and 0 on the other, Gauss's rule misses in

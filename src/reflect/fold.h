@@ -7,7 +7,7 @@
 #ifndef LX_REFLECT_FOLD_H
 #define LX_REFLECT_FOLD_H
 
-#include "../shade/prepared.h"
+#include "../world/prepared.h"
 #include "tile.h"
 
 struct lx_fold {

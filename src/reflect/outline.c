@@ -8,7 +8,7 @@
 
 #include "../base/memory.h"
 #include "../base/vector.h"
-#include "../light/extended.h"
+#include "../light/solid/extended.h"
 #include "../surface/mesh_faces.h"
 #include "../surface/sheet.h"
 
@@ -74,7 +74,8 @@ struct drawing {
 static bool add(struct drawing *drawing, const double from_mm[3], const double to_mm[3], double turn)
 {
     struct lx_outlines *outlines = drawing->outlines;
-    struct lx_outline outline = {.light = (uint32_t)(drawing->light - outlines->lights), .surface = drawing->surface};
+    struct lx_shadow_outline outline = {.light = (uint32_t)(drawing->light - outlines->lights),
+                                        .surface = drawing->surface};
     double way[3], along[3];
     if (outlines->count == MOST)
         return true;

@@ -10,10 +10,10 @@
 #include <stddef.h>
 #include <stdint.h>
 
-#include "../shade/prepared.h"
+#include "../world/prepared.h"
 
 /* A straight piece of a surface's outline as a light sees it; of what is round, one of 16. */
-struct lx_outline {
+struct lx_shadow_outline {
     double from_mm[3], to_mm[3];
     double dark[3]; /* at right angles to the plane through it and the light, to the side where the surface is */
     uint32_t light, surface;
@@ -31,7 +31,7 @@ struct lx_outlines {
     const struct lx_prepared *prepared;
     struct lx_outline_light *lights;
     size_t light_count;
-    struct lx_outline *items; /* light by light */
+    struct lx_shadow_outline *items; /* light by light */
     size_t count, capacity;
 };
 

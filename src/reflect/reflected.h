@@ -13,8 +13,8 @@
 #define LX_REFLECT_REFLECTED_H
 
 #include "../format/kept.h"
-#include "../shade/reference.h"
-#include "../shade/world.h"
+#include "../world/reference.h"
+#include "../world/world.h"
 #include "veil.h"
 
 /* A solution; it never changes once made, and may be shared. */

@@ -8,8 +8,8 @@
 
 #include <stddef.h>
 
-#include "../shade/prepared.h"
 #include "../surface/sheet.h"
+#include "../world/prepared.h"
 #include "rule.h"
 
 /* A window of a face in space.  Of a plate it is a parallelogram, center + x first + y second, x and y from -1 to 1; of

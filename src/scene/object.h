@@ -24,10 +24,10 @@ struct luxel_scene {
     struct lx_scene_parameters parameters; /* meaningful where committed, and so are the conventions */
     struct lx_convention *conventions;
     size_t convention_count;
-    struct lx_carried carried;      /* of the picture that it was read from */
-    char *folder;                   /* of the file that it was read from; NULL: none, or the current one */
-    struct lx_kept_files kept;      /* what was read of the files that it names */
-    struct lx_kept_slot *reflected; /* what its surfaces reflect, once that was found; NULL: nothing is */
+    struct lx_carried carried;               /* of the picture that it was read from */
+    char *folder;                            /* of the file that it was read from; NULL: none, or the current one */
+    struct lx_kept_files kept;               /* what was read of the files that it names */
+    struct lx_kept_slot *reflected;          /* what its surfaces reflect, once that was found; NULL: nothing is */
     struct lx_kept_slot *reflected_on_plane; /* likewise, for the measuring plane that was last */
 };
 

@@ -8,7 +8,7 @@
 #include "object.h"
 
 struct luxel_parameters {
-    struct lx_reflection reflection;
+    struct lx_parameter_reflection reflection;
 };
 
 luxel_parameters *lx_parameters_of(const struct lx_table *table, luxel_translate translate, void *data)

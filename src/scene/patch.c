@@ -18,18 +18,18 @@ void lx_patch(struct lx_splicer *splicer, size_t start, size_t end, const char *
     lx_text_puts(&splicer->words, first);
     lx_text_puts(&splicer->words, second);
     if (splicer->words.failed ||
-        lx_reserve(&splicer->patches, &splicer->capacity, splicer->count + 1, sizeof(struct lx_patch)) < 0) {
+        lx_reserve(&splicer->patches, &splicer->capacity, splicer->count + 1, sizeof(struct lx_text_patch)) < 0) {
         lx_give_up(splicer, LX_SPLICE_NO_MEMORY);
         return;
     }
     splicer->patches[splicer->count] =
-        (struct lx_patch){start, end, words, splicer->words.length - words, splicer->count};
+        (struct lx_text_patch){start, end, words, splicer->words.length - words, splicer->count};
     splicer->count++;
 }
 
 static int compare(const void *a, const void *b)
 {
-    const struct lx_patch *one = a, *other = b;
+    const struct lx_text_patch *one = a, *other = b;
     if (one->start != other->start)
         return one->start < other->start ? -1 : 1;
     return one->number < other->number ? -1 : one->number > other->number;
@@ -41,7 +41,7 @@ void lx_apply_patches(struct lx_splicer *splicer, struct lx_text *text)
     if (splicer->count)
         qsort(splicer->patches, splicer->count, sizeof splicer->patches[0], compare);
     for (size_t i = 0; i < splicer->count; i++) {
-        const struct lx_patch *patch = &splicer->patches[i];
+        const struct lx_text_patch *patch = &splicer->patches[i];
         if (patch->start < at || patch->end < patch->start || patch->end > splicer->old.length) {
             lx_give_up(splicer, LX_NOT_SPLICED);
             return;

@@ -9,7 +9,7 @@
 #include "splice.h"
 
 /* Bytes of the old text that give way to words. */
-struct lx_patch {
+struct lx_text_patch {
     size_t start, end;
     size_t words, size; /* bytes of the splicer's words */
     size_t number;      /* patches of the same place follow each other as they were made */
@@ -22,7 +22,7 @@ struct lx_splicer {
     bool json;                          /* the text is JSON, and must stay so */
     enum lx_splice_result result;
     struct lx_text words;
-    struct lx_patch *patches;
+    struct lx_text_patch *patches;
     size_t count, capacity;
 };
 

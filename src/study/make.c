@@ -111,7 +111,7 @@ void luxel_study_maker_free(luxel_study_maker *maker)
 static void put(luxel_study_maker *maker, size_t k, uint64_t i)
 {
     const struct lx_axis *axis = &maker->study->axes[k];
-    const struct lx_choice choice = lx_axis_at(maker->study, k, i);
+    const struct lx_study_choice choice = lx_axis_at(maker->study, k, i);
     unsigned wholes[LX_MOST_WIDTH];
     const void *value = choice.numbers;
     if (axis->bytes) {

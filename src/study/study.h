@@ -20,7 +20,7 @@ struct lx_vary {
 };
 
 /* `outputs`: for each output the index of the word that it was given. */
-struct lx_wanted {
+struct lx_study_wanted {
     uint64_t given;
     int words[LUXEL_STUDY_OUTPUTS];
 };
@@ -33,13 +33,13 @@ struct lx_study_parameters {
     lx_node_id set;
     unsigned count, seed, shard;
     struct lx_groups vary; /* of struct lx_vary */
-    struct lx_wanted outputs;
+    struct lx_study_wanted outputs;
 };
 
 extern const struct lx_table lx_study_table;
 
 /* How an output is wanted. */
-luxel_study_type lx_study_wanted(const struct lx_wanted *wanted, luxel_study_output output);
+luxel_study_type lx_study_wanted(const struct lx_study_wanted *wanted, luxel_study_output output);
 
 enum { LX_MOST_WIDTH = 8 };
 
@@ -74,12 +74,12 @@ struct luxel_study {
 };
 
 /* What an axis has in a scene. */
-struct lx_choice {
+struct lx_study_choice {
     size_t index; /* of a listed value */
     double numbers[LX_MOST_WIDTH];
 };
 
-struct lx_choice lx_axis_at(const struct luxel_study *study, size_t axis, uint64_t i);
+struct lx_study_choice lx_axis_at(const struct luxel_study *study, size_t axis, uint64_t i);
 
 /* Adds "KEY=VALUE" of a scene. */
 void lx_axis_assignment(const struct luxel_study *study, size_t axis, uint64_t i, struct lx_text *text);

@@ -146,7 +146,7 @@ static const struct lx_parameter output_parameters[] = {
         .name = "brightness",
         .label = "Brightness",
         .type = LX_CHOICE,
-        .offset = offsetof(struct lx_wanted, words[LUXEL_STUDY_BRIGHTNESS]),
+        .offset = offsetof(struct lx_study_wanted, words[LUXEL_STUDY_BRIGHTNESS]),
         .choices = float_names,
         .meaning = "the picture of each scene",
     },
@@ -154,7 +154,7 @@ static const struct lx_parameter output_parameters[] = {
         .name = "irradiance",
         .label = "Irradiance",
         .type = LX_CHOICE,
-        .offset = offsetof(struct lx_wanted, words[LUXEL_STUDY_IRRADIANCE]),
+        .offset = offsetof(struct lx_study_wanted, words[LUXEL_STUDY_IRRADIANCE]),
         .choices = float_names,
         .meaning = "the irradiance of each pixel",
     },
@@ -162,7 +162,7 @@ static const struct lx_parameter output_parameters[] = {
         .name = "mask",
         .label = "Mask",
         .type = LX_CHOICE,
-        .offset = offsetof(struct lx_wanted, words[LUXEL_STUDY_MASK]),
+        .offset = offsetof(struct lx_study_wanted, words[LUXEL_STUDY_MASK]),
         .choices = mask_names,
         .meaning = "1 where a pixel shows a surface, else 0",
     },
@@ -170,7 +170,7 @@ static const struct lx_parameter output_parameters[] = {
         .name = "normals",
         .label = "Normals",
         .type = LX_CHOICE,
-        .offset = offsetof(struct lx_wanted, words[LUXEL_STUDY_NORMALS]),
+        .offset = offsetof(struct lx_study_wanted, words[LUXEL_STUDY_NORMALS]),
         .choices = float_names,
         .meaning = "the unit normal of what a pixel shows; 0, 0, 0 where that is nothing",
     },
@@ -178,7 +178,7 @@ static const struct lx_parameter output_parameters[] = {
         .name = "depth",
         .label = "Depth",
         .type = LX_CHOICE,
-        .offset = offsetof(struct lx_wanted, words[LUXEL_STUDY_DEPTH]),
+        .offset = offsetof(struct lx_study_wanted, words[LUXEL_STUDY_DEPTH]),
         .choices = float_names,
         .meaning = "how far what a pixel shows is from the observer along the axis of view, in mm; 0: nothing",
     },
@@ -186,7 +186,7 @@ static const struct lx_parameter output_parameters[] = {
         .name = "probes",
         .label = "Probes",
         .type = LX_CHOICE,
-        .offset = offsetof(struct lx_wanted, words[LUXEL_STUDY_PROBES]),
+        .offset = offsetof(struct lx_study_wanted, words[LUXEL_STUDY_PROBES]),
         .choices = exact_names,
         .meaning = "the exact values of the scene's points",
     },
@@ -194,7 +194,7 @@ static const struct lx_parameter output_parameters[] = {
         .name = "statistics",
         .label = "Statistics",
         .type = LX_CHOICE,
-        .offset = offsetof(struct lx_wanted, words[LUXEL_STUDY_STATISTICS]),
+        .offset = offsetof(struct lx_study_wanted, words[LUXEL_STUDY_STATISTICS]),
         .choices = exact_names,
         .meaning = "maximum, minimum, mean, lit share and the number of pixels on a surface",
     },
@@ -202,7 +202,7 @@ static const struct lx_parameter output_parameters[] = {
         .name = "light_positions",
         .label = "Light positions",
         .type = LX_CHOICE,
-        .offset = offsetof(struct lx_wanted, words[LUXEL_STUDY_LIGHT_POSITIONS]),
+        .offset = offsetof(struct lx_study_wanted, words[LUXEL_STUDY_LIGHT_POSITIONS]),
         .choices = place_names,
         .meaning = "where the lights stand: numbers in mm, or a text of directions for programs that relight (lp)",
     },
@@ -210,7 +210,7 @@ static const struct lx_parameter output_parameters[] = {
         .name = "positions",
         .label = "Positions",
         .type = LX_CHOICE,
-        .offset = offsetof(struct lx_wanted, words[LUXEL_STUDY_POSITIONS]),
+        .offset = offsetof(struct lx_study_wanted, words[LUXEL_STUDY_POSITIONS]),
         .choices = exact_names,
         .meaning = "the place that a pixel shows, in mm; 0, 0, 0 where that is nothing",
     },
@@ -218,13 +218,13 @@ static const struct lx_parameter output_parameters[] = {
         .name = "surfaces",
         .label = "Surfaces",
         .type = LX_CHOICE,
-        .offset = offsetof(struct lx_wanted, words[LUXEL_STUDY_SURFACES]),
+        .offset = offsetof(struct lx_study_wanted, words[LUXEL_STUDY_SURFACES]),
         .choices = index_names,
         .meaning = "the index of the surface that a pixel shows, from 0 on; -1: nothing",
     },
 };
 
-luxel_study_type lx_study_wanted(const struct lx_wanted *wanted, luxel_study_output output)
+luxel_study_type lx_study_wanted(const struct lx_study_wanted *wanted, luxel_study_output output)
 {
     if (!(wanted->given >> output & 1))
         return LUXEL_STUDY_NONE;
@@ -249,7 +249,7 @@ const char *luxel_study_type_name(luxel_study_type type)
 static const struct lx_table outputs_table = {
     .parameters = output_parameters,
     .count = LX_COUNT(output_parameters),
-    .size = sizeof(struct lx_wanted),
+    .size = sizeof(struct lx_study_wanted),
 };
 
 /* ---- the study ---- */

@@ -39,10 +39,10 @@ static double draw_number(const struct lx_axis *axis, unsigned n, double draw)
     return fmin(low + floor(draw * (high - low + 1)), high);
 }
 
-static struct lx_choice draw(const struct luxel_study *study, size_t k, uint64_t i)
+static struct lx_study_choice draw(const struct luxel_study *study, size_t k, uint64_t i)
 {
     const struct lx_axis *axis = &study->axes[k];
-    struct lx_choice choice = {0};
+    struct lx_study_choice choice = {0};
     double draws[LX_MOST_WIDTH];
     const unsigned wanted = axis->random == LX_ON_SPHERE ? 2 : axis->random == LX_RANDOM_CHOICE ? 1 : axis->width;
     for (unsigned n = 0; n < wanted; n++)
@@ -59,10 +59,10 @@ static struct lx_choice draw(const struct luxel_study *study, size_t k, uint64_t
     return choice;
 }
 
-struct lx_choice lx_axis_at(const struct luxel_study *study, size_t k, uint64_t i)
+struct lx_study_choice lx_axis_at(const struct luxel_study *study, size_t k, uint64_t i)
 {
     const struct lx_axis *axis = &study->axes[k];
-    struct lx_choice choice = {0};
+    struct lx_study_choice choice = {0};
     if (axis->is_random)
         choice = draw(study, k, i);
     else
@@ -85,7 +85,7 @@ struct lx_choice lx_axis_at(const struct luxel_study *study, size_t k, uint64_t 
 void lx_axis_assignment(const struct luxel_study *study, size_t k, uint64_t i, struct lx_text *text)
 {
     const struct lx_axis *axis = &study->axes[k];
-    const struct lx_choice choice = lx_axis_at(study, k, i);
+    const struct lx_study_choice choice = lx_axis_at(study, k, i);
     const bool is_list = axis->parameter.type == LX_REALS || axis->parameter.type == LX_WHOLES;
     char number[LX_NUMBER_SIZE];
     lx_text_puts(text, axis->key);
@@ -113,7 +113,7 @@ void luxel_study_parameters(const luxel_study *study, uint64_t i, double *number
 {
     for (size_t k = 0; study && numbers && k < study->axis_count; k++) {
         const struct lx_axis *axis = &study->axes[k];
-        const struct lx_choice choice = lx_axis_at(study, k, i);
+        const struct lx_study_choice choice = lx_axis_at(study, k, i);
         if (axis->width)
             memcpy(numbers + axis->column, choice.numbers, axis->width * sizeof *numbers);
         else

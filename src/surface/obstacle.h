@@ -12,8 +12,8 @@
  * hides nothing from it.
  *
  * A kind of very many triangles, its sheets, gathers their outlines instead, as seen from a single place: the edges
- * that sheets do not go on behind (shade/outline.h), and those sheets that reach beyond the plane behind which the
- * source begins.  How many of them a way passes the kind's `layers` tells.
+ * that sheets do not go on behind (world/visibility/outline.h), and those sheets that reach beyond the plane behind
+ * which the source begins.  How many of them a way passes the kind's `layers` tells.
  */
 #ifndef LX_SURFACE_OBSTACLE_H
 #define LX_SURFACE_OBSTACLE_H

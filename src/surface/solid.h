@@ -6,7 +6,7 @@
 #ifndef LX_SURFACE_SOLID_H
 #define LX_SURFACE_SOLID_H
 
-#include "../format/mesh_survey.h"
+#include "../format/mesh/mesh_survey.h"
 #include "mesh_tree.h"
 
 struct lx_solid {

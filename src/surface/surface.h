@@ -10,7 +10,7 @@
 #define LX_SURFACE_SURFACE_H
 
 #include "../base/frame.h"
-#include "../format/mesh_survey.h"
+#include "../format/mesh/mesh_survey.h"
 #include "../parameter/table.h"
 #include "obstacle.h"
 #include "shape.h"
@@ -87,7 +87,7 @@ struct lx_surface_chart {
                  bool for_least, double at[LX_MOST_GUESSES][3]);
 };
 
-/* What the a-priori bounds of rounding (shade/precision.h) ask of a shape. */
+/* What the a-priori bounds of rounding (picture/precision.h) ask of a shape. */
 struct lx_surface_bounds {
     /* The place of a convex body that is farthest in a direction, from the anchor; returns the radius of the ball that
      * has to be added to that body for the surface. */

@@ -9,7 +9,7 @@
 #include <cmocka.h>
 
 #include "extended_sources.h"
-#include "light/facets.h"
+#include "light/solid/facets.h"
 
 struct lx_emitter source_of(int kind, const double center[3], double radiance, double k_mm)
 {

@@ -11,7 +11,7 @@
 #include <cmocka.h>
 
 #include "extended_sources.h"
-#include "light/facets.h"
+#include "light/solid/facets.h"
 #include "squares.h"
 
 /* One surface without a highlight under one extended source, of the first so many kinds, and, at times, a point. */

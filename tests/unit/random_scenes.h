@@ -9,8 +9,8 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-#include "shade/prepared.h"
 #include "surface/authored.h"
+#include "world/prepared.h"
 
 enum { COLUMNS = 67, ROWS = 53, MAXIMUM_LIGHTS = 4, MAXIMUM_SURFACES = 3 };
 

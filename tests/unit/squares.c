@@ -13,8 +13,8 @@
 
 #include <cmocka.h>
 
-#include "shade/camera.h"
-#include "shade/plan_make.h"
+#include "picture/plan_make.h"
+#include "world/camera.h"
 
 static struct lx_square random_square(struct randomness *random, const struct lx_plan *plan)
 {
@@ -175,7 +175,7 @@ struct vector view_at(const struct lx_plan *plan, struct vector place)
     return unit(plus(observer_from(plan), -1, place));
 }
 
-double complex attenuated(const struct lx_law *law, double complex square)
+double complex attenuated(const struct lx_shell_law *law, double complex square)
 {
     return 1 / (law->none + law->root * csqrt(square) + law->square * square);
 }

@@ -5,9 +5,9 @@
 
 #include <complex.h>
 
+#include "picture/polynomial/panels.h"
+#include "picture/polynomial/smooth_gloss.h"
 #include "random_scenes.h"
-#include "shade/panels.h"
-#include "shade/smooth_gloss.h"
 
 /* A random scene of one surface, seen so finely that squares fit, without shadows, and a place for a source, so far
  * from the surface in a direction: of a plate in front of it. */
@@ -42,7 +42,7 @@ struct vector place_at(const struct lx_plan *plan, double complex x, double comp
 struct vector view_at(const struct lx_plan *plan, struct vector place);
 
 /* a(r) where r^2 is `square`. */
-double complex attenuated(const struct lx_law *law, double complex square);
+double complex attenuated(const struct lx_shell_law *law, double complex square);
 
 /* What a body shows of its place with the coordinates s and t of struct lx_patch, from 0 to 1. */
 struct seen_place {

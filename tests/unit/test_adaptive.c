@@ -13,7 +13,7 @@
 
 #include <cmocka.h>
 
-#include "shade/adaptive.h"
+#include "world/integral/adaptive.h"
 
 enum { NODES = 21, MOST_PANELS = 64 };
 

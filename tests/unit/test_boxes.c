@@ -9,7 +9,7 @@
 
 #include <cmocka.h>
 
-#include "shade/boxes.h"
+#include "world/boxes.h"
 
 enum { COUNT = 3000, ROUNDS = 300 };
 

@@ -16,11 +16,11 @@
 #include <cmocka.h>
 
 #include "extended_sources.h"
-#include "light/facets.h"
+#include "kernel/kernel.h"
+#include "light/solid/facets.h"
+#include "picture/lights.h"
+#include "picture/shell.h"
 #include "random_scenes.h"
-#include "shade/kernel.h"
-#include "shade/lights.h"
-#include "shade/shell.h"
 
 static const size_t counts[] = {1, 2, 15, 16, 17, 31, 37, 64, 100, 127, 128, 240, 241, 255, 256};
 enum { COUNTS = sizeof counts / sizeof counts[0], PATTERN = 0xA5, ALIGNMENT = 64 };

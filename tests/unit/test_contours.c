@@ -12,10 +12,10 @@
 
 #include <cmocka.h>
 
-#include "light/facets.h"
-#include "light/facets_contour.h"
-#include "light/facets_plain.h"
 #include "light/gauss.h"
+#include "light/solid/facets.h"
+#include "light/solid/facets_contour.h"
+#include "light/solid/facets_plain.h"
 #include "random_scenes.h"
 
 static void assert_near(double found, double expected, double most)

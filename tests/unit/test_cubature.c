@@ -15,9 +15,9 @@
 #include <cmocka.h>
 
 #include "campaign.h"
-#include "light/facets.h"
-#include "shade/cubature.h"
-#include "shade/reference.h"
+#include "light/solid/facets.h"
+#include "world/integral/cubature.h"
+#include "world/reference.h"
 
 /* xorshift64*: the same scenes on every machine */
 static double uniform(uint64_t *state, double low, double high)

@@ -11,8 +11,8 @@
 
 #include "api/rendering.h"
 #include "base/rows.h"
+#include "picture/effort.h"
 #include "scenes.h"
-#include "shade/effort.h"
 
 #define POINT "{type: point, position: [900, 300, 2400], intensity: 2}"
 #define WINDOW "{type: planar, radiance: 3, rectangle: {center: [0, 0, 2900], size: [300, 200]}}"

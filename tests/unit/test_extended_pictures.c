@@ -19,13 +19,13 @@
 #include <luxel/luxel.h>
 
 #include "campaign.h"
-#include "light/extended.h"
-#include "light/facets.h"
-#include "shade/camera.h"
-#include "shade/plan_make.h"
-#include "shade/reference.h"
-#include "shade/shader.h"
+#include "light/solid/extended.h"
+#include "light/solid/facets.h"
+#include "picture/plan_make.h"
+#include "picture/shader.h"
 #include "surface/authored.h"
+#include "world/camera.h"
+#include "world/reference.h"
 
 /* Pictures that are darker than this are black in float32. */
 static const double LEAST_FLOAT = 1e-30;

@@ -13,7 +13,7 @@
 
 #include <cmocka.h>
 
-#include "light/facets.h"
+#include "light/solid/facets.h"
 
 typedef const double (*places)[3];
 

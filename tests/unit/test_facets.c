@@ -15,7 +15,7 @@
 #include <cmocka.h>
 
 #include "facets_cases.h"
-#include "light/facets.h"
+#include "light/solid/facets.h"
 
 typedef const double (*places)[3];
 

@@ -330,7 +330,8 @@ static void test_unfit_images(void **state)
 static void test_full_disk(void **state)
 {
     static const char *const endings[] = {".png", ".npy", ".pfm", ".exr", ".csv"};
-    static const enum lx_sample samples[] = {LX_SAMPLE_U8, LX_SAMPLE_F32, LX_SAMPLE_F64, LX_SAMPLE_F64, LX_SAMPLE_F32};
+    static const enum lx_sample_type samples[] = {LX_SAMPLE_U8, LX_SAMPLE_F32, LX_SAMPLE_F64, LX_SAMPLE_F64,
+                                                  LX_SAMPLE_F32};
     struct folder *folder = *state;
     double *values = calloc(300 * 300, sizeof *values);
 
@@ -359,8 +360,9 @@ static void test_full_disk(void **state)
 static void test_strips(void **state)
 {
     static const char *const endings[] = {".png", ".png", ".npy", ".npy", ".pfm", ".pfm", ".exr", ".exr", ".csv"};
-    static const enum lx_sample samples[] = {LX_SAMPLE_U8,  LX_SAMPLE_U16, LX_SAMPLE_F32, LX_SAMPLE_F64, LX_SAMPLE_F32,
-                                             LX_SAMPLE_F64, LX_SAMPLE_F32, LX_SAMPLE_F64, LX_SAMPLE_F64};
+    static const enum lx_sample_type samples[] = {LX_SAMPLE_U8,  LX_SAMPLE_U16, LX_SAMPLE_F32,
+                                                  LX_SAMPLE_F64, LX_SAMPLE_F32, LX_SAMPLE_F64,
+                                                  LX_SAMPLE_F32, LX_SAMPLE_F64, LX_SAMPLE_F64};
     static const size_t widths[] = {1, 2, 4, 8, 4, 8, 4, 8, 8};
     enum { HIGH = 11 };
     double values[HIGH * COLUMNS];

@@ -314,7 +314,7 @@ static void make_npy(struct files *files, unsigned version, const char *dictiona
     make_file(files, "a.npy", bytes, at + length + size);
 }
 
-static void assert_six(const struct files *files, enum lx_sample sample)
+static void assert_six(const struct files *files, enum lx_sample_type sample)
 {
     struct lx_loaded loaded = {0};
 
@@ -365,7 +365,7 @@ static void test_npy_others(void **state)
 {
     static const struct {
         const char *kind;
-        enum lx_sample sample;
+        enum lx_sample_type sample;
         uint64_t bits[6];
         double values[6];
     } cases[] = {

@@ -17,7 +17,7 @@
 
 #include <luxel/luxel.h>
 
-#include "shade/cells.h"
+#include "world/cells.h"
 
 #define SURFACE "{type: sphere, center: [0, 0, 9000], radius: 10}"
 

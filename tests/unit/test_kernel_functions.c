@@ -15,7 +15,7 @@
 
 #define LX_WITHOUT_TABLE
 #pragma GCC diagnostic ignored "-Wunused-function"
-#include "shade/kernel.c"
+#include "kernel/kernel.c"
 
 static const long double unit_single = 0x1p-23L, unit_double = 0x1p-52L; /* an ulp of 1 */
 

@@ -19,11 +19,11 @@
 #include <cmocka.h>
 
 #include "campaign.h"
+#include "picture/plan_make.h"
+#include "picture/shader.h"
 #include "random_scenes.h"
-#include "shade/camera.h"
-#include "shade/plan_make.h"
-#include "shade/reference.h"
-#include "shade/shader.h"
+#include "world/camera.h"
+#include "world/reference.h"
 
 /* The reference picture and, for each pixel, how far it may be trusted. */
 static double reference_picture(const struct test_scene *test, lx_bounded picture[ROWS][COLUMNS])

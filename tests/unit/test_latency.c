@@ -13,8 +13,8 @@
 
 #include "../../src/api/session.h"
 #include "../../src/format/cloud.h"
-#include "../../src/light/facets.h"
-#include "../../src/shade/cubature.h"
+#include "../../src/light/solid/facets.h"
+#include "../../src/world/integral/cubature.h"
 #include "scenes.h"
 #include "wrapped.h"
 

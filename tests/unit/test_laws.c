@@ -15,11 +15,11 @@
 #include <cmocka.h>
 
 #include "campaign.h"
-#include "light/extended.h"
-#include "light/facets.h"
-#include "shade/cubature.h"
-#include "shade/precision.h"
-#include "shade/shell.h"
+#include "light/solid/extended.h"
+#include "light/solid/facets.h"
+#include "picture/precision.h"
+#include "picture/shell.h"
+#include "world/integral/cubature.h"
 
 extern const struct lx_surface_kind lx_sphere_kind;
 

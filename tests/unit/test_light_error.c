@@ -16,13 +16,13 @@
 
 #include "campaign.h"
 #include "format/cloud.h"
+#include "picture/cluster/cut.h"
+#include "picture/plan_make.h"
+#include "picture/shader.h"
 #include "random_scenes.h"
 #include "scenes.h"
-#include "shade/camera.h"
-#include "shade/cut.h"
-#include "shade/plan_make.h"
-#include "shade/reference.h"
-#include "shade/shader.h"
+#include "world/camera.h"
+#include "world/reference.h"
 
 enum { MOST_GROUPS = 3, MOST_IN_GROUP = 600, MOST_POINTS = MOST_GROUPS * MOST_IN_GROUP + MAXIMUM_LIGHTS };
 

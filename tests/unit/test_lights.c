@@ -14,8 +14,8 @@
 #include <cmocka.h>
 
 #include "format/cloud.h"
+#include "picture/lights.h"
 #include "random_scenes.h"
-#include "shade/lights.h"
 
 static const double anchor[3] = {10, -20, 700};
 
@@ -29,10 +29,10 @@ static void assert_constants(const struct lx_emitter *emitter, const struct lx_l
 {
     static const double units[] = {
         [LX_INVERSE_SQUARE] = 1e6, [LX_PRACTICAL] = 1e3, [LX_NO_ATTENUATION] = 1, [LX_POLYNOMIAL] = 1};
-    static const enum lx_light_kind kinds[] = {[LX_INVERSE_SQUARE] = LX_BY_SQUARE,
-                                               [LX_PRACTICAL] = LX_BY_SUM,
-                                               [LX_NO_ATTENUATION] = LX_UNATTENUATED,
-                                               [LX_POLYNOMIAL] = LX_PROFILED};
+    static const enum lx_kernel_light kinds[] = {[LX_INVERSE_SQUARE] = LX_BY_SQUARE,
+                                                 [LX_PRACTICAL] = LX_BY_SUM,
+                                                 [LX_NO_ATTENUATION] = LX_UNATTENUATED,
+                                                 [LX_POLYNOMIAL] = LX_PROFILED};
     const struct lx_profile *profile = &emitter->profile;
     if (emitter->type != LX_POINT) {
         assert_true(light->kind == LX_DISTANT && light->gain == emitter->strength);

@@ -9,13 +9,13 @@
 #include <unistd.h>
 
 #include "campaign.h"
+#include "light/distribution.h"
+#include "picture/plan_make.h"
+#include "picture/polynomial/smooth.h"
+#include "picture/seen.h"
+#include "picture/shader.h"
 #include "random_scenes.h"
 #include "scenes.h"
-#include "light/distribution.h"
-#include "shade/plan_make.h"
-#include "shade/seen.h"
-#include "shade/shader.h"
-#include "shade/smooth.h"
 
 enum { MOST_TEXT = 1 << 20, MOST_FILES = 3 };
 

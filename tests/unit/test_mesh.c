@@ -6,7 +6,7 @@
 #include <string.h>
 
 #include "base/memory.h"
-#include "format/mesh.h"
+#include "format/mesh/mesh.h"
 #include "scenes.h"
 
 static struct lx_mesh_report read_text(const char *name, const char *text, struct lx_mesh **mesh)

@@ -11,13 +11,13 @@
 
 #include "base/vector.h"
 #include "campaign.h"
-#include "light/extended.h"
+#include "light/solid/extended.h"
 #include "place.h"
 #include "scenes.h"
-#include "shade/cubature.h"
-#include "shade/reference.h"
 #include "shadow_scenes.h"
 #include "surface/mesh.h"
+#include "world/integral/cubature.h"
+#include "world/reference.h"
 
 enum { MOST_CORNERS = 64, MOST_TRIANGLES = 128 };
 

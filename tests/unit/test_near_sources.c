@@ -14,10 +14,10 @@
 
 #include "base/larger.h"
 #include "campaign.h"
+#include "picture/patch.h"
+#include "picture/sight.h"
 #include "scenes.h"
-#include "shade/patch.h"
-#include "shade/sight.h"
-#include "shade/sweep.h"
+#include "world/integral/sweep.h"
 #include "wrapped.h"
 
 static unsigned work;

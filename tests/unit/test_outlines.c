@@ -14,7 +14,7 @@
 
 #include <cmocka.h>
 
-#include "light/facets.h"
+#include "light/solid/facets.h"
 #include "random_scenes.h"
 
 typedef const double (*places)[3];

@@ -10,8 +10,8 @@
 
 #include "campaign.h"
 #include "lamp_scenes.h"
-#include "shade/reference.h"
 #include "squares.h"
+#include "world/reference.h"
 
 /* Plans of such scenes take long to make. */
 enum { SQUARES = 24 };

@@ -4,8 +4,8 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "picture/polynomial/smooth.h"
 #include "scenes.h"
-#include "shade/smooth.h"
 
 static const char *const scenes[] = {
     /* lights all around: some set, some are behind, one is a spot, one shines from just above */

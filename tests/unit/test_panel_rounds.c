@@ -12,8 +12,8 @@
 
 #include "campaign.h"
 #include "extended_sources.h"
-#include "shade/round_view.h"
-#include "shade/shell_bound.h"
+#include "picture/round_view.h"
+#include "picture/shell_bound.h"
 #include "squares.h"
 
 enum { SQUARES = 12 };
@@ -295,7 +295,7 @@ static void bounds_of_cylinders(void **state)
     for (int i = 0; i < CYLINDERS; i++) {
         struct randomness random = {.state = UINT64_C(0xD1B54A32D192ED03) * ((uint64_t)i + 1)};
         struct lx_shell shell = {.type = LX_CYLINDER, .round_mm = 100, .half_mm = logarithmic(&random, 10, 1000)};
-        shell.law = i % 2 ? (struct lx_law){.square = 1} : (struct lx_law){1e5, 1e2 * (i % 3), i % 5, 0};
+        shell.law = i % 2 ? (struct lx_shell_law){.square = 1} : (struct lx_shell_law){1e5, 1e2 * (i % 3), i % 5, 0};
         const double away = logarithmic(&random, 101, 2000), reach = away * logarithmic(&random, 0.0001, 0.1);
         struct lx_vicinity at = {.normal = {0, 0, 1}, .place_leeway = {.first = reach, .tile = reach / 4}};
         struct lx_leeway *place = &at.place_leeway;

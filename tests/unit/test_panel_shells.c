@@ -16,13 +16,13 @@
 #include "campaign.h"
 #include "extended_sources.h"
 #include "lamp_scenes.h"
-#include "light/extended.h"
-#include "light/facets.h"
-#include "shade/plan_make.h"
-#include "shade/reference.h"
-#include "shade/seen.h"
-#include "shade/shell_bound.h"
+#include "light/solid/extended.h"
+#include "light/solid/facets.h"
+#include "picture/plan_make.h"
+#include "picture/seen.h"
+#include "picture/shell_bound.h"
 #include "squares.h"
+#include "world/reference.h"
 
 /* Plans of scenes with highlights take long to make. */
 enum { SQUARES = 6, GLOSSY_SQUARES = 24 };
@@ -30,8 +30,8 @@ enum { SQUARES = 6, GLOSSY_SQUARES = 24 };
 /* ---- bounds ---- */
 
 /* The sum of weights times (N.w)(-a.w) a(r)/r^2 over the middles of parts of a triangle. */
-static double complex over_triangle(const struct lx_law *law, const double a[3], const double b[3], const double c[3],
-                                    struct vector place, struct vector normal)
+static double complex over_triangle(const struct lx_shell_law *law, const double a[3], const double b[3],
+                                    const double c[3], struct vector place, struct vector normal)
 {
     enum { PARTS = 12 };
     const double ab[3] = {b[0] - a[0], b[1] - a[1], b[2] - a[2]}, ac[3] = {c[0] - a[0], c[1] - a[1], c[2] - a[2]};
@@ -58,8 +58,9 @@ static void corner_of(const struct lx_facets *facets, const struct lx_face *face
 }
 
 /* The faces that are seen from the middle of the square. */
-static double complex by_facets(const struct lx_law *law, const struct lx_facets *facets, const struct lx_vicinity *at,
-                                const double anchor[3], struct vector place, struct vector normal)
+static double complex by_facets(const struct lx_shell_law *law, const struct lx_facets *facets,
+                                const struct lx_vicinity *at, const double anchor[3], struct vector place,
+                                struct vector normal)
 {
     double complex sum = 0;
     for (size_t f = 0; f < facets->face_count; f++) {

@@ -15,9 +15,9 @@
 #include <cmocka.h>
 
 #include "campaign.h"
-#include "shade/reference.h"
-#include "shade/seen.h"
+#include "picture/seen.h"
 #include "squares.h"
+#include "world/reference.h"
 
 enum { SQUARES = 6, LIGHTS_AT_MOST = MAXIMUM_LIGHTS };
 

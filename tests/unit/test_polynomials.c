@@ -10,8 +10,8 @@
 
 #include <cmocka.h>
 
+#include "kernel/kernel.h"
 #include "random_scenes.h"
-#include "shade/kernel.h"
 
 /* ---- finding ---- */
 

@@ -8,9 +8,9 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "picture/plan_make.h"
 #include "scene/scene.h"
 #include "scenes.h"
-#include "shade/plan_make.h"
 
 static const char form[] = "luxel: 1\n"
                            "screen: {width: 700, height: 700, resolution: [70, 70]}\n"

@@ -9,8 +9,8 @@
 #include "scenes.h"
 
 #include "base/memory.h"
+#include "picture/reach.h"
 #include "scene/scene.h"
-#include "shade/reach.h"
 
 struct truth {
     size_t shown, reached;

@@ -16,9 +16,9 @@
 #include <cmocka.h>
 
 #include "base/pose.h"
-#include "light/facets.h"
-#include "light/rim.h"
-#include "light/round.h"
+#include "light/solid/facets.h"
+#include "light/solid/rim.h"
+#include "light/solid/round.h"
 #include "round_cases.h"
 
 /* xorshift64*: the same places on every machine */

@@ -11,8 +11,8 @@
 
 #include <cmocka.h>
 
-#include "shade/precision.h"
-#include "shade/shell.h"
+#include "picture/precision.h"
+#include "picture/shell.h"
 
 static const double unit = 0x1p-24, allowance = 2.5e-6;
 

@@ -11,10 +11,10 @@
 #include <string.h>
 
 #include "campaign.h"
-#include "light/extended.h"
+#include "light/solid/extended.h"
 #include "scenes.h"
-#include "shade/reference.h"
 #include "shadow_scenes.h"
+#include "world/reference.h"
 
 struct stage {
     luxel_scene *scene;

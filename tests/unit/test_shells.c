@@ -13,12 +13,12 @@
 #include <cmocka.h>
 
 #include "extended_sources.h"
-#include "light/facets.h"
+#include "light/solid/facets.h"
+#include "picture/lights.h"
+#include "picture/patch.h"
+#include "picture/sampling.h"
 #include "random_scenes.h"
-#include "shade/cubature.h"
-#include "shade/lights.h"
-#include "shade/patch.h"
-#include "shade/sampling.h"
+#include "world/integral/cubature.h"
 
 static const double center[3] = {40, -25, 700};
 

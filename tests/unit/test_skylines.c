@@ -12,9 +12,9 @@
 #include "scenes.h"
 #include "shadow_scenes.h"
 
-#include "../../src/shade/cubature.h"
-#include "../../src/shade/reference.h"
-#include "../../src/shade/skyline.h"
+#include "../../src/world/integral/cubature.h"
+#include "../../src/world/reference.h"
+#include "../../src/world/visibility/skyline.h"
 
 static const char *const sources[] = {
     "{type: planar, rectangle: {center: [20, 30, 900], size: [300, 260], aim: [0, 0, 0]}, radiance: 1}",

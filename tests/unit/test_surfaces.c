@@ -12,9 +12,9 @@
 
 #include <cmocka.h>
 
+#include "picture/lights.h"
 #include "random_scenes.h"
-#include "shade/blocking.h"
-#include "shade/lights.h"
+#include "world/blocking.h"
 
 /* A surface of either kind, with its frame as it was meant. */
 struct body {

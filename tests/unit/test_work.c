@@ -18,12 +18,12 @@
 #include <luxel/isophotes.h>
 
 #include "field/extrema.h"
-#include "light/facets.h"
+#include "light/solid/facets.h"
+#include "picture/cluster/cut.h"
+#include "picture/patch.h"
 #include "scenes.h"
-#include "shade/cubature.h"
-#include "shade/cut.h"
-#include "shade/patch.h"
-#include "shade/sweep.h"
+#include "world/integral/cubature.h"
+#include "world/integral/sweep.h"
 #include "wrapped.h"
 
 /* -- what is counted: calls between files of the library, which the linker leads through here -- */

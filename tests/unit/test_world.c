@@ -15,8 +15,8 @@
 #include <cmocka.h>
 
 #include "random_scenes.h"
-#include "shade/evaluate.h"
-#include "shade/world.h"
+#include "world/evaluate.h"
+#include "world/world.h"
 
 enum { SCENES = 10000 };
 

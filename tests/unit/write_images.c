@@ -7,7 +7,7 @@
 
 enum { COLUMNS = 7, ROWS = 4 };
 
-static int write_as(const char *folder, const char *name, enum lx_sample sample, const void *data)
+static int write_as(const char *folder, const char *name, enum lx_sample_type sample, const void *data)
 {
     struct lx_image image = {.columns = COLUMNS, .rows = ROWS, .channels = 1, .sample = sample, .data = data};
     char path[4096];

@@ -1,0 +1,455 @@
+/* SPDX-License-Identifier: MIT */
+/* The flux of each emitter through a plane: closed forms, and the integral of the others. */
+#include "flux.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "../base/memory.h"
+#include "../light/solid/facets.h"
+#include "../world/blocking.h"
+#include "../world/integral/adaptive.h"
+#include "../world/visibility/occlusion.h"
+#include "flux_edges.h"
+#include "flux_luminaire.h"
+
+/* Panels of one line and of the lines, beside those that they begin with; feet of sources where they begin. */
+enum { MORE_PANELS = 512, MOST_FEET = 24 };
+
+/* How small the estimated error is made, relative to the flux. */
+static const double TOLERANCE = 1e-9;
+/* How well the places of edges are known, by the side of the plane; panels end that far before them. */
+static const double PLACES = 1e-11;
+
+/* The work that may be done, in shares of a point source at an element that has to ask surfaces; a polygon takes so
+ * many of them, a round source and a polyhedron more, and those of which surfaces may hide a part most. */
+static const double MOST_WORK = 4e5, POINT_WORK = 0.25, POLYGON_WORK = 10, ROUND_WORK = 20, HIDDEN_WORK = 100;
+
+/* The plane in float64: what directions lack to their wide numbers counts as their error. */
+struct plane {
+    const struct lx_cells *cells;
+    lx_bounded3 across, upward, normal;
+};
+
+struct hunt {
+    const struct lx_prepared *prepared;
+    const struct lx_asking *asking;
+    struct plane plane;
+    struct lx_lobe lobe;
+    bool *aside;           /* which surfaces lie behind the plane or in it */
+    double work, scale;    /* what was done; an irradiance that is usual on the plane */
+    bool touches, stopped; /* a source lies on an element; nobody waits any more, or memory ran out */
+};
+
+/* The integral over the light of one emitter. */
+struct task {
+    struct hunt *hunt;
+    struct lx_edges edges;
+    struct lx_prepared asked;  /* the scene; with no shadows where the edges tell all of them */
+    double work;               /* of an element */
+    double feet[2][MOST_FEET]; /* along each side from -1/2 to 1/2, in no order */
+    size_t foot_count[2];
+    double v; /* of the line */
+    struct lx_panel *line;
+    struct lx_line_part *lit;
+    size_t most_lit; /* of a line */
+    double *ends;    /* of the intervals between the lines that matter */
+    size_t end_count;
+};
+
+static lx_bounded area_m2(const struct lx_cells *cells)
+{
+    return lx_mul(lx_div(lx_exact(cells->size_mm[0]), lx_exact(1000)),
+                  lx_div(lx_exact(cells->size_mm[1]), lx_exact(1000)));
+}
+
+/* ---- what surfaces may take ---- */
+
+/* Whether all of a surface lies behind the plane or in it. */
+static bool is_aside(const struct hunt *hunt, const struct lx_prepared_surface *surface)
+{
+    const double normal[3] = {hunt->plane.normal.x.value, hunt->plane.normal.y.value, hunt->plane.normal.z.value};
+    const double *center = hunt->plane.cells->center_mm;
+    double level = 0, size = surface->shape.radius_mm;
+    for (int i = 0; i < 3; i++) {
+        level += normal[i] * center[i];
+        size += fabs(center[i]) + fabs(surface->shape.anchor_mm[i]);
+    }
+    return lx_surface_farthest(surface->kind, surface->parameters, normal) <= level + 1e-12 * size;
+}
+
+/* Whether a surface may stand between the plane and an emitter. */
+static bool may_be_hidden(const struct hunt *hunt, const struct lx_emitter *emitter)
+{
+    const struct lx_cells *cells = hunt->plane.cells;
+    const struct lx_ball from = {.radius = hypot(cells->size_mm[0], cells->size_mm[1]) / 2};
+    const bool endless = emitter->type == LX_DIRECTION;
+    struct lx_ball towards = {.center = {emitter->towards.x.value, emitter->towards.y.value, emitter->towards.z.value}};
+    const bool is_extended = lx_is_extended(emitter);
+    if (emitter->type == LX_UNIFORM || !hunt->prepared->shadows_on_free ||
+        (is_extended && !hunt->prepared->shadows_extended))
+        return false;
+    const struct lx_shaft shaft =
+        is_extended ? lx_shaft_to(cells->center_mm, from.radius, emitter) : (struct lx_shaft){.to_radius_mm = 0};
+    towards.radius = shaft.to_radius_mm;
+    for (int i = 0; i < 3 && !endless; i++)
+        towards.center[i] = (is_extended ? shaft.to_mm[i] : emitter->position_mm[i]) - cells->center_mm[i];
+    for (size_t s = 0; s < hunt->prepared->surface_count; s++) {
+        const struct lx_prepared_surface *surface = &hunt->prepared->surfaces[s];
+        struct lx_ball ball = {.radius = surface->shape.radius_mm};
+        for (int i = 0; i < 3; i++)
+            ball.center[i] = surface->shape.anchor_mm[i] - cells->center_mm[i];
+        if (!hunt->aside[s] && lx_may_block(&ball, &from, &towards, endless))
+            return true;
+    }
+    return false;
+}
+
+/* ---- closed forms ---- */
+
+/* The place of a point from the plane's centre: along its sides and above it. */
+static lx_bounded3 above_plane(const struct plane *plane, const double position_mm[3])
+{
+    lx_bounded3 from = lx_sub3(lx_exact3(position_mm), lx_exact3(plane->cells->center_mm));
+    return (lx_bounded3){lx_dot3(from, plane->across), lx_dot3(from, plane->upward), lx_dot3(from, plane->normal)};
+}
+
+/* The solid angle of the rectangle from a point above it, the sum over its corners. */
+static lx_bounded solid_angle(const struct plane *plane, lx_bounded3 at)
+{
+    const double half[2] = {plane->cells->size_mm[0] / 2, plane->cells->size_mm[1] / 2};
+    lx_bounded sum = lx_exact(0);
+    for (int i = 0; i < 4; i++) {
+        lx_bounded x = lx_sub(lx_exact(i & 1 ? half[0] : -half[0]), at.x);
+        lx_bounded y = lx_sub(lx_exact(i & 2 ? half[1] : -half[1]), at.y);
+        lx_bounded r = lx_length3((lx_bounded3){x, y, at.z});
+        lx_bounded corner = lx_angle(lx_mul(x, y), lx_mul(at.z, r));
+        sum = i == 0 || i == 3 ? lx_add(sum, corner) : lx_sub(sum, corner);
+    }
+    return sum;
+}
+
+/* The irradiance at a point, for a normal, of the rectangle with the radiance 1; false: memory ran out. */
+static bool seen_from(const struct plane *plane, const double position_mm[3], lx_bounded3 normal,
+                      lx_bounded *irradiance)
+{
+    struct lx_emitter rectangle = {.type = LX_FACETS, .radiance = lx_exact(1)};
+    rectangle.facets = lx_facets_of_pose(plane->cells->center_mm, plane->cells->size_mm, &plane->cells->pose);
+    if (!rectangle.facets)
+        return false;
+    *irradiance = lx_extended_irradiance(&rectangle, lx_exact3(position_mm), normal);
+    lx_facets_free(rectangle.facets);
+    return true;
+}
+
+/* Whether an emitter without size lies behind the plane or in it, and so gives it nothing, whatever stands around. */
+static bool is_behind(const struct plane *plane, const struct lx_emitter *emitter)
+{
+    if (emitter->type != LX_POINT)
+        return false;
+    const lx_bounded height = above_plane(plane, emitter->position_mm).z;
+    return height.value <= -height.error;
+}
+
+/* Whether an emitter that nothing hides has a closed form, and the flux by it. */
+static bool in_closed_form(const struct plane *plane, const struct lx_emitter *emitter, lx_bounded *flux)
+{
+    const struct lx_profile *profile = &emitter->profile;
+    lx_bounded strength = lx_exact(emitter->strength);
+    if (emitter->type == LX_UNIFORM) {
+        *flux = lx_mul(strength, area_m2(plane->cells));
+        return true;
+    }
+    if (emitter->type == LX_DIRECTION) {
+        lx_bounded cosine = lx_positive(lx_dot3(plane->normal, emitter->towards));
+        *flux = lx_mul(lx_mul(strength, cosine), area_m2(plane->cells));
+        return true;
+    }
+    if (emitter->type != LX_POINT)
+        return false;
+    lx_bounded3 at = above_plane(plane, emitter->position_mm);
+    if (emitter->attenuation != LX_INVERSE_SQUARE || profile->falloff != LX_NO_CONE || profile->luminaire ||
+        !(at.z.value > at.z.error))
+        return false;
+    lx_bounded share;
+    if (profile->exponent == 0)
+        share = solid_angle(plane, at);
+    else if (profile->exponent != 1 || !seen_from(plane, emitter->position_mm, profile->axis, &share))
+        return false;
+    *flux = lx_mul(strength, share);
+    return true;
+}
+
+/* ---- the integral ---- */
+
+static struct lx_point_value light_at(struct task *task, double u, double v)
+{
+    struct hunt *hunt = task->hunt;
+    const struct lx_cells *cells = hunt->plane.cells;
+    const lx_bounded3 place = lx_edges_place(&task->edges, u, v);
+    struct lx_free_element asked = {.place_mm = {place.x.value, place.y.value, place.z.value},
+                                    .normal = {cells->normal.x.value, cells->normal.y.value, cells->normal.z.value}};
+    struct lx_element element = lx_element_at(&task->asked, &asked);
+    element.lobe = &hunt->lobe;
+    hunt->stopped = hunt->stopped || !lx_asking_goes_on(hunt->asking);
+    hunt->work += task->work;
+    if (hunt->stopped)
+        return (struct lx_point_value){.value = 0};
+    const struct lx_lighting light = lx_light_element(&task->asked, &element, task->edges.emitter);
+    /* a source may touch the plane's edge */
+    hunt->touches = hunt->touches || (light.on_element && fabs(u) < 0.5 && fabs(v) < 0.5);
+    if (light.on_element)
+        return (struct lx_point_value){.value = 0};
+    /* where it is in doubt on which side of an edge the place is, the edge is where the panels end */
+    const bool is_doubtful = task->edges.count > 0 && !(light.irradiance.error < light.irradiance.value / 4);
+    return (struct lx_point_value){.value = fmax(light.irradiance.value, 0),
+                                   .error = is_doubtful ? 0 : light.irradiance.error};
+}
+
+static double target(void *data, const struct lx_integral *integral)
+{
+    const struct hunt *hunt = ((const struct task *)data)->hunt;
+    if (hunt->stopped || hunt->touches || hunt->work > MOST_WORK)
+        return HUGE_VAL;
+    return TOLERANCE * fmax(integral->value, hunt->scale);
+}
+
+/* Lines are ten times as exact as the whole, lest what they are off looks like a shape. */
+static double target_of_line(void *data, const struct lx_integral *integral)
+{
+    return target(data, integral) / 10;
+}
+
+static struct lx_point_value at_point(void *data, size_t interval, double u)
+{
+    struct task *task = data;
+    (void)interval;
+    return light_at(task, u, task->v);
+}
+
+static int by_size(const void *left, const void *right)
+{
+    const double a = *(const double *)left, b = *(const double *)right;
+    return a < b ? -1 : a > b;
+}
+
+/* The panels of a lit range, which end where a source has its foot. */
+static size_t cut_range(const struct task *task, const struct lx_line_part *range, struct lx_panel *panels)
+{
+    size_t count = 0;
+    double from = range->from;
+    for (size_t i = 0; i <= task->foot_count[0]; i++) { /* feet in order */
+        const double to = i < task->foot_count[0] ? fmin(task->feet[0][i], range->to) : range->to;
+        if (to - from > 4 * PLACES)
+            panels[count++] = (struct lx_panel){.from = from + PLACES, .to = to - PLACES};
+        from = fmax(from, to);
+    }
+    return count;
+}
+
+static double along_line(struct task *task, double v, double *error)
+{
+    struct lx_integrand integrand = {.at = at_point, .target = target_of_line, .data = task};
+    const struct lx_plane_line line = {.middle = {0, v}, .slope = {1, 0}};
+    const size_t lit_count = lx_edges_lit(&task->edges, &line, task->lit);
+    struct lx_panels panels = {.items = task->line};
+    for (size_t i = 0; i < lit_count; i++)
+        panels.count += cut_range(task, &task->lit[i], task->line + panels.count);
+    panels.capacity = panels.count + MORE_PANELS;
+    task->most_lit = panels.count > task->most_lit ? panels.count : task->most_lit;
+    task->v = v;
+    struct lx_integral integral = lx_integrate_panels(&integrand, &panels);
+    *error = integral.error + integral.inherited;
+    return integral.value;
+}
+
+/* A line of an interval, t of the way: where an edge has its top or bottom the integral along lines begins like a root,
+ * and is smooth in t with v = from + (to - from) (3 t^2 - 2 t^3). */
+static struct lx_point_value at_line(void *data, size_t interval, double t)
+{
+    struct task *task = data;
+    const double from = task->ends[interval], length = task->ends[interval + 1] - from;
+    const double slope = 6 * t * (1 - t) * length;
+    double error = 0, value = slope > 0 ? along_line(task, from + length * t * t * (3 - 2 * t), &error) : 0;
+    return (struct lx_point_value){.value = slope * value, .error = slope * error};
+}
+
+/* Notes where a source stands above the plane, where there the rule begins a panel. */
+static void note_foot(struct task *task, const double position_mm[3])
+{
+    const struct lx_cells *cells = task->hunt->plane.cells;
+    lx_bounded3 at = above_plane(&task->hunt->plane, position_mm);
+    const double feet[2] = {at.x.value / cells->size_mm[0], at.y.value / cells->size_mm[1]};
+    for (int side = 0; side < 2; side++)
+        if (fabs(feet[side]) < 0.5)
+            task->feet[side][task->foot_count[side]++] = feet[side];
+}
+
+/* Notes where the axis of a source with a beam meets the plane. */
+static void note_aim(struct task *task, const struct lx_emitter *emitter)
+{
+    const struct lx_profile *profile = &emitter->profile;
+    lx_bounded3 at = above_plane(&task->hunt->plane, emitter->position_mm);
+    double fall = -lx_dot3(profile->axis, task->hunt->plane.normal).value, met[3];
+    const double axis[3] = {profile->axis.x.value, profile->axis.y.value, profile->axis.z.value};
+    if (lx_profile_is_isotropic(profile) || !(fall > 0 && at.z.value > 0))
+        return;
+    for (int i = 0; i < 3; i++)
+        met[i] = emitter->position_mm[i] + at.z.value / fall * axis[i];
+    note_foot(task, met);
+}
+
+static void note_feet(struct task *task, const struct lx_emitter *emitter)
+{
+    if (emitter->type == LX_POINT) {
+        note_foot(task, emitter->position_mm);
+        note_aim(task, emitter);
+    } else if (emitter->type == LX_FACETS)
+        note_foot(task, emitter->facets->center_mm);
+    else if (lx_is_extended(emitter))
+        note_foot(task, emitter->center_mm);
+    for (int side = 0; side < 2; side++)
+        if (task->foot_count[side] > 1)
+            qsort(task->feet[side], task->foot_count[side], sizeof(double), by_size);
+}
+
+/* Where the lines change their shape, in order, the plane's ends among them; false: memory ran out. */
+static bool find_ends(struct task *task)
+{
+    struct lx_plane_places turns = {.items = NULL};
+    const bool is_whole = lx_edges_turns(&task->edges, &turns) == 0;
+    task->ends = is_whole ? lx_new_array(turns.count + MOST_FEET + 2, sizeof *task->ends) : NULL;
+    for (size_t i = 0; task->ends && i < turns.count; i++)
+        task->ends[task->end_count++] = turns.items[i].v;
+    free(turns.items);
+    if (!task->ends)
+        return false;
+    for (size_t i = 0; i < task->foot_count[1]; i++)
+        task->ends[task->end_count++] = task->feet[1][i];
+    task->ends[task->end_count++] = -0.5;
+    task->ends[task->end_count++] = 0.5;
+    qsort(task->ends, task->end_count, sizeof *task->ends, by_size);
+    return true;
+}
+
+/* The mean over the plane; false: memory ran out. */
+static bool integrate(struct task *task, lx_bounded *mean)
+{
+    struct lx_integrand integrand = {.at = at_line, .target = target, .data = task};
+    const size_t most = lx_edges_most(&task->edges);
+    if (!find_ends(task))
+        return false;
+    struct lx_panels panels = {.items = lx_new_array(task->end_count + MORE_PANELS, sizeof *panels.items)};
+    task->lit = lx_new_array(most, sizeof *task->lit);
+    task->line = lx_new_array(most * (MOST_FEET + 1) + MORE_PANELS, sizeof *task->line);
+    const bool is_room = panels.items && task->lit && task->line;
+    for (size_t i = 0; i + 1 < task->end_count && is_room; i++)
+        if (task->ends[i + 1] - task->ends[i] > PLACES)
+            panels.items[panels.count++] = (struct lx_panel){.interval = i, .from = 0, .to = 1};
+    panels.capacity = panels.count + MORE_PANELS;
+    if (is_room) {
+        const struct lx_integral integral = lx_integrate_panels(&integrand, &panels);
+        const double left_out = 8 * PLACES * (double)(task->end_count + task->most_lit);
+        const double places = task->edges.count > 0 ? left_out * fmax(integral.value, task->hunt->scale) : 0;
+        *mean = (lx_bounded){integral.value, integral.error + integral.inherited + places};
+    }
+    free(panels.items);
+    free(task->lit);
+    free(task->line);
+    return is_room;
+}
+
+static double work_of(const struct lx_emitter *emitter, bool asks_surfaces)
+{
+    if (!lx_is_extended(emitter))
+        return asks_surfaces ? 1 : POINT_WORK;
+    if (asks_surfaces)
+        return HIDDEN_WORK;
+    return emitter->type == LX_FACETS && emitter->facets->face_count == 1 ? POLYGON_WORK : ROUND_WORK;
+}
+
+/* The flux of an emitter by its integral. */
+static lx_bounded integral_of(struct hunt *hunt, const struct lx_emitter *emitter, bool casts)
+{
+    const struct lx_flux_asked asked = {.prepared = hunt->prepared,
+                                        .plane = hunt->plane.cells,
+                                        .emitter = emitter,
+                                        .aside = hunt->aside,
+                                        .casts = casts,
+                                        .usual = hunt->scale * area_m2(hunt->plane.cells).value,
+                                        .tolerance = TOLERANCE,
+                                        .asking = hunt->asking};
+    lx_bounded flux;
+    if (lx_luminaire_flux(&asked, &flux))
+        return flux;
+    struct task task = {.hunt = hunt, .asked = *hunt->prepared};
+    lx_bounded mean = lx_exact(0);
+    if (lx_edges_make(hunt->prepared, hunt->plane.cells, emitter, hunt->aside, casts, &task.edges) == 0) {
+        const bool asks_surfaces = casts && !task.edges.knows_shadows;
+        task.work = work_of(emitter, asks_surfaces);
+        if (!asks_surfaces)
+            task.asked.shadows_on_free = task.asked.shadows_extended = false;
+        note_feet(&task, emitter);
+        hunt->stopped = !integrate(&task, &mean) || hunt->stopped;
+    } else
+        hunt->stopped = true;
+    lx_edges_clear(&task.edges);
+    free(task.ends);
+    return lx_mul(mean, area_m2(hunt->plane.cells));
+}
+
+/* ---- the whole ---- */
+
+static lx_bounded open_flux(struct hunt *hunt, const struct lx_emitter *emitter)
+{
+    lx_bounded flux;
+    return in_closed_form(&hunt->plane, emitter, &flux) ? flux : integral_of(hunt, emitter, false);
+}
+
+/* The flux of an emitter: between 0 and what it would be without anything in the way, whatever an integral over many
+ * shadows is off. */
+static lx_bounded flux_of(struct hunt *hunt, const struct lx_emitter *emitter)
+{
+    if (is_behind(&hunt->plane, emitter))
+        return lx_exact(0);
+    if (!may_be_hidden(hunt, emitter))
+        return open_flux(hunt, emitter);
+    lx_bounded flux = integral_of(hunt, emitter, true);
+    if (flux.error <= flux.value)
+        return flux;
+    const lx_bounded open = open_flux(hunt, emitter);
+    const double most = open.value + open.error;
+    if (!(flux.value <= most))
+        flux.value = most;
+    flux.error = fmin(flux.error, fmax(flux.value, most - flux.value));
+    return flux;
+}
+
+struct lx_flux lx_plane_flux(const struct lx_prepared *prepared, const struct lx_cells *plane, double usual,
+                             const struct lx_asking *asking)
+{
+    const struct lx_emitters *emitters = &prepared->emitters;
+    struct hunt hunt = {
+        .prepared = prepared,
+        .asking = asking,
+        .plane = {plane, lx_wide3_direction(plane->pose.across), lx_wide3_direction(plane->pose.upward),
+                  lx_wide3_direction(plane->pose.axis)},
+        .lobe = lx_lobe_irradiance(),
+        .aside = lx_new_array(prepared->surface_count, sizeof *hunt.aside),
+        .scale = usual,
+    };
+    struct lx_flux flux = {.value = lx_exact(0)};
+    if (!hunt.aside)
+        return flux;
+    for (size_t s = 0; s < prepared->surface_count; s++)
+        hunt.aside[s] = is_aside(&hunt, &prepared->surfaces[s]);
+    for (size_t i = 0; i < emitters->count && !hunt.stopped; i++) {
+        struct lx_emitter room;
+        hunt.stopped = !lx_asking_at_step(asking, i, 64);
+        flux.value = lx_add(flux.value, flux_of(&hunt, lx_emitter_at(emitters, i, &room)));
+    }
+    flux.is_known = !hunt.touches && !hunt.stopped;
+    free(hunt.aside);
+    return flux;
+}

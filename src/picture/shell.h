@@ -1,0 +1,29 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * Shells: extended sources for pictures, what the kernels need of one, as seen from a surface's anchor.
+ */
+#ifndef LX_PICTURE_SHELL_H
+#define LX_PICTURE_SHELL_H
+
+#include <luxel/status.h>
+
+#include "../base/rows.h"
+#include "../kernel/kernel.h"
+
+struct lx_shell_law lx_law_of(const struct lx_emitter *emitter);
+/* The area that shines, in mm^2. */
+double lx_shell_area(const struct lx_shell *shell);
+
+/* Sets the rules with few places where those do, no place that is lit being nearer to the shell than that (mm).
+ * LUXEL_OK or LUXEL_ERROR_MEMORY. */
+luxel_status lx_shell_set_nodes(const struct lx_gauss_rules *rules, double nearest, struct lx_shell *shell);
+void lx_shell_forget_nodes(struct lx_shell *shell);
+
+/* LUXEL_OK, LUXEL_ERROR_MEMORY or LUXEL_CANCELLED.  Release with lx_shell_clear() in any case. */
+luxel_status lx_shell_make(const struct lx_emitter *emitter, const struct lx_shape *lit, const struct lx_asking *asking,
+                           struct lx_shell *shell);
+void lx_shell_clear(struct lx_shell *shell);
+/* Adds what the kernels in float32 need of facets.  LUXEL_OK, LUXEL_ERROR_MEMORY or LUXEL_CANCELLED. */
+luxel_status lx_shell_make_single(struct lx_shell *shell, const struct lx_asking *asking);
+
+#endif

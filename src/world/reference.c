@@ -1,0 +1,202 @@
+/* SPDX-License-Identifier: MIT */
+/* Seeing and lighting one surface element in float64 with error bounds. */
+#include "reference.h"
+#include "../light/solid/extended.h"
+#include "../surface/beside.h"
+#include "among.h"
+#include "camera.h"
+#include "integral/cubature.h"
+
+bool lx_element_seen(const struct lx_prepared *prepared, double x_mm, double y_mm, struct lx_element *element)
+{
+    struct lx_ray ray = lx_line_of_sight(&prepared->camera, x_mm, y_mm);
+    struct lx_hit nearest = {.exists = false};
+    struct lx_found found;
+    const bool is_found = lx_among_ray(prepared, &ray, &found);
+    const size_t count = lx_found_count(&found, is_found, prepared->surface_count);
+    for (size_t i = 0; i < count; i++) {
+        const struct lx_prepared_surface *surface = &prepared->surfaces[lx_found_at(&found, is_found, i)];
+        struct lx_hit hit = surface->kind->hit(&surface->shape, &ray);
+        if (!hit.exists || (nearest.exists && hit.t >= nearest.t))
+            continue;
+        nearest = hit;
+        *element =
+            (struct lx_element){.place_mm = hit.place_mm, .normal = hit.normal, .lobe = &surface->lobe, .own = surface};
+    }
+    if (nearest.exists)
+        element->view = lx_view_from(&prepared->camera, element->place_mm);
+    return nearest.exists;
+}
+
+struct lx_element lx_element_at(const struct lx_prepared *prepared, const struct lx_free_element *asked)
+{
+    struct lx_element element = {
+        .place_mm = lx_exact3(asked->place_mm),
+        .normal = lx_unit3(lx_exact3(asked->normal)),
+        .lobe = &prepared->authored[asked->surface].lobe,
+        .is_free = true,
+    };
+    element.view = asked->view ? lx_unit3(lx_exact3(asked->view)) : lx_view_from(&prepared->camera, element.place_mm);
+    struct lx_found found;
+    const bool is_found = lx_among_place(prepared, asked->place_mm, &found);
+    const size_t count = lx_found_count(&found, is_found, prepared->surface_count);
+    for (size_t i = 0; i < count && !element.own; i++) {
+        const struct lx_prepared_surface *surface = &prepared->surfaces[lx_found_at(&found, is_found, i)];
+        if (surface->kind->holds(&surface->shape, asked->place_mm))
+            element.own = surface;
+    }
+    if (element.own)
+        element.lobe = &element.own->lobe;
+    return element;
+}
+
+bool lx_is_by_normal(const struct lx_prepared *prepared, size_t surface)
+{
+    const struct lx_surface_chart *chart = prepared->surfaces[surface].kind->chart;
+    return chart && chart->by_normal;
+}
+
+struct lx_element lx_element_on(const struct lx_prepared *prepared, size_t surface, const double at[3])
+{
+    const struct lx_prepared_surface *own = &prepared->surfaces[surface];
+    struct lx_element element = {.lobe = &own->lobe, .own = own};
+    own->kind->chart->element(&own->shape, at, &element.place_mm, &element.normal);
+    element.view = lx_view_from(&prepared->camera, element.place_mm);
+    return element;
+}
+
+/* Whether a surface takes the light from the element that comes along a way; 1 or 0. */
+static lx_bounded blocked_by(const struct lx_prepared_surface *surface, const struct lx_element *element,
+                             lx_bounded3 way, bool endless)
+{
+    const struct lx_shape *shape = &surface->shape;
+    const bool is_own = surface == element->own;
+    const bool is_turned = is_own && element->is_free && lx_shape_is_turned(shape, element->place_mm, element->normal);
+    lx_bounded open = lx_exact(1);
+    if (is_turned ? lx_asks_both(surface->kind) : lx_may_hide(shape, is_own))
+        open = lx_not(surface->kind->blocks(shape, element->place_mm, way, endless));
+    if (is_turned || (is_own && surface->kind->normal_seen))
+        open = lx_both(open, lx_not(lx_shape_hides(shape, element->place_mm, element->normal, way, endless)));
+    return lx_not(open);
+}
+
+/* The way from the element to an emitter without size; sets whether it has no end. */
+static lx_bounded3 way_to(const struct lx_element *element, const struct lx_emitter *emitter, bool *endless)
+{
+    *endless = emitter->type == LX_DIRECTION;
+    return *endless ? emitter->towards : lx_sub3(lx_exact3(emitter->position_mm), element->place_mm);
+}
+
+lx_bounded lx_hidden_by(const struct lx_prepared_surface *surface, const struct lx_element *element,
+                        const struct lx_emitter *emitter)
+{
+    bool endless;
+    const lx_bounded3 way = way_to(element, emitter, &endless);
+    return blocked_by(surface, element, way, endless);
+}
+
+lx_bounded lx_openness_of(const struct lx_prepared *prepared, const struct lx_element *element,
+                          const struct lx_emitter *emitter)
+{
+    lx_bounded open = lx_exact(1);
+    const bool casts = element->is_free ? prepared->shadows_on_free : prepared->shadows;
+    if (!casts)
+        return open;
+    bool endless;
+    const lx_bounded3 way = way_to(element, emitter, &endless);
+    struct lx_found found;
+    const bool is_found = lx_among_way(prepared, &element->place_mm, &way, endless, &found);
+    const size_t count = lx_found_count(&found, is_found, prepared->surface_count);
+    for (size_t i = 0; i < count; i++) {
+        const struct lx_prepared_surface *surface = &prepared->surfaces[lx_found_at(&found, is_found, i)];
+        open = lx_both(open, lx_not(blocked_by(surface, element, way, endless)));
+    }
+    return open;
+}
+
+/* In closed form where there is one, else to the tolerance; behind obstacles to the tolerance. */
+static struct lx_lighting light_around(const struct lx_prepared *prepared, const struct lx_element *element,
+                                       const struct lx_emitter *emitter, struct lx_occlusion *occlusion)
+{
+    const struct lx_lobe *lobe = element->lobe;
+    bool closed = lx_has_closed_form(emitter) && !lx_is_occluded(occlusion);
+    struct lx_lighting lighting = {.irradiance = lx_exact(0), .specular = lx_exact(0)};
+    if (closed)
+        lighting.irradiance = lx_extended_irradiance(emitter, element->place_mm, element->normal);
+    if (!closed || lobe->specular.value > 0) {
+        double known = lobe->diffuse.value * lighting.irradiance.value;
+        struct lx_cubature integral =
+            lx_integrate_seen(emitter, element, occlusion, !closed, known, prepared->tolerance, NULL);
+        if (!closed)
+            lighting.irradiance = integral.irradiance;
+        lighting.specular = integral.specular;
+        lighting.parts = integral.parts;
+    }
+    lighting.diffuse = lx_mul(lobe->diffuse, lighting.irradiance);
+    return lighting;
+}
+
+/* A bound that knows how much there can be: from nothing to what arrives where nothing stands in the way. */
+static lx_bounded within(lx_bounded found, lx_bounded most)
+{
+    const double low = fmax(found.value - found.error, 0);
+    const double high = fmin(found.value + found.error, (most.value + most.error) * (1 + 2 * DBL_EPSILON));
+    const double value = fmax(0, fmin(found.value, high));
+    const double error = fmax(high - value, value - low) * (1 + 2 * DBL_EPSILON);
+    return error < found.error ? (lx_bounded){value, error} : found;
+}
+
+/* Behind obstacles; where that is not known to the tolerance, between what there can be. */
+static struct lx_lighting light_behind(const struct lx_prepared *prepared, const struct lx_element *element,
+                                       const struct lx_emitter *emitter, struct lx_occlusion *occlusion)
+{
+    struct lx_lighting seen = light_around(prepared, element, emitter, occlusion);
+    const double wanted = prepared->tolerance;
+    if (!lx_is_occluded(occlusion) || (seen.irradiance.error <= wanted * seen.irradiance.value &&
+                                       seen.specular.error <= wanted * seen.specular.value))
+        return seen;
+    const struct lx_lighting all = light_around(prepared, element, emitter, NULL);
+    seen.irradiance = within(seen.irradiance, all.irradiance);
+    seen.diffuse = lx_mul(element->lobe->diffuse, seen.irradiance);
+    seen.specular = within(seen.specular, all.specular);
+    return seen;
+}
+
+static struct lx_lighting light_by_extended(const struct lx_prepared *prepared, const struct lx_element *element,
+                                            const struct lx_emitter *emitter)
+{
+    if (lx_extended_touches(emitter, element->place_mm))
+        return (struct lx_lighting){.on_element = true};
+    if (!prepared->shadows_extended)
+        return light_around(prepared, element, emitter, NULL);
+    const bool above = !(element->lobe->specular.value > 0) || element->lobe->highlight != LX_HIGHLIGHT_PLAIN;
+    struct lx_occlusion occlusion = {.place_mm = {0}};
+    struct lx_lighting lighting = {.irradiance = {0, HUGE_VAL}, .diffuse = {0, HUGE_VAL}, .specular = {0, HUGE_VAL}};
+    if (!lx_occlusion_make(prepared, element, emitter, above, &occlusion))
+        lighting = occlusion.is_dark ? (struct lx_lighting){.irradiance = lx_exact(0)}
+                                     : light_behind(prepared, element, emitter, &occlusion);
+    lx_occlusion_clear(&occlusion);
+    return lighting;
+}
+
+struct lx_lighting lx_light_element(const struct lx_prepared *prepared, const struct lx_element *element,
+                                    const struct lx_emitter *emitter)
+{
+    if (lx_is_extended(emitter))
+        return light_by_extended(prepared, element, emitter);
+    struct lx_sample sample = lx_emitter_sample(emitter, element->place_mm);
+    if (sample.on_element)
+        return (struct lx_lighting){.on_element = true};
+    if (emitter->type == LX_UNIFORM)
+        return (struct lx_lighting){
+            .irradiance = sample.e_perp,
+            .diffuse = lx_mul(element->lobe->ambient, sample.e_perp),
+        };
+    struct lx_reflection reflection = lx_lobe_reflect(element->lobe, element->normal, element->view, sample.towards);
+    lx_bounded e_perp = lx_mul(sample.e_perp, lx_openness_of(prepared, element, emitter));
+    return (struct lx_lighting){
+        .irradiance = lx_mul(e_perp, reflection.cosine),
+        .diffuse = lx_mul(e_perp, reflection.diffuse),
+        .specular = lx_mul(e_perp, reflection.specular),
+    };
+}

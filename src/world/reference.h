@@ -1,0 +1,48 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * The reference: the light of one emitter on one surface element, in float64 with an error bound.  Probes are
+ * made of it, and the kernels are tested against it.
+ */
+#ifndef LX_WORLD_REFERENCE_H
+#define LX_WORLD_REFERENCE_H
+
+#include "element.h"
+#include "prepared.h"
+
+/* What is asked for of a free element. */
+struct lx_free_element {
+    double place_mm[3], normal[3]; /* the normal need not be of unit length */
+    const double *view;            /* the way to the observer, of any length; NULL: as the scene says */
+    size_t surface;                /* whose material it has where it lies on none */
+};
+
+/* What is seen through a screen point; false: nothing. */
+bool lx_element_seen(const struct lx_prepared *prepared, double x_mm, double y_mm, struct lx_element *element);
+
+/* A free element.  Its own surface is the one that it lies on, the first where surfaces meet. */
+struct lx_element lx_element_at(const struct lx_prepared *prepared, const struct lx_free_element *asked);
+
+/* The element of a surface that has a chart, at coordinates of that. */
+struct lx_element lx_element_on(const struct lx_prepared *prepared, size_t surface, const double at[3]);
+
+/* Whether those coordinates are the direction, of any length but 0, of the normal: so with spheres alone. */
+bool lx_is_by_normal(const struct lx_prepared *prepared, size_t surface);
+
+struct lx_lighting {
+    bool on_element; /* the emitter lies on the element: there is no value */
+    lx_bounded irradiance, diffuse, specular;
+    size_t parts; /* points of an extended emitter that were looked at; 0: a closed form did */
+};
+
+/* 1 where the way from the element to a point or in a direction is free, 0 where a surface stands in it. */
+lx_bounded lx_openness_of(const struct lx_prepared *prepared, const struct lx_element *element,
+                          const struct lx_emitter *emitter);
+
+/* 1 where one surface stands in that way, 0 where it does not; it is not asked whether the scene has shadows. */
+lx_bounded lx_hidden_by(const struct lx_prepared_surface *surface, const struct lx_element *element,
+                        const struct lx_emitter *emitter);
+
+struct lx_lighting lx_light_element(const struct lx_prepared *prepared, const struct lx_element *element,
+                                    const struct lx_emitter *emitter);
+
+#endif

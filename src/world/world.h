@@ -1,0 +1,47 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * A world: what shines, what is lit and what stands between, without a screen and without a maximum.  It is asked one
+ * thing: how much light falls on these elements, with a bound of its error.
+ *
+ * The numbers are the reference's, bit for bit: points, directions and uniform light are computed for a batch at once
+ * (elements.h), extended sources, and whatever vectors cannot tell, element by element.
+ */
+#ifndef LX_WORLD_WORLD_H
+#define LX_WORLD_WORLD_H
+
+#include "../base/rows.h"
+#include "kernel_elements.h"
+
+struct lx_world {
+    const struct lx_prepared *prepared;
+    const struct lx_element_kernels *kernels;
+};
+
+/*
+ * How many elements a piece of work for one thread should have: a batch, or a single one where some source takes long
+ * for each element.
+ */
+unsigned lx_world_batch(const struct lx_world *world);
+
+/* How the elements of a batch, appended as places, are to be completed. */
+struct lx_settling {
+    bool has_normals; /* which are of unit length already */
+    bool has_views;   /* which were appended, but need not be of unit length; else they are as the scene says */
+};
+
+/*
+ * Completes a batch of free elements that were appended as places: normals and views of unit length, and the surfaces
+ * that they lie on.  Their lobes are not the batch's where they lie on a surface.
+ */
+void lx_world_settle(const struct lx_world *world, const struct lx_settling *settling, struct lx_elements *elements);
+
+/*
+ * The light that the emitters of one light give, from emitter *next on, which moves behind them; and that of all
+ * emitters together.  Something else where the work is to stop.
+ */
+void lx_world_light(const struct lx_world *world, const struct lx_elements *elements, enum lx_wanted wanted,
+                    const struct lx_asking *asking, size_t *next, struct lx_received *received);
+void lx_world_all_light(const struct lx_world *world, const struct lx_elements *elements, enum lx_wanted wanted,
+                        const struct lx_asking *asking, struct lx_received *received);
+
+#endif
