@@ -5,7 +5,7 @@
 
 #include "../base/text.h"
 
-/* Says in a file of cairo that its text is in a language ("ru"); what is not written as cairo 1.16 does stays as it is. */
+/* Says in a file of cairo that its text is in a language ("ru"); what cairo wrote in another way stays as it is. */
 void lx_pdf_add_language(struct lx_text *pdf, const char *code);
 
 #endif
