@@ -58,6 +58,8 @@ def backs(tap, tool):
         glare = tool.run("glare", "s.yaml", "--eye", "0,-400,500,0,1,0", "--json")
         tap.ok((result.code, grid.code, glare.code) == (0, 0, 0), "numbers: " + observer, result, grid, glare)
         answers.append((result.json()["points"][0]["value"], grid.json()["grids"][0]["average"]))
+        point = tool.run("probe", "s.yaml", "--at", "300,200,0,0,0,1", *ASKED[2:]).json()["points"][0]
+        tap.near(point["value"], 546.02404813, 1e-8, "by a Nyström solution of 24 x 24 nodes a plate: " + observer)
         picture = tool.run("render", "s.yaml", "--json")
         tap.ok(picture.code == 0 and picture.json()["lit"] == 1, "the floor is drawn: " + observer, picture)
     tap.ok(all(abs(a - b) <= 1e-9 * b for each in answers for a, b in zip(each, answers[0])), "equal", *answers)
