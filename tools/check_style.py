@@ -17,6 +17,8 @@ LONGEST = 600
 THEIRS = {os.path.join("src", "figure", "palette_turbo.h"): "Apache-2.0"}
 TABLE = "_cases.h"  # numbers that a script wrote; they may be as many as they like
 WIDEST = 120
+# A comment's first noun is what it is about.
+BEGINNING = re.compile(r"^[ \t]*(?:/\*|//| \*)[ \t]+((?:Of|The same|Likewise|So many|So much) .*)", re.MULTILINE)
 FORBIDDEN = re.compile(r"(?<![\w.>])(v?f?printf|puts|fputs|putchar|perror|exit|_exit|quick_exit|abort|setlocale|assert)"
                        r"\s*\(")
 COMMENT_OR_TEXT = re.compile(r'/\*.*?\*/|//[^\n]*|"(?:\\.|[^"\\\n])*"|\'(?:\\.|[^\'\\\n])*\'', re.DOTALL)
@@ -81,7 +83,7 @@ def forbidden_calls(text):
 def main():
     root = sys.argv[1]
     tap = Tap()
-    heads, lengths, layouts, calls = [], [], [], []
+    heads, lengths, layouts, calls, beginnings = [], [], [], [], []
 
     for path in sources(root):
         with open(os.path.join(root, path), encoding="utf-8") as file:
@@ -93,9 +95,11 @@ def main():
         layouts += ["%s: %s" % (path, fault) for fault in layout_faults(text)]
         if path.startswith("src" + os.sep):
             calls += ["%s: %s" % (path, fault) for fault in forbidden_calls(text)]
+            beginnings += ["%s: %s" % (path, match) for match in BEGINNING.findall(text)]
     tap.ok(not heads, "every file has its licence line and says what it is for", *heads)
     tap.ok(not lengths, "no file is longer than %d lines" % LONGEST, *lengths)
     tap.ok(not layouts, "no line is wider than %d columns, has tabs or ends with blanks" % WIDEST, *layouts)
+    tap.ok(not beginnings, "comments begin with their subject", *beginnings)
     tap.ok(not calls, "the library neither prints nor exits nor touches the locale", *calls)
     tap.finish()
 

@@ -70,7 +70,7 @@ static size_t show_surface(const struct looking *work, struct lx_seen *seen, siz
 {
     const struct lx_plan *plan = &work->session->plan;
     const double *anchor = plan->surfaces[s].shape.anchor_mm;
-    const struct lx_gathered gathered = lx_seen_gather(plan, seen, s, count);
+    const struct lx_seen_run gathered = lx_seen_gather(plan, seen, s, count);
     const struct lx_block_double *block = &seen->block;
     for (size_t k = 0; k < gathered.count; k++) {
         const struct seen_element element = {
@@ -112,7 +112,7 @@ static void look(void *data, unsigned worker, bool is_caller, unsigned first, un
         }
 }
 
-/* So many pixels are worth a thread. */
+/* The pixels that are worth a thread. */
 static const double PIXELS_OF_A_THREAD = 16384;
 
 static luxel_status look_by_threads(struct looking *work, luxel_diagnostics *diagnostics)

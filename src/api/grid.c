@@ -71,7 +71,7 @@ static void make_elements(const struct lx_measuring *measuring, const unsigned *
     lx_world_settle(&measuring->world, &(struct lx_settling){.has_normals = true}, elements);
 }
 
-/* Of some cells those that are in no body; returns how many. */
+/* Cells that are in no body, of some; returns how many. */
 static unsigned leave_out_enclosed(const struct lx_measuring *measuring, unsigned first, unsigned count,
                                    unsigned these[LX_BATCH])
 {

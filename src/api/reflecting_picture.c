@@ -234,7 +234,7 @@ static double reflect_block(const struct lx_session *session, struct lx_seen *se
     lx_seen_pad(x_mm, count);
     size_t left = lx_seen_find(plan, seen, row->y_mm, x_mm, count), near = 0;
     for (size_t s = 0; left > 0 && s < plan->surface_count; s++) {
-        const struct lx_gathered gathered = lx_seen_gather(plan, seen, s, count);
+        const struct lx_seen_run gathered = lx_seen_gather(plan, seen, s, count);
         const double share =
             lx_reflected_value(&session->prepared.surfaces[s].lobe, session->settings.quantity, lx_exact(1)).value;
         for (size_t k = 0; k < gathered.count; k++) {

@@ -12,9 +12,9 @@
 #include "../world/reference.h"
 
 /*
- * Of a function that is a power p of the distance from a line on one side, and 0 on the other, Gauss's rule misses in
- * the mean over all lines across a square 0.025, 0.0012 and 0.0002 of what it is one radius away, for p = 0, 1 and 2:
- * no more than the first share of what it is an eighth of the radius away.
+ * A function that is a power p of the distance from a line on one side, and 0 on the other: of it Gauss's rule misses
+ * in the mean over all lines across a square 0.025, 0.0012 and 0.0002 of what it is one radius away, for p = 0, 1 and
+ * 2: no more than the first share of what it is an eighth of the radius away.
  */
 static const double MISSED = 0.025, NEAR = 0.125;
 /* Cells are seldom wider than this as the light sees them; a line all around it crosses about so many diagonals. */

@@ -31,8 +31,8 @@ struct lx_beside {
     double jumps, bends;
 };
 
-/* Of a cell of a surface; `shadows` is the scene where no shadow begins on the cell, so that its middle tells whether a
- * light reaches it, else NULL. */
+/* Folds on a cell of a surface; `shadows` is the scene where no shadow begins on the cell, so that its middle tells
+ * whether a light reaches it, else NULL. */
 struct lx_beside lx_folds_beside(const struct lx_folds *folds, const struct lx_tile_cell *cell,
                                  const struct lx_prepared *shadows, size_t surface);
 

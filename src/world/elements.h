@@ -39,7 +39,7 @@ struct lx_elements {
     struct lx_columns3 place_mm, normal, view;
     uint32_t own[LX_BATCH]; /* the surface that each lies on, from 1; 0: none */
     /*
-     * Of a free element with a normal of its own, what its own surface leaves: the light that comes from where its
+     * What its own surface leaves to a free element with a normal of its own: the light that comes from where its
      * `side` looks to.  0 where all is left.  Where `asks` is set only the reference knows.
      */
     _Alignas(64) double side_x[LX_BATCH];

@@ -308,7 +308,7 @@ static void test_settled(void **state)
     luxel_scene_surface_place(scene, 0, center);
     assert_int_equal(luxel_scene_surface_radius(scene, 0, &radius), LUXEL_OK);
     for (size_t i = 0; i < COUNT; i++) {
-        const double z = 1 - (i + 0.5) / COUNT, turn = 2.399963 * (double)i, across = sqrt(1 - z * z);
+        const double z = 1 - ((double)i + 0.5) / COUNT, turn = 2.399963 * (double)i, across = sqrt(1 - z * z);
         const double normal[3] = {across * cos(turn), across * sin(turn), z};
         exact[i] = (luxel_place){.is_element = true};
         tolerances[i] = 1e-4;
