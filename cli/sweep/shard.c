@@ -274,8 +274,8 @@ int sweep_tell_missed(const struct sweep *sweep)
 {
     if (sweep->missed == 0)
         return EXIT_DONE;
-    message_error(ngettext("the reflected light of %llu scene may be off by more than a thousandth: scene %llu",
-                           "the reflected light of %llu scenes may be off by more than a thousandth: scene %llu first",
+    message_error(ngettext("the reflected light of %llu scene is less exact than it should be: scene %llu",
+                           "the reflected light of %llu scenes is less exact than it should be: scene %llu first",
                            (unsigned long)sweep->missed),
                   (unsigned long long)sweep->missed, (unsigned long long)sweep->first_missed);
     message_hint(_("they are kept all the same; luxel sweep STUDY --show N prints a scene, and luxel render tells how "

@@ -77,8 +77,8 @@ const char *lx_report_number(double value, char *buffer);
 /* A value with so many digits as were asked for, or by default. */
 const char *lx_report_value(const struct lx_report *report, double value, int by_default, char *buffer);
 
-/* A value with a bound of its error: in no more digits than that leaves, two of its own, and no more than
- * lx_report_value() gives it. */
+/* A value with a bound of its error: in no more digits than that leaves, two of its own, unless a number of them was
+ * asked for. */
 const char *lx_report_bounded(const struct lx_report *report, double value, double error, int by_default, char *buffer);
 
 #endif

@@ -27,7 +27,7 @@ const char *lx_report_value(const struct lx_report *report, double value, int by
 const char *lx_report_bounded(const struct lx_report *report, double value, double error, int by_default, char *buffer)
 {
     const int most = digits_of(report, by_default);
-    if (!(error > 0) || !isfinite(error) || value == 0)
+    if (report->texts->digits > 0 || !(error > 0) || !isfinite(error) || value == 0)
         return lx_write_digits(value, most, buffer);
     const int digits = (int)floor(log10(fabs(value))) - (int)floor(log10(error)) + 2;
     return digits < 1 ? lx_write_digits(0, most, buffer)

@@ -23,6 +23,8 @@ static const struct {
     {"disk", LX_N("disk")},
     {"cylinder", LX_N("cylinder")},
     {"room", LX_N("room")},
+    {"y", LX_N("y")},
+    {"z", LX_N("z")},
     {"en12464", LX_N("as EN 12464-1 says")},
     {"mesh", LX_N("mesh of a file")},
     {"auto", LX_N("automatic")},

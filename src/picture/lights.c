@@ -2,6 +2,7 @@
 /* Making the kernels' constants of lights, once for all or when they are needed. */
 #include "lights.h"
 
+#include <float.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -138,26 +139,33 @@ int lx_lights_make_room(struct lx_lights *lights, size_t count)
     return lights->singles && lights->exacts ? 0 : -1;
 }
 
+double lx_plane_rounding_mm(const double anchor_mm[3], double distance_mm)
+{
+    const double of_one = 16 * DBL_EPSILON;
+    return of_one * (hypot(hypot(anchor_mm[0], anchor_mm[1]), anchor_mm[2]) + distance_mm);
+}
+
 void lx_lights_set_plane(struct lx_lights *lights, const struct lx_shape *shape)
 {
     memcpy(lights->anchor_mm, shape->anchor_mm, sizeof lights->anchor_mm);
     if (lx_curvature(shape) != 0)
         return;
     memcpy(lights->axis, shape->axis, sizeof lights->axis);
-    lights->touch_mm = shape->touch_mm;
+    lights->is_flat = true;
 }
 
 /* Takes a light in the plane, but for what rounding does, so far behind it that no pixel can think otherwise. */
 static void put_behind(const struct lx_lights *lights, struct lx_light_double *light)
 {
     static const double FAR_BEHIND = 3, SMALLEST_TURN = 1e-15;
-    const double touch = light->kind == LX_DISTANT ? SMALLEST_TURN : lights->touch_mm;
+    const double distance = hypot(hypot(light->x, light->y), light->z);
+    const double touch = light->kind == LX_DISTANT ? SMALLEST_TURN : lx_plane_rounding_mm(lights->anchor_mm, distance);
     const double height = lights->axis[0] * light->x + lights->axis[1] * light->y + lights->axis[2] * light->z;
     /* along an axis of the screen pixels have no rounding there, nor then has what they make of it */
     const bool is_exact = (fabs(lights->axis[0]) == 1 && light->x == 0) ||
                           (fabs(lights->axis[1]) == 1 && light->y == 0) ||
                           (fabs(lights->axis[2]) == 1 && light->z == 0);
-    if (!(lights->touch_mm > 0) || fabs(height) > touch || is_exact)
+    if (!lights->is_flat || fabs(height) > touch || is_exact)
         return;
     light->x -= FAR_BEHIND * touch * lights->axis[0];
     light->y -= FAR_BEHIND * touch * lights->axis[1];

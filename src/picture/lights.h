@@ -31,9 +31,12 @@ struct lx_lights {
     size_t cloud_count, cloud_capacity;
     size_t count;
     double anchor_mm[3]; /* of the surface */
-    /* of a flat one its axis, and how near to its plane what counts as in it may be; 0: it has none */
-    double axis[3], touch_mm;
+    bool is_flat;
+    double axis[3]; /* of a flat one */
 };
+
+/* How far from a surface's plane rounding may put a lamp that is in it, so far from the surface's anchor. */
+double lx_plane_rounding_mm(const double anchor_mm[3], double distance_mm);
 
 /* The plane of a surface, where it is flat: light in it, as of a lamp on a ceiling, arrives nowhere on it. */
 void lx_lights_set_plane(struct lx_lights *lights, const struct lx_shape *shape);

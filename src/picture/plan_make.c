@@ -4,7 +4,9 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "../base/frame.h"
 #include "../base/memory.h"
+#include "../light/solid/extended.h"
 #include "../world/camera.h"
 #include "../world/general.h"
 #include "blockers.h"
@@ -79,7 +81,9 @@ bool lx_is_set_in(const struct lx_planned_surface *surface, const struct lx_emit
     const bool is_plain = surface->lobe.specular.value > 0 && surface->lobe.highlight == LX_HIGHLIGHT_PLAIN;
     double nearest;
     return lx_curvature(shape) == 0 && !is_plain &&
-           fabs(lx_reach_along(emitter, shape->anchor_mm, shape->axis, &nearest)) <= shape->touch_mm;
+           fabs(lx_reach_along(emitter, shape->anchor_mm, shape->axis, &nearest)) <=
+               lx_plane_rounding_mm(shape->anchor_mm, lx_distance(lx_emitter_center(emitter), shape->anchor_mm) +
+                                                          lx_emitter_radius(emitter));
 }
 
 static luxel_status plan_shells(struct lx_plan *plan, struct lx_control *control, struct lx_planned_surface *surface)

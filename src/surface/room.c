@@ -120,7 +120,7 @@ static const struct lx_parameter room_parameters[] = {
     },
     {
         .name = "up",
-        .label = "Up",
+        .label = "Upward axis",
         .type = LX_CHOICE,
         .offset = offsetof(struct room_parameters, up),
         .initial = "y",

@@ -5,23 +5,23 @@
 #include "../../app/repair.h"
 #include "scenes.h"
 
+/* Whether a picture can be made of the scene of a document. */
+static gboolean is_good(const AppDocument *document, luxel_diagnostics *faults)
+{
+    luxel_scene *scene = app_document_copy_scene(document);
+    const gboolean good =
+        luxel_scene_commit(scene, faults) == LUXEL_OK && luxel_scene_check_view(scene, faults) == LUXEL_OK;
+    luxel_scene_free(scene);
+    return good;
+}
+
 /* The faults of a document that has some. */
 static luxel_diagnostics *faults_of(const AppDocument *document)
 {
     luxel_diagnostics *faults = luxel_diagnostics_new();
-    luxel_scene *scene = app_document_copy_scene(document);
-    if (luxel_scene_commit(scene, faults) == LUXEL_OK)
+    if (is_good(document, faults))
         fail_msg("there is nothing wrong with it");
-    luxel_scene_free(scene);
     return faults;
-}
-
-static gboolean is_good(const AppDocument *document)
-{
-    luxel_scene *scene = app_document_copy_scene(document);
-    const gboolean good = luxel_scene_commit(scene, NULL) == LUXEL_OK;
-    luxel_scene_free(scene);
-    return good;
 }
 
 static void reads_hints(void **state)
@@ -67,7 +67,7 @@ static void mend(const luxel_parameters *parameters, const char *scene, const ch
     app_document_begin_gesture(document);
     assert_true(app_repair_make(repair, document));
     app_document_end_gesture(document);
-    if (!is_good(document))
+    if (!is_good(document, NULL))
         fail_msg("%s does not mend %s=%s", words, key, value);
     assert_true(app_document_undo(document));
     assert_string_equal(app_document_text(document), text); /* one step of undo */

@@ -413,7 +413,9 @@ def narrow_peaks(tap, tool):
                             for text in ("--at", ",".join(map(str, place + normal))))).json()["points"]
         for (place, normal), point in zip(elements, points):
             truth, told = one_bounce(half, lamp, light, 0.5, place, unit(normal)), point["reflected"]
-            tap.ok(abs(told["irradiance"] - truth) <= told["error"] + 1e-5 * truth and told["error"] < 1e-2 * truth,
+            # all of a thin ring is bends, which are counted as if they were wrong alike: the bound is larger than asked
+            off, most = abs(told["irradiance"] - truth), 1e-2 if c is not None else 3e-2
+            tap.ok(off <= min(told["error"] + 1e-5 * truth, 1e-3 * truth) and told["error"] < most * truth,
                    "a peak of %g degrees at C %s, gamma %g" % (w, c, g), told, truth)
 
 

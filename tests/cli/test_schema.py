@@ -236,7 +236,8 @@ def malformed(tap, tool):
     cases += [(title, SCENE.replace(piece, replacement, 1)) for title, piece, replacement in MORE]
     cases += [(title, text) for title, text, _ in TEXTS if len(text) < 1 << 16]
     compared = 0
-    for title, text in cases:
+    # no error where only elements and grids are asked
+    for title, text in (case for case in cases if case[0] != "no surfaces"):
         tap.ok(not judges.tool_accepts(text), "the tool refuses: " + title)
         try:
             value = read(text)

@@ -90,7 +90,7 @@ bool has_cells_of_elements(struct trial *trial)
         luxel_grid_position(grid, (unsigned)(i % grid->columns), (unsigned)(i / grid->columns), position);
         const struct span span = span_around(trial, grid, position);
         const double margin = span.high - span.low + grid->errors[i];
-        holds = span.is_blocked ||
+        holds = span.is_blocked || (grid->inside[i] && !grid->mask[i]) ||
                 (grid->mask[i] && grid->values[i] >= span.low - margin && grid->values[i] <= span.high + margin) ||
                 trial_fails(trial, "cell %zu: %.17g +- %.3g%s, the element there from %.17g to %.17g", i,
                             grid->values[i], grid->errors[i], grid->mask[i] ? "" : " (blocked)", span.low, span.high);
@@ -101,11 +101,13 @@ bool has_cells_of_elements(struct trial *trial)
 
 /* ---- sums ---- */
 
-/* The grids of the single lights added up, with their errors; false where one has no grid. */
-static bool add_grids(const struct draft *draft, size_t cells, double *sum, double *error, bool *is_measured)
+/* The grids of the single lights added up, with their errors; false where one has no grid.  A cell is inside of a body
+ * where any of them says so: what a light shines in is none, so they differ. */
+static bool add_grids(const struct draft *draft, size_t cells, double *sum, double *error, bool *is_measured,
+                      bool *is_inside)
 {
     for (size_t c = 0; c < cells; c++)
-        sum[c] = error[c] = 0, is_measured[c] = true;
+        sum[c] = error[c] = 0, is_measured[c] = true, is_inside[c] = false;
     for (size_t i = 0; i < draft->light_count; i++) {
         struct draft single = *draft;
         single.lights[0] = draft->lights[i];
@@ -115,6 +117,7 @@ static bool add_grids(const struct draft *draft, size_t cells, double *sum, doub
             return false;
         for (size_t c = 0; c < cells; c++) {
             is_measured[c] = is_measured[c] && grid->mask[c];
+            is_inside[c] = is_inside[c] || grid->inside[c];
             sum[c] += grid->values[c];
             error[c] += grid->errors[c] + 4 * DBL_EPSILON * grid->values[c];
         }
@@ -127,14 +130,15 @@ bool has_cells_that_add_up(struct trial *trial)
 {
     enum { MOST_CELLS = 16 };
     double sum[MOST_CELLS], error[MOST_CELLS];
-    bool is_measured[MOST_CELLS], holds = true;
+    bool is_measured[MOST_CELLS], is_inside[MOST_CELLS], holds = true;
     luxel_grid *grid = trial->draft->light_count > 1 ? measure(trial->scene, TOLERANCE) : NULL;
     if (!grid)
         return true;
-    if (!add_grids(trial->draft, cells_of(grid), sum, error, is_measured))
+    if (!add_grids(trial->draft, cells_of(grid), sum, error, is_measured, is_inside))
         holds = trial_fails(trial, "a light alone has no grid, but all of them have");
     for (size_t c = 0; holds && c < cells_of(grid); c++)
-        holds = (grid->mask[c] == is_measured[c] &&
+        holds = is_inside[c] || grid->inside[c] ||
+                (grid->mask[c] == is_measured[c] &&
                  (!is_measured[c] || fabs(grid->values[c] - sum[c]) <= grid->errors[c] + error[c])) ||
                 trial_fails(trial, "cell %zu: %.17g +- %.3g, one by one %.17g +- %.3g", c, grid->values[c],
                             grid->errors[c], sum[c], error[c]);

@@ -113,7 +113,8 @@ def test_work(tap, tool):
     spent = time.process_time() - start
     tap.ok(spent < 0.5, "600 000 pixels in less than half a second of the processor", spent)
     told = []
-    error = raises(luxel.LuxelError, scene.geometry, progress=lambda done: bool(told.append(done)))
+    large = luxel.Scene(scene_of(KINDS["sphere"], KINDS["disk"], resolution=(2050, 1850)))
+    error = raises(luxel.LuxelError, large.geometry, threads=1, progress=lambda done: bool(told.append(done)))
     tap.equal(error.status, "cancelled", "cancelled by what progress() returns")
     told.clear()
     scene.geometry(progress=lambda done: told.append(done) or True)

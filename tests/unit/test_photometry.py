@@ -210,7 +210,9 @@ def converted(tap, folder):
             target = os.path.join(folder, "converted" + ending)
             done = subprocess.run([PROGRAM, path, target], input="", capture_output=True, text=True, timeout=60)
             if ending == ".ldt" and lamp.kind != "C":
-                wrong += ["%s: type %s as EULUMDAT" % (name, lamp.kind)] if done.returncode == 0 else []
+                # tables of types A and B become one of type C, whose difference is told (tests/cli/test_photometry.py)
+                wrong += [] if done.returncode == 0 and Reading(target, questions).facts["type"] == "C" else [
+                    "%s: type %s as EULUMDAT: %s" % (name, lamp.kind, done.stderr)]
                 continue
             after = Reading(target, questions)
             # between planes that symmetry has moved to the other side sums round apart
