@@ -43,11 +43,15 @@ static void print_shares(const luxel_scene *scene, const luxel_probe *probe)
         char name[TEXT_SIZE], irradiance[TEXT_SIZE], diffuse[TEXT_SIZE], specular[TEXT_SIZE], error[TEXT_SIZE];
         char parts[TEXT_SIZE];
 
+        /* the error is of what the light makes in all; of the irradiance it is as large a share */
+        const double made = share->diffuse + share->specular;
+        const double of_irradiance = made > 0.0 ? share->error * (share->irradiance / made) : share->error;
         name_light(share, name);
-        text_table_row(table, TEXT_CELLS(name, share->type, text_value(irradiance, 12, share->irradiance),
-                                         text_value(diffuse, 12, share->diffuse),
-                                         text_value(specular, 12, share->specular), text_error(share->error, error),
-                                         split ? text_format(parts, "%zu", share->parts) : NULL));
+        text_table_row(
+            table, TEXT_CELLS(name, share->type, text_bounded(irradiance, 12, share->irradiance, of_irradiance),
+                              text_bounded(diffuse, 12, share->diffuse, share->error),
+                              text_bounded(specular, 12, share->specular, share->error),
+                              text_error(share->error, error), split ? text_format(parts, "%zu", share->parts) : NULL));
     }
     if (probe->has_reflected) {
         const double share = probe->reflected_value > 0.0 ? probe->reflected_irradiance / probe->reflected_value : 1.0;
