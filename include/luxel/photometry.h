@@ -189,7 +189,7 @@ LUXEL_API luxel_status luxel_photometry_measure(const luxel_photometry *photomet
  * Writes a luminaire by the extension of the name: .ies as IESNA:LM-63-2002, .ldt as EULUMDAT, whole or not at all.
  * What is written reads back as the same table, but for planes that repeat others, and roundings of EULUMDAT in the
  * last digit; EULUMDAT knows type C alone, so that types A and B are interpolated for it, and advice tells how far that
- * may be off.  LUXEL_ERROR_ARGUMENT: another extension.  LUXEL_ERROR_FILE.  LUXEL_ERROR_MEMORY.
+ * may be off.  LUXEL_ERROR_ARGUMENT: another extension.  LUXEL_ERROR_FILE: it cannot be written.  LUXEL_ERROR_MEMORY.
  */
 LUXEL_API luxel_status luxel_photometry_write(const luxel_photometry *photometry, const char *path,
                                               luxel_diagnostics *diagnostics);

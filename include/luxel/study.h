@@ -77,8 +77,9 @@ LUXEL_API const char *luxel_study_output_name(luxel_study_output output);
 /* The word for a type, such as "float32"; NULL of LUXEL_STUDY_NONE. */
 LUXEL_API const char *luxel_study_type_name(luxel_study_type type);
 
-/* The seed of what is random, and the study as the file has it, as UTF-8; the text is the study's. */
+/* The seed of what is random. */
 LUXEL_API unsigned luxel_study_seed(const luxel_study *study);
+/* The study as the file has it, as UTF-8; it is the study's. */
 LUXEL_API const char *luxel_study_text(const luxel_study *study);
 
 /* How many numbers tell what varies: a vector has three, a word or a value that is no number has its index. */

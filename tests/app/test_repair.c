@@ -44,7 +44,8 @@ static const struct {
     {"report", "surfaces[0].center", "[0, 0, 2620]"}, /* the observer stands at 1500 */
     {"report", "surfaces[0].radius", "600"},
     {"report", "observer.z", "900"},
-    {"desk", "surfaces[0].axis", "[0, 0, -1]"},
+    {"desk", "surfaces[0].axis", "[0, 0, 0]"},
+    {"desk", "observer.z", "1000"}, /* the ball reaches up to 1160 */
     {"report", "screen.resolution", "[360, 240]"},
     {"report", "picture.range", "[5, 3]"},
     {"report", "surfaces[0].material.shininess", "-3"},

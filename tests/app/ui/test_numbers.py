@@ -62,14 +62,14 @@ def statistics(tap, desk):
     tap.ok(wait("the section", lambda: window.says("Through x = 0, y = 0 mm")), "the section says where it lies")
 
 
-# A lamp that nearly touches a plate: a thousandth of the maximum is out of reach there.
+# A lamp that nearly touches the line in which two plates cross: a hundredth of the maximum is far out of reach there.
 CROSSING = """luxel: 1
 reflections: 1
 screen: {width: 3000, height: 3000, resolution: [4, 4]}
 observer: {z: 9000}
 surfaces:
   - {type: rectangle, center: [0, 0, 0], size: [3000, 3000], material: {model: lambert, diffuse: 0.8, over_pi: true}}
-  - {type: rectangle, center: [0, 0, 100], size: [1000, 100], axis: [0.9, 0, 0.5],
+  - {type: rectangle, center: [0, 0, 0], size: [1000, 1000], axis: [0.9, 0, 0.5],
      material: {model: lambert, diffuse: 0.8, over_pi: true}}
 lights: [{type: point, position: [0, 0, 0.01], intensity: 1, attenuation: inverse-square}]
 points: [[0, 1000]]
