@@ -341,7 +341,7 @@ static void test_settled(void **state)
     }
     /* what is farther away, not an element, without a tolerance or no place stays */
     luxel_place others[4] = {exact[0], {.screen_mm = {1, 2}}, exact[0], exact[0]};
-    others[0].position_mm[2] -= 1e-3, others[2].position_mm[2] -= 1e-5, others[3].normal[0] = NAN;
+    others[0].position_mm[2] -= 1e-3, others[2].position_mm[2] -= 1e-5, others[3].normal[0] = (double)NAN;
     luxel_place kept[4];
     memcpy(kept, others, sizeof kept);
     assert_int_equal(luxel_evaluator_settle_places(evaluator, others, 4, (const double[]){1e-4, 1, 0, 1}, NULL),
