@@ -50,9 +50,9 @@ class Truth:
         self.points = [] if is_slow else found["points"]
         self.slack = 0
         if b"reflections: all" in text and not is_slow:
-            self.points = json.loads(luxel("probe", path, "--json"))["points"]
+            self.points = json.loads(luxel("probe", path, "--reflected-error", "0.01", "--json"))["points"]
             # the app has the bound of pictures: a hundredth of the greatest of them
-            self.slack = 0.01 * json.loads(luxel("stats", path, "--json"))["max"]["value"]
+            self.slack = 0.01 * json.loads(luxel("render", path, "--json"))["max"]["value"]
 
     def has_value(self, i, text):
         if i >= len(self.points):
