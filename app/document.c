@@ -90,7 +90,7 @@ static void tell(AppDocument *self, gboolean renamed)
     g_object_unref(self);
 }
 
-/* What tells the content of a file from another; NULL: it cannot be read. */
+/* A digest that tells the content of a file from another; NULL: it cannot be read. */
 static char *sum_of_file(const char *path)
 {
     char *content, *sum;

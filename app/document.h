@@ -38,7 +38,7 @@ gboolean app_document_save(AppDocument *self, const char *path, luxel_diagnostic
 
 /* Whether another program has changed the file since it was opened or saved; a file that is gone has not. */
 gboolean app_document_is_changed_outside(const AppDocument *self);
-/* What the file has now counts as known. */
+/* The content that the file has now counts as known. */
 void app_document_know_file(AppDocument *self);
 
 /* The file that it belongs to, or NULL; a name to show; the present text; whether there is unsaved work. */

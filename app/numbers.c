@@ -37,7 +37,7 @@ static void put_cell(AppNumbers *self, GtkWidget *label, int column, guint row)
         gtk_widget_add_css_class(label, "note");
 }
 
-/* Of the i-th point; the head of the table is above it. */
+/* The row of the i-th point; the head of the table is above it. */
 static GtkWidget *cell(AppNumbers *self, int column, guint i)
 {
     const int *place = places_of_columns[column], line = ((int)i + 1) * LINES_OF_POINT + place[1];
@@ -164,7 +164,7 @@ static gboolean is_of(const AppNumbers *self, Part part)
     return app_version_equal(&self->versions[part], &self->wanted);
 }
 
-/* What keeps the results from being copied; NULL: nothing. */
+/* The reason why results cannot be copied; NULL: there is none. */
 static const char *why_no_copy(const AppNumbers *self)
 {
     if (self->wanted.is_direct)

@@ -32,7 +32,7 @@ typedef enum Line {
     LINES
 } Line;
 
-/* What comes and goes by itself, each of a version of the scene. */
+/* Results that come and go by themselves, each of a version of the scene. */
 typedef enum Part { PART_POINTS, PART_SECTION, PART_STATISTICS, PART_BALANCE, PARTS } Part;
 
 /* The plots, off which a cursor reads values. */

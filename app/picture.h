@@ -53,7 +53,7 @@ typedef struct AppPicture {
     guint64 serial;              /* of the version that was asked for */
 } AppPicture;
 
-/* What a number, a mark, a list, a curve or a text is of; {0}: of nothing. */
+/* The version of the scene that a number, mark, list, curve or text belongs to; {0}: to none. */
 typedef struct AppVersion {
     guint64 shot, minus; /* the serial of what it was read off, and of what was taken off that; 0: nothing was */
     gboolean is_direct;  /* direct light alone of a scene that reflects */

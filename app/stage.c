@@ -234,7 +234,7 @@ static void drag_end(GtkGestureDrag *gesture, double dx, double dy, AppStage *se
     gtk_widget_queue_draw(GTK_WIDGET(self));
 }
 
-/* What is held is let go: it is of a scene that is no longer there. */
+/* The mark that is held is let go: it is of a scene that is no longer there. */
 static void let_go(AppStage *self)
 {
     if (!self->is_held)
