@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
 """Surfaces answer for themselves: nothing outside src/surface asks which shape a surface has.
 
-The kernels stand by shape in their table, which world/general.h and general.c read; the structs of what users write are
-seen by the kinds, and by tests, alone.
+Nor does it ask of which type the sheets of its sides are.  The kernels stand by shape in their table, which
+world/general.h and general.c read; the structs of what users write are seen by the kinds, and by tests, alone.
 """
 import re
 import sys
@@ -13,6 +13,8 @@ from tap import Tap
 # An outline of a planar source is a shape, too, of another kind (light/spread.c), and so is a group of parameters.
 ASKS = re.compile(r"\bLX_SPHERE\b|\bLX_PLATE\b|\bLX_GENERAL\b|\bLX_SHAPE_TYPES\b|\benum lx_shape_type\b|"
                   r"\bshape(?:\.|->)type\b(?! [!=]= LX_GROUP)|\blx_(?:sphere|plate)_parameters\b|surface/authored\.h|"
+                  r"\blx_(?:plate|triangle|disk|tube|ball)_sheet\b|"
+                  r"\blx_(?:sphere|plate|disk|cylinder|mesh|room|inside)_kind\b|"
                   r"variant->name, \"(?:sphere|rectangle|disk|cylinder)\"")
 MAY_ASK = re.compile(r"^src/(surface/|kernel/[a-z_]*|world/(kernel[a-z_]*|general)\.[ch]$|light/)")
 

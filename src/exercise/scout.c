@@ -68,7 +68,7 @@ static int count_sources(const struct lx_scene_parameters *scene, struct sources
         const struct lx_lobe *lobe = &prepared.surfaces[i].lobe;
         struct lx_smooth_sheet sheets[LX_MOST_SHEETS];
         const int sides = lx_shape_sheets(&prepared.surfaces[i].shape, sheets);
-        sources->tubes += sides > 0 && sheets[0].type == LX_SHEET_TUBE;
+        sources->tubes += sides > 0 && sheets[0].type->obstacle == LX_OBSTACLE_TUBE;
         shines = shines || (lobe->model != LX_LAMBERT && lobe->specular.value > 0);
     }
     for (size_t i = 0; !failed && i < prepared.emitters.count; i++) {
@@ -241,9 +241,10 @@ static double reflecting_cost(const struct lx_scene_parameters *scene, const str
     double sum = sources->are_extended ? TUBE_COST * (double)sources->tubes : 0;
     for (size_t i = 0; i < scene->surfaces.count; i++) {
         const struct lx_item *item = &scene->surfaces.items[i];
-        if (item->variant != &lx_mesh_kind.variant)
+        const struct lx_surface_kind *kind = (const struct lx_surface_kind *)item->variant;
+        if (!kind->mesh)
             continue;
-        const struct lx_shape shape = lx_surface_shape(&lx_mesh_kind, item->parameters);
+        const struct lx_shape shape = lx_surface_shape(kind, item->parameters);
         sum += TRIANGLE_COST * (double)lx_mesh_count(&shape);
     }
     return lx_wants_reflections(scene) ? sum : 0;

@@ -150,7 +150,8 @@ static struct lx_stretch whole_stretch(size_t count, uint8_t *mask)
 }
 
 /* The columns' places on the screen, and from the shape's anchor. */
-static void place_columns(const struct lx_shape *shape, const double *x_mm, size_t count, struct lx_columns *columns)
+static void set_columns_plate(const struct lx_shape *shape, const double *x_mm, size_t count,
+                              struct lx_columns *columns)
 {
     for (size_t i = 0; i < lx_padded(count); i++) {
         columns->x_mm[i] = x_mm[i < count ? i : count - 1];
@@ -159,11 +160,11 @@ static void place_columns(const struct lx_shape *shape, const double *x_mm, size
     columns->count = count;
 }
 
-static void set_sphere_columns(const struct lx_shape *sphere, const double *x_mm, size_t count,
+static void set_columns_sphere(const struct lx_shape *sphere, const double *x_mm, size_t count,
                                struct lx_columns *columns)
 {
     const double x = sphere->anchor_mm[0], inverse = 1 / sphere->radius_mm;
-    place_columns(sphere, x_mm, count, columns);
+    set_columns_plate(sphere, x_mm, count, columns);
     for (size_t i = 0; i < lx_padded(count); i++) {
         const double nx = (columns->x_mm[i] - x) * inverse, square = nx * nx;
         columns->nx[i] = (float)nx;
@@ -400,10 +401,10 @@ const struct lx_kernels TABLE_OF(LX_ISA) = {
                    [LX_DISK] = LX_OF_ISA(lx_round_by_rows_double),
                    [LX_BALL] = LX_OF_ISA(lx_ball_by_rings_double),
                    [LX_CYLINDER] = LX_OF_ISA(lx_round_by_rows_double)},
-    .meet_lines = {[LX_SPHERE] = meet_sphere, [LX_PLATE] = meet_plate},
-    .complete_block = {[LX_SPHERE] = complete_sphere, [LX_PLATE] = complete_plate},
-    .set_columns = {[LX_SPHERE] = set_sphere_columns, [LX_PLATE] = place_columns},
-    .view_single = {[LX_SPHERE] = view_sphere, [LX_PLATE] = view_plate},
-    .block_light = {[LX_SPHERE] = block_by_sphere, [LX_PLATE] = block_by_plate},
+    .meet_lines = LX_BY_SHAPE(meet),
+    .complete_block = LX_BY_SHAPE(complete),
+    .set_columns = LX_BY_SHAPE(set_columns),
+    .view_single = LX_BY_SHAPE(view),
+    .block_light = LX_BY_SHAPE(block_by),
 };
 #endif

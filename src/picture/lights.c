@@ -148,7 +148,7 @@ double lx_plane_rounding_mm(const double anchor_mm[3], double distance_mm)
 void lx_lights_set_plane(struct lx_lights *lights, const struct lx_shape *shape)
 {
     memcpy(lights->anchor_mm, shape->anchor_mm, sizeof lights->anchor_mm);
-    if (lx_curvature(shape) != 0)
+    if (!lx_shape_is_flat(shape))
         return;
     memcpy(lights->axis, shape->axis, sizeof lights->axis);
     lights->is_flat = true;

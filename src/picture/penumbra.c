@@ -58,7 +58,7 @@ static bool is_beside_plane(const struct lx_shape *flat, const struct lx_shaft *
 static bool may_stand_in(const struct lx_shape *shape, const struct lx_shaft *shaft)
 {
     return lx_shaft_meets_ball(shaft, shape->anchor_mm, shape->radius_mm + 2 * shape->touch_mm) &&
-           !(lx_curvature(shape) == 0 && is_beside_plane(shape, shaft));
+           !(lx_shape_is_flat(shape) && is_beside_plane(shape, shaft));
 }
 
 /* From a ball, an offset from the surface's anchor. */

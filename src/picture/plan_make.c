@@ -80,7 +80,7 @@ bool lx_is_set_in(const struct lx_planned_surface *surface, const struct lx_emit
     const struct lx_shape *shape = &surface->shape;
     const bool is_plain = surface->lobe.specular.value > 0 && surface->lobe.highlight == LX_HIGHLIGHT_PLAIN;
     double nearest;
-    return lx_curvature(shape) == 0 && !is_plain &&
+    return lx_shape_is_flat(shape) && !is_plain &&
            fabs(lx_reach_along(emitter, shape->anchor_mm, shape->axis, &nearest)) <=
                lx_plane_rounding_mm(shape->anchor_mm, lx_distance(lx_emitter_center(emitter), shape->anchor_mm) +
                                                           lx_emitter_radius(emitter));

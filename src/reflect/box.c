@@ -24,7 +24,7 @@ struct rectangle {
 static bool find_plate(const struct lx_prepared_surface *surface, struct rectangle *plate)
 {
     struct lx_smooth_sheet sheets[LX_MOST_SHEETS];
-    if (lx_shape_sheets(&surface->shape, sheets) == 0 || sheets[0].type != LX_SHEET_PLATE)
+    if (lx_shape_sheets(&surface->shape, sheets) == 0 || sheets[0].type->corner_count != 4)
         return false;
     memcpy(plate->center_mm, sheets[0].center_mm, sizeof plate->center_mm);
     memcpy(plate->axis, sheets[0].axis, sizeof plate->axis);
@@ -307,13 +307,13 @@ static bool is_lit_inside(const struct lx_radiosity *reflected, const struct lx_
 static bool is_within(const struct lx_closed_box *box, const struct lx_matte_face *face)
 {
     double corners[4][3], at[3];
-    if (!lx_is_polygon(face->sheet.type))
+    if (!lx_is_polygon(face))
         return false;
     locate(box, face->cell.center_mm, at); /* not on a side */
     for (int way = 0; way < 3; way++)
         if (fabs(at[way]) >= box->half_mm[way] - box->touch_mm)
             return false;
-    const int count = lx_face_corners(face, corners);
+    const int count = lx_sheet_corners(&face->sheet, corners);
     for (int c = 0; c < count; c++) {
         locate(box, corners[c], at);
         for (int way = 0; way < 3; way++)

@@ -12,8 +12,8 @@
 #include "../surface/mesh_faces.h"
 #include "../surface/sheet.h"
 
-/* The straight pieces that a round outline has; the most outlines of all lights together. */
-enum { PIECES = 16, MOST = 200000 };
+/* The most outlines of all lights together. */
+enum { MOST = 200000 };
 
 /* ---- lights ---- */
 
@@ -96,9 +96,9 @@ static bool add(struct drawing *drawing, const double from_mm[3], const double t
 }
 
 /* Adds a line beside which the surface goes on towards a place. */
-static bool add_beside(struct drawing *drawing, const double from_mm[3], const double to_mm[3],
-                       const double inside_mm[3])
+static bool add_beside(void *data, const double from_mm[3], const double to_mm[3], const double inside_mm[3])
 {
+    struct drawing *drawing = data;
     double way[3], along[3], inwards[3], left[3];
     lx_way_to(&drawing->light->at, from_mm, way);
     for (int k = 0; k < 3; k++) {
@@ -107,94 +107,6 @@ static bool add_beside(struct drawing *drawing, const double from_mm[3], const d
     }
     lx_cross(way, along, left);
     return add(drawing, from_mm, to_mm, lx_dot(left, inwards) > 0 ? 1 : -1);
-}
-
-static void add_plate(struct drawing *drawing, const struct lx_smooth_sheet *sheet)
-{
-    double corners[4][3], normal[3];
-    for (int c = 0; c < 4; c++)
-        lx_sheet_place(sheet, c == 0 || c == 3 ? -1 : 1, c < 2 ? -1 : 1, corners[c], normal);
-    for (int c = 0; c < 4 && !drawing->failed; c++)
-        add_beside(drawing, corners[c], corners[(c + 1) % 4], sheet->center_mm);
-}
-
-/* Place i of a circle. */
-static void on_circle(const double center_mm[3], double radius_mm, const double across[3], const double upward[3],
-                      int i, double place_mm[3])
-{
-    const double angle = 2 * M_PI * i / PIECES;
-    for (int k = 0; k < 3; k++)
-        place_mm[k] = center_mm[k] + radius_mm * (cos(angle) * across[k] + sin(angle) * upward[k]);
-}
-
-/* Adds a circle, from each place of which the surface goes on by `inwards`; NULL: to the middle. */
-static void add_circle(struct drawing *drawing, const double center_mm[3], double radius_mm, const double across[3],
-                       const double upward[3], const double *inwards)
-{
-    for (int i = 0; i < PIECES && !drawing->failed; i++) {
-        double from[3], to[3], inside[3];
-        on_circle(center_mm, radius_mm, across, upward, i, from);
-        on_circle(center_mm, radius_mm, across, upward, i + 1, to);
-        for (int k = 0; k < 3; k++)
-            inside[k] = inwards ? (from[k] + to[k]) / 2 + inwards[k] : center_mm[k];
-        add_beside(drawing, from, to, inside);
-    }
-}
-
-/* A circle inside of which the surface has a hole. */
-static void add_hole(struct drawing *drawing, const struct lx_smooth_sheet *disk)
-{
-    for (int i = 0; i < PIECES && disk->half_mm[1] > 0 && !drawing->failed; i++) {
-        double from[3], to[3], inside[3];
-        on_circle(disk->center_mm, disk->half_mm[1], disk->across, disk->upward, i, from);
-        on_circle(disk->center_mm, disk->half_mm[1], disk->across, disk->upward, i + 1, to);
-        for (int k = 0; k < 3; k++)
-            inside[k] = from[k] + to[k] - disk->center_mm[k];
-        add_beside(drawing, from, to, inside);
-    }
-}
-
-/* The circle in which ways from the light touch a ball; inside of it there is none. */
-static void add_ball(struct drawing *drawing, const double center_mm[3], double radius_mm)
-{
-    double way[3], across[3], upward[3], middle[3];
-    lx_way_to(&drawing->light->at, center_mm, way);
-    const double away = lx_normalize(way), sine = drawing->light->at.endless ? 0 : radius_mm / away;
-    if (!(sine < 1))
-        return;
-    lx_around_axis(way, across, upward);
-    for (int k = 0; k < 3; k++)
-        middle[k] = center_mm[k] + radius_mm * sine * way[k];
-    add_circle(drawing, middle, radius_mm * sqrt(1 - sine * sine), across, upward, NULL);
-}
-
-/* Both rims of a tube, and where ways from the light touch its side. */
-static void add_tube(struct drawing *drawing, const struct lx_smooth_sheet *tube)
-{
-    const double radius = tube->half_mm[0], half = tube->half_mm[1];
-    double way[3];
-    for (int side = -1; side <= 1; side += 2) {
-        double rim[3], inwards[3];
-        for (int k = 0; k < 3; k++) {
-            rim[k] = tube->center_mm[k] + side * half * tube->axis[k];
-            inwards[k] = -side * half * tube->axis[k];
-        }
-        add_circle(drawing, rim, radius, tube->across, tube->upward, inwards);
-    }
-    lx_way_to(&drawing->light->at, tube->center_mm, way);
-    const double x = lx_dot(way, tube->across), y = lx_dot(way, tube->upward), away = hypot(x, y);
-    const double cosine = drawing->light->at.endless ? 0 : radius / away;
-    for (int side = -1; side <= 1 && away > 0 && cosine < 1 && !drawing->failed; side += 2) {
-        const double angle = atan2(y, x) + side * acos(cosine);
-        double ends[2][3];
-        for (int k = 0; k < 3; k++) {
-            const double touch =
-                tube->center_mm[k] + radius * (cos(angle) * tube->across[k] + sin(angle) * tube->upward[k]);
-            ends[0][k] = touch - half * tube->axis[k];
-            ends[1][k] = touch + half * tube->axis[k];
-        }
-        add_beside(drawing, ends[0], ends[1], tube->center_mm);
-    }
 }
 
 static bool add_mesh_edge(void *data, const double from_mm[3], const double to_mm[3], int change)
@@ -216,20 +128,10 @@ static void add_mesh(struct drawing *drawing, const struct lx_shape *mesh)
 static void add_surface(struct drawing *drawing, const struct lx_shape *shape)
 {
     struct lx_smooth_sheet sheets[LX_MOST_SHEETS];
-    if (lx_shape_sheets(shape, sheets) == 0) {
-        if (lx_mesh_count(shape) > 0)
-            add_mesh(drawing, shape);
-        return;
-    }
-    switch (sheets->type) {
-    case LX_SHEET_DISK:
-        add_circle(drawing, sheets->center_mm, sheets->half_mm[0], sheets->across, sheets->upward, NULL);
-        add_hole(drawing, sheets);
-        break;
-    case LX_SHEET_TUBE: add_tube(drawing, sheets); break;
-    case LX_SHEET_BALL: add_ball(drawing, sheets->center_mm, sheets->half_mm[0]); break;
-    default: add_plate(drawing, sheets);
-    }
+    if (lx_shape_sheets(shape, sheets) > 0 && sheets->type->rim)
+        sheets->type->rim(sheets, &drawing->light->at, add_beside, drawing);
+    else if (lx_mesh_count(shape) > 0)
+        add_mesh(drawing, shape);
 }
 
 /* ---- making ---- */

@@ -24,7 +24,7 @@ static void add_corner(struct outline *outline, const struct lx_matte_face *face
 
 static struct outline outline_of(const struct lx_matte_face *face, const struct lx_window *window)
 {
-    const int far = face->sheet.type == LX_SHEET_DISK ? ARC : 2;
+    const int far = lx_is_polygon(face) ? 2 : ARC;
     struct outline outline = {.count = 0};
     add_corner(&outline, face, window, -1, -1);
     for (int i = 0; i < far; i++)

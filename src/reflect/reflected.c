@@ -255,14 +255,14 @@ static luxel_status solve(struct lx_radiosity *reflected, const struct lx_reflec
  * nothing to integrate: all places see all in one way. */
 static double rule_of(const struct lx_radiosity *reflected)
 {
-    bool is_round = false, is_hollow = false, is_alone = true;
+    bool is_round = false, is_even = false, is_alone = true;
     for (size_t f = 0; f < reflected->face_count; f++) {
         const struct lx_matte_face *face = &reflected->faces[f];
         is_round = is_round || !face->is_flat;
-        is_hollow = is_hollow || (face->sheet.type == LX_SHEET_BALL && face->sheet.turn < 0);
+        is_even = is_even || (face->sheet.type->exchange && face->sheet.type->exchange(&face->sheet) > 0);
         is_alone = is_alone && face->surface == reflected->faces[0].surface;
     }
-    if (is_hollow && is_alone)
+    if (is_even && is_alone)
         return ROUNDING;
     return fmax(RULE * reflected->error, is_round ? ROUND_RULE : ROUNDING);
 }

@@ -92,8 +92,8 @@ void lx_region_before_face(const struct lx_veils *veils, const struct lx_matte_f
         normal[i] = sheet->turn * sheet->axis[i];
     if (face->is_flat)
         add_plane(region, normal, sheet->center_mm, veils->touch_mm);
-    if (lx_is_polygon(sheet->type)) {
-        const int count = lx_face_corners(face, corners);
+    if (lx_is_polygon(face)) {
+        const int count = lx_sheet_corners(&face->sheet, corners);
         add_pyramid(region, veils, (const double(*)[3])corners, count, face->center_mm);
     } else {
         add_cone(region, veils, face->center_mm, face->radius_mm);
@@ -146,7 +146,7 @@ static struct outline outline_of_cell(const struct lx_tile_cell *cell)
 static struct outline outline_of_face(const struct lx_matte_face *face)
 {
     struct outline made;
-    made.count = lx_face_corners(face, made.corners);
+    made.count = lx_sheet_corners(&face->sheet, made.corners);
     for (int i = 0; i < 3; i++)
         made.normal[i] = face->sheet.turn * face->sheet.axis[i];
     memcpy(made.middle, face->center_mm, sizeof made.middle);

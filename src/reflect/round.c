@@ -73,15 +73,11 @@ static void add_prism(struct lx_veils *veils, const double center_mm[3], const d
 /* Whether some of a face is in a ball, as far as balls around faces tell. */
 static bool enters_ball(const struct lx_matte_face *face, const struct lx_smooth_sheet *ball)
 {
-    const struct lx_smooth_sheet *sheet = &face->sheet;
     const double radius = ball->half_mm[0] * (1 - 1e-9);
     double from[3];
     sub(ball->center_mm, face->center_mm, from);
-    if (sqrt(lx_dot(from, from)) >= radius + face->radius_mm)
-        return false;
-    sub(ball->center_mm, sheet->center_mm, from);
-    const double away = face->is_flat ? fabs(lx_dot(from, sheet->axis)) : sqrt(lx_dot(from, from)) - sheet->half_mm[0];
-    return sheet->type == LX_SHEET_TUBE || fabs(away) < radius;
+    return sqrt(lx_dot(from, from)) < radius + face->radius_mm &&
+           lx_sheet_distance(&face->sheet, ball->center_mm) < radius;
 }
 
 static void add_ball(struct lx_veils *veils, const struct lx_smooth_sheet *ball)
@@ -156,11 +152,11 @@ static double distance_of_axis(const struct lx_matte_face *face, const struct lx
 {
     double corners[4][3], at[4][2], from[3], nearest = HUGE_VAL;
     bool left = false, right = false;
-    if (!lx_is_polygon(face->sheet.type)) {
+    if (!lx_is_polygon(face)) {
         sub(face->center_mm, tube->center_mm, from);
         return hypot(lx_dot(from, tube->across), lx_dot(from, tube->upward)) - face->radius_mm;
     }
-    const int count = lx_face_corners(face, corners);
+    const int count = lx_sheet_corners(&face->sheet, corners);
     for (int c = 0; c < count; c++) {
         sub(corners[c], tube->center_mm, from);
         at[c][0] = lx_dot(from, tube->across);

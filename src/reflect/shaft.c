@@ -109,12 +109,11 @@ int lx_shafts_set(const struct lx_radiosity *reflected, const struct lx_tile_cel
         return -1;
     for (size_t f = 0; f < reflected->face_count; f++) {
         const struct lx_matte_face *face = &reflected->faces[f];
-        const bool has_hull = is_polygon && lx_is_polygon(face->sheet.type);
-        const bool is_mesh = face->sheet.type == LX_SHEET_TRIANGLE;
+        const bool has_hull = is_polygon && lx_is_polygon(face);
         struct lx_shaft_list *list = &shafts->of[f];
         if (lx_reserve(&shafts->surfaces, &shafts->capacity, count + 2 * surfaces, sizeof *shafts->surfaces))
             return -1;
-        if (is_mesh && (f == 0 || face->surface != reflected->faces[f - 1].surface)) {
+        if (face->is_facet && (f == 0 || face->surface != reflected->faces[f - 1].surface)) {
             /* all of its triangles go together; from here each takes what is in its own way */
             const struct box to = box_of_surface(&prepared->surfaces[face->surface]);
             mesh_first = count;
@@ -124,7 +123,7 @@ int lx_shafts_set(const struct lx_radiosity *reflected, const struct lx_tile_cel
         *list = (struct lx_shaft_list){count, count, has_hull && !lx_cell_meets_face(cell, face, touch_mm)};
         if (list->is_none)
             continue;
-        if (is_mesh) {
+        if (face->is_facet) {
             for (size_t i = mesh_first; i < mesh_last; i++)
                 shafts->surfaces[count++] = shafts->surfaces[i];
         } else {

@@ -31,7 +31,7 @@ static double beyond_face(const struct lx_matte_face *face, const double place_m
             return HUGE_VAL;
         for (int i = 0; i < 3; i++)
             there[i] = place_mm[i] - sheet->center_mm[i];
-        if (sheet->type == LX_SHEET_TRIANGLE && fabs(lx_dot(sheet->axis, there)) > BESIDE * face->radius_mm)
+        if (face->is_facet && fabs(lx_dot(sheet->axis, there)) > BESIDE * face->radius_mm)
             return HUGE_VAL;
         lx_sheet_locate(sheet, place_mm, at);
     } else {

@@ -14,44 +14,17 @@ static double distance(const double a[3], const double b[3])
     return sqrt((a[0] - b[0]) * (a[0] - b[0]) + (a[1] - b[1]) * (a[1] - b[1]) + (a[2] - b[2]) * (a[2] - b[2]));
 }
 
-static void bound_plate(const struct lx_matte_face *face, const struct lx_window *window, struct lx_tile_cell *cell)
+static void bound_straight(const struct lx_matte_face *face, const struct lx_window *window, struct lx_tile_cell *cell)
 {
-    const struct lx_smooth_sheet *sheet = &face->sheet;
+    struct lx_sheet_part part;
     double normal[3];
-    lx_sheet_place(sheet, window->middle[0], window->middle[1], cell->center_mm, normal);
-    for (int k = 0; k < 2; k++)
-        cell->lengths_mm[k] = sheet->half_mm[k] * window->half[k];
-    for (int i = 0; i < 3; i++) {
-        cell->first_mm[i] = cell->lengths_mm[0] * sheet->across[i];
-        cell->second_mm[i] = cell->lengths_mm[1] * sheet->upward[i];
-    }
-    cell->radius_mm = hypot(cell->lengths_mm[0], cell->lengths_mm[1]);
-    cell->narrow = 1;
-}
-
-/* Between two ways from the tip, and two lines along the side across from it. */
-static void bound_triangle(const struct lx_matte_face *face, const struct lx_window *window, struct lx_tile_cell *cell)
-{
-    const struct lx_smooth_sheet *sheet = &face->sheet;
-    const double inner = fmax(1 + window->middle[1] - window->half[1], 0) / 2;
-    const double outer = (1 + window->middle[1] + window->half[1]) / 2;
-    const double aslant = sheet->middle + window->middle[0] * sheet->half_mm[0];
-    const double across = outer * window->half[0] * sheet->half_mm[0];
-    double normal[3], squares[2] = {0, 0};
-    lx_sheet_place(sheet, window->middle[0], window->middle[1], cell->center_mm, normal);
-    for (int i = 0; i < 3; i++) {
-        cell->first_mm[i] = across * sheet->across[i];
-        cell->second_mm[i] =
-            (outer - inner) / 2 * (aslant * sheet->across[i] + 2 * sheet->half_mm[1] * sheet->upward[i]);
-        for (int k = 0; k < 2; k++) {
-            const double corner = cell->second_mm[i] + (k ? 1 : -1) * cell->first_mm[i];
-            squares[k] += corner * corner;
-        }
-    }
-    cell->lengths_mm[0] = across;
-    cell->lengths_mm[1] = sqrt(lx_dot(cell->second_mm, cell->second_mm));
-    cell->radius_mm = sqrt(fmax(squares[0], squares[1]));
-    cell->narrow = inner / outer;
+    lx_sheet_place(&face->sheet, window->middle[0], window->middle[1], cell->center_mm, normal);
+    face->sheet.type->part(&face->sheet, window->middle, window->half, &part);
+    memcpy(cell->first_mm, part.first_mm, sizeof cell->first_mm);
+    memcpy(cell->second_mm, part.second_mm, sizeof cell->second_mm);
+    memcpy(cell->lengths_mm, part.lengths_mm, sizeof cell->lengths_mm);
+    cell->radius_mm = part.radius_mm;
+    cell->narrow = part.narrow;
 }
 
 /* Curved cells are within the ball around their middle that holds the corners and the middles of their edges, but for
@@ -82,19 +55,17 @@ static void bound_round(const struct lx_matte_face *face, const struct lx_window
 
 void lx_cell_bound(const struct lx_matte_face *face, const struct lx_window *window, struct lx_tile_cell *cell)
 {
-    if (face->sheet.type == LX_SHEET_PLATE)
-        bound_plate(face, window, cell);
-    else if (face->sheet.type == LX_SHEET_TRIANGLE)
-        bound_triangle(face, window, cell);
+    if (lx_is_polygon(face))
+        bound_straight(face, window, cell);
     else
         bound_round(face, window, cell);
 }
 
 /*
  * The rule knows areas of balls to 1e-7 of large cells, which light that goes to and fro in them adds up, in all places
- * alike, so that no residual shows it: weights are scaled to the right area.  Of small cells it has all digits.
+ * alike, so that no residual shows it: weights are scaled to the area that is known.  Of small cells it has all digits.
  */
-static void scale_to_ball(const struct lx_matte_face *face, const struct lx_window *window, struct lx_tile_cell *cell)
+static void scale_to_area(const struct lx_matte_face *face, const struct lx_window *window, struct lx_tile_cell *cell)
 {
     const double least = 1.0 / 64;
     if (fmax(window->half[0], window->half[1]) < least)
@@ -104,7 +75,7 @@ static void scale_to_ball(const struct lx_matte_face *face, const struct lx_wind
         low[k] = window->middle[k] - window->half[k], high[k] = window->middle[k] + window->half[k];
     for (int q = 0; q < LX_RULE_NODES; q++)
         sum += cell->area[q];
-    const double scale = lx_sheet_ball_area(&face->sheet, low, high) / sum;
+    const double scale = face->sheet.type->area(&face->sheet, low, high) / sum;
     for (int q = 0; q < LX_RULE_NODES; q++)
         cell->area[q] *= scale;
 }
@@ -124,8 +95,8 @@ void lx_cell_nodes(const struct lx_matte_face *face, const struct lx_window *win
                 share * lx_rule_weights[i] * lx_rule_weights[j] *
                 lx_sheet_cross(&face->sheet, &lines[0][i], &lines[1][j], cell->place_mm[q], cell->normal[q]);
         }
-    if (face->sheet.type == LX_SHEET_BALL)
-        scale_to_ball(face, window, cell);
+    if (face->sheet.type->area)
+        scale_to_area(face, window, cell);
 }
 
 void lx_cell_make(const struct lx_matte_face *face, const struct lx_window *window, struct lx_tile_cell *cell)
@@ -141,37 +112,19 @@ void lx_tile_clear(struct lx_tile *tile)
     tile->rows = NULL;
 }
 
-int lx_face_corners(const struct lx_matte_face *face, double corners_mm[4][3])
-{
-    const bool is_triangle = face->sheet.type == LX_SHEET_TRIANGLE;
-    const int count = is_triangle ? 3 : 4;
-    double normal[3];
-    for (int k = 0; k < count; k++)
-        lx_sheet_place(&face->sheet, k == 0 || k == 3 ? -1 : 1, (is_triangle ? k < 2 : k >= 2) ? 1 : -1, corners_mm[k],
-                       normal);
-    return count;
-}
-
 double lx_face_reach(const struct lx_matte_face *face, const double axis[3], const double from_mm[3])
 {
     const struct lx_smooth_sheet *sheet = &face->sheet;
     const double *center = face->is_flat ? sheet->center_mm : face->center_mm;
-    const double middle = lx_dot(axis, center) - lx_dot(axis, from_mm);
-    const double a = lx_dot(axis, sheet->across), b = lx_dot(axis, sheet->upward);
-    switch (sheet->type) {
-    case LX_SHEET_PLATE: return middle + fabs(a) * sheet->half_mm[0] + fabs(b) * sheet->half_mm[1];
-    case LX_SHEET_TRIANGLE:
-        return middle + fmax(0, a * sheet->middle + fabs(a) * sheet->half_mm[0] + 2 * b * sheet->half_mm[1]);
-    case LX_SHEET_DISK: return middle + sheet->half_mm[0] * hypot(a, b);
-    default: return middle + face->radius_mm;
-    }
+    return lx_dot(axis, center) - lx_dot(axis, from_mm) +
+           (face->is_flat ? sheet->type->reach(sheet, axis) : face->radius_mm);
 }
 
 void lx_face_make(const struct lx_smooth_sheet *sheet, size_t surface, double reflectance, struct lx_matte_face *face)
 {
     const struct lx_window whole = {{0, 0}, {1, 1}};
     *face = (struct lx_matte_face){.sheet = *sheet, .surface = surface, .reflectance = reflectance};
-    face->is_flat = lx_is_polygon(sheet->type) || sheet->type == LX_SHEET_DISK;
+    face->is_flat = sheet->type->bends == 0;
     lx_cell_bound(face, &whole, &face->cell);
     memcpy(face->center_mm, face->cell.center_mm, sizeof face->center_mm);
     face->radius_mm = face->cell.radius_mm;

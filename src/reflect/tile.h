@@ -12,8 +12,8 @@
 #include "../world/prepared.h"
 #include "rule.h"
 
-/* A window of a face in space.  Of a plate it is a parallelogram, center + x first + y second, x and y from -1 to 1; of
- * a triangle the part of that in which |x| <= w(y), lx_cell_width().  Of what is round both vectors are 0. */
+/* A window of a face in space.  Where edges are straight it is part of a parallelogram, center + x first + y second, x
+ * and y from -1 to 1: where |x| <= w(y), lx_cell_width().  Of what is round both vectors are 0. */
 struct lx_tile_cell {
     double center_mm[3], radius_mm; /* a ball around it */
     double first_mm[3], second_mm[3];
@@ -33,8 +33,9 @@ struct lx_matte_face {
     uint32_t group;                 /* all of it */
     bool is_flat;
     bool is_overlaid;  /* another one lies on it (overlap.h) */
-    uint32_t triangle; /* of a mesh, */
-    bool is_small;     /* which has many: reflected light is linear on it unless it is cut */
+    bool is_facet;     /* one of many of its surface, a mesh, which may see and hide each other: */
+    uint32_t triangle; /* which one it is, */
+    bool is_small;     /* and whether they are so many that reflected light is linear on it unless it is cut */
 };
 
 /* Direct light on a window: coefficients at the nodes that have the true integrals with all polynomials of the rule's
@@ -91,10 +92,16 @@ static inline double lx_cell_width(const struct lx_tile_cell *cell, double y)
     return ((1 + y) + (1 - y) * cell->narrow) / 2;
 }
 
-/* Whether faces of a type have straight edges. */
-static inline bool lx_is_polygon(enum lx_sheet_type type)
+/* Whether a face has straight edges. */
+static inline bool lx_is_polygon(const struct lx_matte_face *face)
 {
-    return type == LX_SHEET_PLATE || type == LX_SHEET_TRIANGLE;
+    return face->sheet.type->corner_count > 0;
+}
+
+/* Whether it is a rectangle. */
+static inline bool lx_is_rectangle(const struct lx_matte_face *face)
+{
+    return face->sheet.type->corner_count == 4;
 }
 
 /* Whether light on a window of a face is a linear function. */
@@ -103,8 +110,6 @@ static inline bool lx_is_linear(const struct lx_matte_face *face, const struct l
     return face->is_small && window->half[0] == 1 && window->half[1] == 1;
 }
 
-/* The corners of a face with straight edges, in their order; how many. */
-int lx_face_corners(const struct lx_matte_face *face, double corners_mm[4][3]);
 /* How far beyond a place anything of the face is along a unit vector, at most. */
 double lx_face_reach(const struct lx_matte_face *face, const double axis[3], const double from_mm[3]);
 

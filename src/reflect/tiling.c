@@ -56,10 +56,11 @@ static void mark_plate(const struct lx_matte_face *face, const struct lx_matte_f
 {
     const double near = 0.15, limit = near * fmax(other->size_mm[0], other->size_mm[1]);
     double low[2] = {HUGE_VAL, HUGE_VAL}, high[2] = {-HUGE_VAL, -HUGE_VAL};
-    for (int k = 0; k < 4; k++) {
-        double place[3], normal[3], at[2];
-        lx_sheet_place(&other->sheet, k & 1 ? 1 : -1, k & 2 ? 1 : -1, place, normal);
-        const double height = stand(face, place, at);
+    double corners[4][3];
+    const int count = lx_sheet_corners(&other->sheet, corners);
+    for (int k = 0; k < count; k++) {
+        double at[2];
+        const double height = stand(face, corners[k], at);
         if (height < -least_mm || height > limit)
             continue;
         for (int i = 0; i < 2; i++) {
@@ -75,16 +76,14 @@ static void mark_round(const struct lx_matte_face *face, const struct lx_matte_f
                        struct marks *marks)
 {
     const struct lx_smooth_sheet *sheet = &other->sheet;
-    const double near = 0.3, radius = sheet->half_mm[0], along = fabs(lx_dot(sheet->axis, face->sheet.axis));
-    double at[2], low[2], high[2], reach = radius;
-    if (sheet->type != LX_SHEET_BALL)
-        reach =
-            radius * sqrt(fmax(1 - along * along, 0)) + (sheet->type == LX_SHEET_TUBE ? along * sheet->half_mm[1] : 0);
-    const double gap = stand(face, sheet->center_mm, at) - reach;
+    const double near = 0.3, radius = sheet->half_mm[0], turn = -face->sheet.turn;
+    const double down[3] = {turn * face->sheet.axis[0], turn * face->sheet.axis[1], turn * face->sheet.axis[2]};
+    double at[2], low[2], high[2];
+    const double gap = stand(face, sheet->center_mm, at) - sheet->type->reach(sheet, down);
     if (gap < -least_mm || gap > near * radius)
         return;
     for (int i = 0; i < 2; i++) {
-        const double beside = sheet->type == LX_SHEET_BALL ? 0 : radius / face->sheet.half_mm[i];
+        const double beside = sheet->type->bends == 2 ? 0 : radius / face->sheet.half_mm[i];
         low[i] = at[i] - beside;
         high[i] = at[i] + beside;
     }
@@ -101,7 +100,7 @@ static void mark_mesh(const struct lx_radiosity *reflected, const struct lx_matt
     double low[2] = {HUGE_VAL, HUGE_VAL}, high[2] = {-HUGE_VAL, -HUGE_VAL};
     for (size_t f = first; f < reflected->face_count && reflected->faces[f].surface == surface; f++) {
         double corners[4][3], at[2];
-        const int count = lx_face_corners(&reflected->faces[f], corners);
+        const int count = lx_sheet_corners(&reflected->faces[f].sheet, corners);
         for (int c = 0; c < count; c++) {
             const double height = stand(face, corners[c], at);
             for (int i = 0; i < 2 && height >= -least_mm && height <= limit; i++) {
@@ -118,14 +117,14 @@ static void find_marks(const struct lx_radiosity *reflected, const struct lx_mat
     const double least_mm = 1e-9 * reflected->size_mm;
     size_t last = SIZE_MAX;
     marks->count = 0;
-    for (size_t f = 0; f < reflected->face_count && face->sheet.type == LX_SHEET_PLATE; f++) {
+    for (size_t f = 0; f < reflected->face_count && lx_is_rectangle(face); f++) {
         const struct lx_matte_face *other = &reflected->faces[f];
         if (other->surface == face->surface || other->surface == last)
             continue;
         last = other->surface; /* one of its sheets tells for all */
-        if (other->sheet.type == LX_SHEET_TRIANGLE)
+        if (other->is_facet)
             mark_mesh(reflected, face, f, least_mm, marks);
-        else if (other->sheet.type == LX_SHEET_PLATE)
+        else if (lx_is_polygon(other))
             mark_plate(face, other, least_mm, marks);
         else
             mark_round(face, other, least_mm, marks);
@@ -212,7 +211,7 @@ static int cut_window(const struct cutting *cutting, const struct lx_window *win
     if (!find_line(cutting, window, &way, &at)) {
         for (int k = 0; k < 2; k++) {
             const double length = window->half[k] * face->size_mm[k] / cutting->scale_mm;
-            grading.cells[k] = length > 0.5 && face->sheet.type == LX_SHEET_PLATE ? 4 : length > 0.15 ? 2 : 1;
+            grading.cells[k] = length > 0.5 && lx_is_rectangle(face) ? 4 : length > 0.15 ? 2 : 1;
         }
         return grade(cutting, window, parent, grading);
     }
@@ -253,6 +252,7 @@ static int add_triangles(struct lx_radiosity *reflected, size_t s)
             struct lx_matte_face *face = &reflected->faces[reflected->face_count++];
             sheet.turn = side == 0 ? 1 : -1;
             lx_face_make(&sheet, s, surface->material->diffuse, face);
+            face->is_facet = true;
             face->triangle = (uint32_t)i;
             face->is_small = count > MANY;
         }
@@ -328,7 +328,7 @@ static bool is_inner(const struct lx_radiosity *reflected, const struct lx_matte
 {
     const struct lx_shape *shape = &reflected->prepared->surfaces[face->surface].shape;
     const struct lx_mesh_body *body = shape->body;
-    return face->sheet.type == LX_SHEET_TRIANGLE && body->encloses && (face->sheet.turn > 0) == body->looks_inwards;
+    return face->is_facet && body->encloses && (face->sheet.turn > 0) == body->looks_inwards;
 }
 
 /* The inner side of a closed mesh has no light unless something in it has. */

@@ -217,8 +217,8 @@ static void send_cell(const struct sending *sending, const struct lx_window *win
                       const struct light_at *light, enum lx_outlook sight, int level)
 {
     const struct lx_fineness *fineness = sending->of->fineness;
-    const bool by_nodes = sight == LX_PART_SEEN && (!lx_is_polygon(sending->of->face->sheet.type) ||
-                                                    lx_veils_have_shapes(sending->of->veils, cell));
+    const bool by_nodes =
+        sight == LX_PART_SEEN && (!lx_is_polygon(sending->of->face) || lx_veils_have_shapes(sending->of->veils, cell));
     const double share = sight == LX_ALL_SEEN ? seen_share(fineness, light)
                          : by_nodes           ? part_share(sending, cell)
                                               : fineness->flat_part;
@@ -249,17 +249,14 @@ struct lx_transfer lx_transfer_of(const struct lx_fineness *fineness, const stru
                                   const struct lx_veils *veils, const struct lx_matte_face *face)
 {
     const double turns = 2; /* radii */
-    const double radius = face->sheet.half_mm[0];
-    const bool is_round = face->sheet.type == LX_SHEET_BALL || face->sheet.type == LX_SHEET_TUBE;
     const bool is_own = lx_receives_from_own(receiver, face);
-    const bool is_hollow = face->sheet.type == LX_SHEET_BALL && face->sheet.turn < 0;
     return (struct lx_transfer){
         .fineness = fineness,
         .receiver = receiver,
         .veils = veils,
         .face = face,
-        .constant = is_own && is_hollow ? 1 / (4 * M_PI * radius * radius) : 0,
-        .turns_mm = is_round ? turns * radius : HUGE_VAL,
+        .constant = is_own && face->sheet.type->exchange ? face->sheet.type->exchange(&face->sheet) : 0,
+        .turns_mm = face->is_flat ? HUGE_VAL : turns * face->sheet.half_mm[0],
         .least_mm = is_own ? 1e-3 * face->radius_mm : 10 * veils->touch_mm,
     };
 }

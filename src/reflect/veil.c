@@ -99,13 +99,8 @@ static void add_plate(struct lx_veils *veils, const struct lx_smooth_sheet *plat
     double corners[4][3];
     if (fabs(height) <= veils->touch_mm)
         return;
-    for (int k = 0; k < 4; k++) {
-        const double x = k == 0 || k == 3 ? -plate->half_mm[0] : plate->half_mm[0];
-        const double y = k < 2 ? -plate->half_mm[1] : plate->half_mm[1];
-        for (int i = 0; i < 3; i++)
-            corners[k][i] = plate->center_mm[i] + x * plate->across[i] + y * plate->upward[i];
-    }
-    lx_veils_polygon(veils, (const double(*)[3])corners, 4, plate->axis, plate->center_mm, height);
+    const int count = lx_sheet_corners(plate, corners);
+    lx_veils_polygon(veils, (const double(*)[3])corners, count, plate->axis, plate->center_mm, height);
 }
 
 /* Whether a plate has the place and all of a face on one of its sides. */
@@ -159,18 +154,16 @@ static bool add_surface(struct lx_veils *veils, const struct lx_prepared_surface
         add_mesh(veils, shape, face);
         return true;
     }
-    if (lx_shape_sheets(shape, sheets) == 0) {
-        lx_veils_shape(veils, shape);
-        return true;
-    }
-    switch (sheets[0].type) {
-    case LX_SHEET_DISK: lx_veils_disk(veils, shape, &sheets[0]); return true;
-    case LX_SHEET_TUBE: return lx_veils_tube(veils, shape, &sheets[0], face);
-    case LX_SHEET_BALL: return lx_veils_ball(veils, shape, &sheets[0], face);
-    default:
+    const enum lx_obstacle_type is = lx_shape_sheets(shape, sheets) > 0 ? sheets[0].type->obstacle : LX_OBSTACLE_SHAPE;
+    switch (is) {
+    case LX_OBSTACLE_POLYGON:
         if (!is_aside(veils, &sheets[0], face))
             add_plate(veils, &sheets[0]);
         return true;
+    case LX_OBSTACLE_DISK: lx_veils_disk(veils, shape, &sheets[0]); return true;
+    case LX_OBSTACLE_TUBE: return lx_veils_tube(veils, shape, &sheets[0], face);
+    case LX_OBSTACLE_BALL: return lx_veils_ball(veils, shape, &sheets[0], face);
+    default: lx_veils_shape(veils, shape); return true;
     }
 }
 
@@ -178,31 +171,17 @@ static bool add_surface(struct lx_veils *veils, const struct lx_prepared_surface
 static bool add_turned(struct lx_veils *veils, const struct lx_matte_face *face)
 {
     const struct lx_smooth_sheet *sheet = &face->sheet;
-    double from[3], through[3];
-    bool is_beside = false;
-    sub(veils->place_mm, sheet->center_mm, from);
-    if (face->is_flat)
-        return sheet->turn * lx_dot(sheet->axis, from) > veils->touch_mm;
-    if (sheet->type == LX_SHEET_TUBE) {
-        const double along = lx_dot(from, sheet->axis);
-        for (int i = 0; i < 3; i++)
-            from[i] -= along * sheet->axis[i];
-        is_beside = fabs(along) <= sheet->half_mm[1] + veils->touch_mm;
+    double normal[3], through[3];
+    if (face->is_flat) {
+        sub(veils->place_mm, sheet->center_mm, through);
+        return sheet->turn * lx_dot(sheet->axis, through) > veils->touch_mm;
     }
-    const double away = sqrt(lx_dot(from, from)), radius = sheet->half_mm[0];
-    if (is_beside && sheet->turn < 0 && away > radius * (1 + 1e-9))
-        return false;
-    if (sheet->type == LX_SHEET_BALL)
-        if (sheet->turn < 0 ? away > radius * (1 + 1e-9) : away < radius * (1 - 1e-9))
-            return false;
-    if (away <= radius * (1 + 1e-9)) /* inside, or on it: all that is turned inwards is seen, nothing of the rest */
-        return sheet->turn < 0;
-    for (int i = 0; i < 3; i++) {
-        through[i] = sheet->center_mm[i] + from[i] / away * (radius * radius / away);
-        from[i] *= -sheet->turn;
-    }
-    add_half_space(veils, from, through);
-    return true;
+    const enum lx_sheet_facing facing =
+        sheet->type->facing ? sheet->type->facing(sheet, veils->place_mm, veils->touch_mm, normal, through)
+                            : LX_FACES_WHOLLY;
+    if (facing == LX_FACES_PARTLY)
+        add_half_space(veils, normal, through);
+    return facing != LX_FACES_NOT;
 }
 
 /* What its own surface hides from a receiver that has not its normal; and of a tube also from others. */
@@ -223,25 +202,18 @@ static void add_own(struct lx_veils *veils, const struct lx_prepared_surface *ow
 /* The shell of a tube, seen from outside, hides its inner side but for what the ends leave; a mesh hides anything. */
 static bool hides_itself(const struct lx_matte_face *face, const struct lx_receiver *receiver)
 {
-    if (face->sheet.type == LX_SHEET_TRIANGLE)
-        return true;
-    return face->sheet.type == LX_SHEET_TUBE && face->sheet.turn < 0 && face->surface != receiver->own;
+    return face->is_facet || (face->sheet.type->has_ends && face->sheet.turn < 0 && face->surface != receiver->own);
 }
 
 /* Whether the receiver lies on the inner side of a tube or a hollow ball, which is between it and what is outside. */
 static bool is_within(const struct lx_shape *shape, const struct lx_receiver *receiver)
 {
     struct lx_smooth_sheet sheets[LX_MOST_SHEETS];
-    double from[3];
-    if (lx_shape_sheets(shape, sheets) == 0 || (sheets[0].type != LX_SHEET_TUBE && sheets[0].type != LX_SHEET_BALL))
+    double way[3];
+    if (lx_shape_sheets(shape, sheets) == 0 || !sheets[0].type->outwards)
         return false;
-    sub(receiver->place_mm, shape->anchor_mm, from);
-    if (sheets[0].type == LX_SHEET_TUBE) {
-        const double along = lx_dot(from, shape->axis);
-        for (int i = 0; i < 3; i++)
-            from[i] -= along * shape->axis[i];
-    }
-    return lx_dot(from, receiver->normal) < 0;
+    sheets[0].type->outwards(&sheets[0], receiver->place_mm, way);
+    return lx_dot(way, receiver->normal) < 0;
 }
 
 bool lx_veils_set(const struct lx_prepared *prepared, const struct lx_receiver *receiver,

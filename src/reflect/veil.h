@@ -23,7 +23,7 @@ struct lx_receiver {
 /* Whether a face is of the receiver's own smooth surface: faces of a mesh may see each other. */
 static inline bool lx_receives_from_own(const struct lx_receiver *receiver, const struct lx_matte_face *face)
 {
-    return face->surface == receiver->own && !receiver->is_turned && face->sheet.type != LX_SHEET_TRIANGLE;
+    return face->surface == receiver->own && !receiver->is_turned && !face->is_facet;
 }
 
 struct lx_veil {

@@ -148,7 +148,7 @@ static void check_meshes(struct lx_walk *walk, const luxel_scene *scene)
     for (size_t i = 0; i < surfaces->count && sum <= LX_MOST_REFLECTING; i++) {
         const struct lx_surface_kind *kind = kind_of(scene, i);
         const struct lx_shape shape =
-            kind == &lx_mesh_kind ? lx_surface_shape(kind, surfaces->items[i].parameters) : (struct lx_shape){0};
+            kind->mesh ? lx_surface_shape(kind, surfaces->items[i].parameters) : (struct lx_shape){0};
         char count[LX_NUMBER_SIZE], most[LX_NUMBER_SIZE];
         if (!shape.body)
             continue;

@@ -477,7 +477,7 @@ static double cylinder_support(const struct lx_shape *cylinder, const double dir
 static int cylinder_sheets(const struct lx_shape *cylinder, struct lx_smooth_sheet *sheets)
 {
     const double half_mm = lx_cylinder_half(cylinder) - cylinder->touch_mm;
-    return lx_sheets_of_sectors(cylinder, LX_SHEET_TUBE, lx_cylinder_radius(cylinder), half_mm, sheets);
+    return lx_sheets_of_sectors(cylinder, &lx_tube_sheet, lx_cylinder_radius(cylinder), half_mm, sheets);
 }
 
 static const struct lx_surface_bounds cylinder_bounds = {

@@ -211,7 +211,7 @@ static void disk_outline(const struct lx_shape *disk, const struct lx_origin *ey
 
 static int disk_sheets(const struct lx_shape *disk, struct lx_smooth_sheet *sheets)
 {
-    return lx_sheets_of_sectors(disk, LX_SHEET_DISK, disk->half_mm[0] - disk->touch_mm, 0, sheets);
+    return lx_sheets_of_sectors(disk, &lx_disk_sheet, disk->half_mm[0] - disk->touch_mm, 0, sheets);
 }
 
 static double wall_of_disk(const struct lx_shape *disk, const struct lx_origin *eye, unsigned i, const double at[3])

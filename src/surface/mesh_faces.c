@@ -11,6 +11,8 @@
 #include "mesh_edges.h"
 #include "mesh_tree.h"
 
+extern const struct lx_surface_kind lx_mesh_kind;
+
 static const struct lx_mesh_tree *tree_of(const struct lx_shape *shape)
 {
     return ((const struct lx_mesh_body *)shape->body)->tree;

@@ -11,8 +11,6 @@
 #include "mesh.h"
 #include "sheet.h"
 
-extern const struct lx_surface_kind lx_mesh_kind;
-
 /* The most triangles that reflected light is calculated of, of all meshes together. */
 enum { LX_MOST_REFLECTING = 2000 };
 

@@ -26,12 +26,12 @@
 #include "shape.h"
 
 enum lx_obstacle_type {
+    LX_OBSTACLE_SHAPE,   /* by the shape's `blocks`, for kinds that gather nothing: found by scanning */
     LX_OBSTACLE_POLYGON, /* plane and convex: corners, either way round */
     LX_OBSTACLE_DISK,    /* flat: centre, axis, radius */
     LX_OBSTACLE_BALL,    /* the surface of a ball: centre, radius */
     LX_OBSTACLE_TUBE,    /* the side of a cylinder with open ends: centre, axis, radius, half its height */
-    LX_OBSTACLE_SPACE,   /* what lies on the other side of a plane through the place; the axis looks to the open side */
-    LX_OBSTACLE_SHAPE    /* by the shape's `blocks`, for kinds that gather nothing: found by scanning */
+    LX_OBSTACLE_SPACE    /* what lies on the other side of a plane through the place; the axis looks to the open side */
 };
 
 enum { LX_OBSTACLE_CORNERS = 4 };

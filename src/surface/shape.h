@@ -8,6 +8,12 @@ struct lx_surface_kind;
 /* The kernels that a shape has; a kind without kernels of its own goes the general way, by its float64 reference. */
 enum lx_shape_type { LX_SPHERE, LX_PLATE, LX_SHAPE_TYPES, LX_GENERAL = LX_SHAPE_TYPES };
 
+/* A table of kernels that are called name_sphere, and so on. */
+#define LX_BY_SHAPE(name)                                                                                              \
+    {                                                                                                                  \
+        [LX_SPHERE] = name##_sphere, [LX_PLATE] = name##_plate                                                         \
+    }
+
 struct lx_shape {
     enum lx_shape_type type;
     const struct lx_surface_kind *kind;

@@ -251,6 +251,12 @@ static inline double lx_curvature(const struct lx_shape *shape)
     return bounds && bounds->curvature ? bounds->curvature(shape) : -1;
 }
 
+/* Whether it lies in a plane, as it tells: what stands before that lies on one side of it. */
+static inline bool lx_shape_is_flat(const struct lx_shape *shape)
+{
+    return lx_curvature(shape) == 0;
+}
+
 /* Whether a surface may take light from an element, its own or another's. */
 static inline bool lx_may_hide(const struct lx_shape *shape, bool is_own)
 {

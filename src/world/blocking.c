@@ -66,7 +66,7 @@ bool lx_shape_may_block(const struct lx_shape *shape, const double anchor_mm[3],
     for (int i = 0; i < 3; i++)
         ball.center[i] = shape->anchor_mm[i] - anchor_mm[i];
     return lx_may_block(&ball, from, towards, endless) &&
-           !(lx_curvature(shape) == 0 && is_beside_plane(shape, &ball, from, towards, endless));
+           !(lx_shape_is_flat(shape) && is_beside_plane(shape, &ball, from, towards, endless));
 }
 
 bool lx_are_before_wall(const struct lx_shape *wall, const struct lx_shape *lit, const struct lx_origin *light)

@@ -249,7 +249,7 @@ const struct lx_element_kernels LX_OF_ISA(lx_element_kernels) = {
     .sum = sum,
     .light = light,
     .close_own = close_own,
-    .hold = {[LX_SPHERE] = hold_sphere, [LX_PLATE] = hold_plate},
-    .close = {[LX_SPHERE] = close_sphere, [LX_PLATE] = close_plate},
-    .settle = {[LX_SPHERE] = settle_sphere, [LX_PLATE] = settle_plate},
+    .hold = LX_BY_SHAPE(hold),
+    .close = LX_BY_SHAPE(close),
+    .settle = LX_BY_SHAPE(settle),
 };

@@ -207,7 +207,8 @@ static bool leeway_in_perspective(const struct pencil *pencil, struct reach reac
     return first < HUGE_VAL && tile < HUGE_VAL && imaginary < HUGE_VAL;
 }
 
-static struct pencil pencil_of(const struct lx_plan *plan, const struct lx_square *square, const struct lx_vicinity *at)
+static struct pencil pencil_of(const struct lx_plan *plan, const struct lx_square *square, const struct lx_vicinity *at,
+                               double bend)
 {
     const struct lx_shape *shape = &square->surface->shape;
     const double h = plan->prepared->camera.z_mm, d[3] = {square->x_mm, square->y_mm, -h};
@@ -220,7 +221,7 @@ static struct pencil pencil_of(const struct lx_plan *plan, const struct lx_squar
         .cosine = cosine,
         .sine = sqrt(lx_larger(1 - cosine * cosine, 0)),
         .n_across = root_of_sum(at->normal[0], at->normal[1]),
-        .bend = lx_curvature(shape),
+        .bend = bend,
     };
 }
 
@@ -246,25 +247,25 @@ static bool leeway_of_view(const double way[3], const struct lx_leeway *moves, s
 
 /* In perspective the view vector is the line of sight's own, backwards. */
 static bool find_in_perspective(const struct lx_plan *plan, const struct lx_square *square, struct reach reach,
-                                struct lx_vicinity *at)
+                                double bend, struct lx_vicinity *at)
 {
-    const struct pencil pencil = pencil_of(plan, square, at);
+    const struct pencil pencil = pencil_of(plan, square, at, bend);
     const double back[3] = {-square->x_mm, -square->y_mm, pencil.h};
     const struct lx_leeway moves = {.first = reach.real, .imaginary = reach.imaginary, .tile = reach.tile};
-    if (pencil.bend == 0)
+    if (bend == 0)
         at->straight = farthest_by(&pencil, reach.straight);
     return leeway_in_perspective(&pencil, reach, &at->place_leeway) && leeway_of_view(back, &moves, at);
 }
 
 static bool find_in_parallel(const struct lx_plan *plan, const struct lx_planned_surface *surface, struct reach reach,
-                             struct lx_vicinity *at)
+                             double bend, struct lx_vicinity *at)
 {
     const struct lx_shape *shape = &surface->shape;
     double observer[3], way[3];
-    if (lx_curvature(shape) == 0)
+    if (bend == 0)
         at->straight = reach.straight / at->normal[2];
-    if (!(lx_curvature(shape) > 0 ? leeway_on_sphere(shape->radius_mm, at->place, reach, &at->place_leeway)
-                                  : leeway_on_plate(at->normal, reach, &at->place_leeway)))
+    if (!(bend > 0 ? leeway_on_sphere(shape->radius_mm, at->place, reach, &at->place_leeway)
+                   : leeway_on_plate(at->normal, reach, &at->place_leeway)))
         return false;
     if (!lx_observer_from(plan, surface, observer))
         return true;
@@ -277,6 +278,7 @@ bool lx_find_vicinity(const struct lx_plan *plan, const struct lx_square *square
                       struct lx_vicinity *at)
 {
     const struct lx_shape *shape = &square->surface->shape;
+    const double bend = lx_curvature(shape);
     const double half = lx_larger(square->half_mm[0], square->half_mm[1]), middle[2] = {square->x_mm, square->x_mm};
     const struct reach reach = {
         .real = root_of_sum((basis->reach + 1 / basis->reach) / 2, 1) * half,
@@ -287,13 +289,13 @@ bool lx_find_vicinity(const struct lx_plan *plan, const struct lx_square *square
     *at = (struct lx_vicinity){.view = {0, 0, 1}, .slip = basis->slip, .straight = HUGE_VAL};
     double depth;
     if (!meet(plan, square->surface, middle, square->y_mm, at->place, &depth) ||
-        (lx_curvature(shape) == 0 && !shows_corners(plan, square)))
+        (bend == 0 && !shows_corners(plan, square)))
         return false;
     shape->kind->normal(shape, at->place, at->normal);
-    if (!(plan->prepared->camera.is_perspective ? find_in_perspective(plan, square, reach, at)
-                                                : find_in_parallel(plan, square->surface, reach, at)))
+    if (!(plan->prepared->camera.is_perspective ? find_in_perspective(plan, square, reach, bend, at)
+                                                : find_in_parallel(plan, square->surface, reach, bend, at)))
         return false;
-    if (lx_curvature(shape) > 0) {
+    if (bend > 0) {
         const struct lx_leeway *place = &at->place_leeway;
         const double radius = shape->radius_mm;
         at->level = radius;
