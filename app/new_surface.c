@@ -210,8 +210,7 @@ char *app_new_surface(const AppDocument *document, const luxel_parameters *param
     AppDocument *trial = app_document_copy(document);
     char *key = key_of(surface, ""), *yaml = NULL;
     if (example && app_document_edit(trial, &edit, 1, NULL, NULL)) {
-        double size[3];
-        if (read_key(trial, surface, "size", size) == 3)
+        if (strcmp(kind, "room") == 0)
             enclose(trial, surface);
         else
             stand(trial, surface, suit(trial, surface));

@@ -135,6 +135,16 @@ static bool is_first_of_its_kind(const luxel_parameters *keys, const char *topic
     return true;
 }
 
+/* Whether a path is that of a key between two others that repeats the first of them, for another type. */
+static bool is_listed(const luxel_parameters *keys, const char *topic, size_t i, size_t end)
+{
+    for (size_t k = i + 1; k < end; k++)
+        if (strcmp(luxel_parameters_get(keys, k)->path, luxel_parameters_get(keys, end)->path) == 0 &&
+            repeats(luxel_parameters_get(keys, k), luxel_parameters_get(keys, i), topic))
+            return true;
+    return false;
+}
+
 /* The paths of the keys that repeat parameter i; "" where there are none. */
 static const char *list_repeats(const luxel_parameters *keys, const char *topic, size_t i, char buffer[TEXT_SIZE])
 {
@@ -144,7 +154,7 @@ static const char *list_repeats(const luxel_parameters *keys, const char *topic,
     for (size_t k = i + 1; k < luxel_parameters_count(keys) && used < TEXT_SIZE; k++) {
         const luxel_parameter *other = luxel_parameters_get(keys, k);
 
-        if (repeats(other, luxel_parameters_get(keys, i), topic))
+        if (repeats(other, luxel_parameters_get(keys, i), topic) && !is_listed(keys, topic, i, k))
             used += (size_t)snprintf(buffer + used, TEXT_SIZE - used, "%s%s", used > 0 ? ", " : "", other->path);
     }
     return buffer;

@@ -7,7 +7,7 @@
 #include <stddef.h>
 #include <stdio.h>
 
-enum { TEXT_SIZE = 320 }; /* room for any cell built here */
+enum { TEXT_SIZE = 400 }; /* room for any cell built here */
 
 /* A length in millimetres with one to four decimals: 0.0, -150.0, 177.5766. */
 const char *text_length(double value_mm, char buffer[TEXT_SIZE]);

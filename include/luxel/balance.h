@@ -36,7 +36,7 @@ LUXEL_API const char *luxel_side_name(luxel_side side);
 typedef struct luxel_lit_side {
     size_t surface;           /* as an index in the scene */
     const char *surface_name; /* its name in the scene, NULL where it has none; lives as long as the balance */
-    unsigned part;            /* of a room the wall; else 0 */
+    unsigned part;            /* of a room the wall, of a box the side; else 0 */
     const char *part_name;    /* its name, as of luxel_part_name(); NULL where the surface is one by itself */
     luxel_side side;          /* which side of it; the walls of a room face it with their front */
     double area_m2;           /* of the side */

@@ -24,7 +24,7 @@ typedef struct luxel_evaluator luxel_evaluator;
 typedef struct luxel_value {
     bool on_surface;       /* whether a surface is seen there; without one all else is 0 */
     size_t surface;        /* its index in the scene's list */
-    unsigned part;         /* the part of it that is seen, of a room a wall (luxel_part_name()); else 0 */
+    unsigned part;         /* its part that is seen, of a room a wall, of a box a side (luxel_part_name()); else 0 */
     double position_mm[3]; /* the place on it */
     double normal[3];      /* its unit normal there */
     bool has_value;        /* false where a source lies on the element */

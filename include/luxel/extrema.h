@@ -34,7 +34,7 @@ typedef struct luxel_peak {
     double x_mm;            /* on the screen; of a sphere's rim, which it does not resolve, as near as it shows it */
     double y_mm;            /* on the screen; of a sphere's rim, which it does not resolve, as near as it shows it */
     size_t surface;         /* index in the scene's list */
-    unsigned part;          /* of a room the wall (luxel_part_name()); else 0 */
+    unsigned part;          /* of a room the wall, of a box the side (luxel_part_name()); else 0 */
     double position_mm[3];  /* on the surface */
     double normal[3];       /* the unit normal there */
     luxel_peak_place place; /* where it lies */

@@ -75,7 +75,7 @@ typedef struct luxel_probe {
     size_t surface;            /* the surface whose material counts, as an index in the scene's list, where on_surface;
                                * SIZE_MAX where the list is empty */
     const char *surface_name;  /* its name in the scene, NULL where it has none; lives as long as the probe */
-    unsigned part;             /* the part of it that the element lies on, of a room a wall; else 0 */
+    unsigned part;             /* the part of it that the element lies on, of a room a wall, of a box a side; else 0 */
     const char *part_name;     /* what that is called, such as "floor"; NULL where the surface has no parts */
     bool lies_on_surface;      /* whether the element lies on that surface; always where has_screen */
     bool is_enclosed;          /* whether a free element is inside the body that a surface bounds */

@@ -47,7 +47,7 @@ typedef struct luxel_geometry {
     double (*normals)[3]; /* the unit normal of the surface, as the scene has it, towards the observer's side; or 0 */
     double (*positions_mm)[3]; /* the place, in the scene's frame; or 0 */
     int32_t *surfaces;         /* the surface's index in the scene's list; -1: nothing is seen */
-    unsigned *parts;           /* the part of it that is seen, of a room a wall (luxel_part_name()); else 0 */
+    unsigned *parts;           /* its part that is seen, of a room or box one side (luxel_part_name()); else 0 */
     void *reserved[4];         /* for later versions: NULL */
 } luxel_geometry;
 

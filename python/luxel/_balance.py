@@ -20,7 +20,7 @@ class LitSide(NamedTuple):
 
     surface: int  #: index in the scene's list
     surface_name: Optional[str]
-    wall: Optional[str]  #: of a room, such as "floor"; None for other surfaces
+    wall: Optional[str]  #: of a room or box, such as "floor"; None for other surfaces
     side: str  #: "front" or "back" of what is flat, "outside" or "inside" of what is round
     area_m2: float
     reflectance: float  #: how much of the light it sends back

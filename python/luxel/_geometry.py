@@ -25,7 +25,7 @@ class Geometry(NamedTuple):
     normals: "Floats"  #: rows x columns x 3: unit normals towards the observer's side; 0 where no surface is seen
     positions_mm: "Floats"  #: rows x columns x 3: the places in the scene's frame; 0 where no surface is seen
     surfaces: "npt.NDArray[np.int32]"  #: indices in the scene's list; -1 where no surface is seen
-    walls: "npt.NDArray[np.uint32]"  #: of a room 0 left, 1 right, 2 floor, 3 ceiling, 4 back, 5 front; else 0
+    walls: "npt.NDArray[np.uint32]"  #: of a room or box 0 left, 1 right, 2 floor, 3 ceiling, 4 back, 5 front; else 0
 
     @property
     def mask(self) -> "Bools":

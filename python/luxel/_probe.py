@@ -40,7 +40,7 @@ class Probe(NamedTuple):
     view: Optional[Vector]  #: the unit vector to the observer
     surface: Optional[int]  #: whose material counts, as an index in the scene's list
     surface_name: Optional[str]
-    wall: Optional[str]  #: of a room, such as "floor"; None for other surfaces
+    wall: Optional[str]  #: of a room or box, such as "floor"; None for other surfaces
     lies_on_surface: bool
     enclosing_surface: Optional[int]  #: the surface inside whose body a free element is
     blocking_light: Optional[int]  #: the light that lies on the element, which then has no value

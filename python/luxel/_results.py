@@ -82,7 +82,7 @@ class Peak(NamedTuple):
     x_mm: float  #: on the screen
     y_mm: float
     surface: int  #: index in the scene's list
-    wall: Optional[str]  #: of a room, such as "floor"; None for other surfaces
+    wall: Optional[str]  #: of a room or box, such as "floor"; None for other surfaces
     position_mm: Vector  #: on the surface
     normal: Vector  #: the unit normal there
     place: str  #: "inside", "limb", "border" (of screen or region), "jump" or "plateau"

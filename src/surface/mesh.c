@@ -12,6 +12,7 @@
 #include "../base/phrase.h"
 #include "../base/vector.h"
 #include "../parameter/mesh_file.h"
+#include "turning.h"
 
 enum { BOTH_SIDES, FRONT_ONLY };
 
@@ -235,44 +236,6 @@ static void check_mesh(const struct lx_check *check, void *parameters)
 
 /* ---- how it lies ---- */
 
-/* Sine and cosine of degrees, without error at multiples of 90. */
-static void turn_by(double degrees, lx_bounded *sine, lx_bounded *cosine)
-{
-    const double turn = fmod(degrees, 360), quarters = round(turn / 90);
-    const double rest = turn - 90 * quarters;
-    const lx_bounded angle = rest == 0 ? lx_exact(0) : lx_rounded(rest * (M_PI / 180), 0, 4);
-    const lx_bounded other = rest == 0 ? lx_exact(0) : lx_rounded((90 - fabs(rest)) * (M_PI / 180), 0, 4);
-    const lx_bounded s = rest == 0 ? lx_exact(0) : lx_sin(angle), c = rest == 0 ? lx_exact(1) : lx_sin(other);
-    switch (((int)quarters % 4 + 4) % 4) {
-    case 0: *sine = s, *cosine = c; break;
-    case 1: *sine = c, *cosine = lx_negate(s); break;
-    case 2: *sine = lx_negate(s), *cosine = lx_negate(c); break;
-    default: *sine = lx_negate(c), *cosine = s; break;
-    }
-}
-
-/* Turns a vector about an axis. */
-static lx_bounded3 turned(lx_bounded3 v, int axis, double degrees)
-{
-    lx_bounded sine, cosine, at[3] = {v.x, v.y, v.z};
-    const int y = (axis + 1) % 3, z = (axis + 2) % 3;
-    turn_by(degrees, &sine, &cosine);
-    const lx_bounded first = lx_sub(lx_mul(cosine, at[y]), lx_mul(sine, at[z]));
-    at[z] = lx_add(lx_mul(sine, at[y]), lx_mul(cosine, at[z]));
-    at[y] = first;
-    return (lx_bounded3){at[0], at[1], at[2]};
-}
-
-/* Where the file's axis points to. */
-static lx_bounded3 axis_of(const struct mesh_parameters *mesh, int axis)
-{
-    const double unit[3] = {axis == 0, axis == 1, axis == 2};
-    lx_bounded3 made = lx_exact3(unit);
-    for (int i = 0; i < 3; i++)
-        made = turned(made, i, mesh->rotate[i]);
-    return made;
-}
-
 static void keep(lx_bounded3 direction, double value[3], double error[3])
 {
     value[0] = direction.x.value, value[1] = direction.y.value, value[2] = direction.z.value;
@@ -284,7 +247,8 @@ static struct lx_shape mesh_shape(const void *parameters)
     static const double TOUCH = 1e-11; /* what lies nearer to a face lies on it, of the size and place */
     const struct mesh_parameters *mesh = parameters;
     const struct lx_mesh_tree *tree = mesh->body.tree;
-    const lx_bounded3 axes[3] = {axis_of(mesh, 0), axis_of(mesh, 1), axis_of(mesh, 2)};
+    const lx_bounded3 axes[3] = {lx_turned_axis(mesh->rotate, 0), lx_turned_axis(mesh->rotate, 1),
+                                 lx_turned_axis(mesh->rotate, 2)};
     struct lx_shape shape = {.type = LX_GENERAL, .body = &mesh->body};
     keep(axes[0], shape.across, shape.across_error);
     keep(axes[1], shape.upward, shape.upward_error);

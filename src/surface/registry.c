@@ -3,7 +3,7 @@
 #include "surface.h"
 
 extern const struct lx_surface_kind lx_sphere_kind, lx_plate_kind;
-extern const struct lx_surface_kind lx_disk_kind, lx_cylinder_kind, lx_mesh_kind, lx_room_kind;
+extern const struct lx_surface_kind lx_disk_kind, lx_cylinder_kind, lx_mesh_kind, lx_room_kind, lx_box_kind;
 
 const struct lx_variant *const lx_surface_variants[] = {
     &lx_sphere_kind.variant,
@@ -11,6 +11,7 @@ const struct lx_variant *const lx_surface_variants[] = {
     &lx_disk_kind.variant,
     &lx_cylinder_kind.variant,
     &lx_room_kind.variant,
+    &lx_box_kind.variant,
     &lx_mesh_kind.variant,
     NULL,
 };

@@ -9,27 +9,16 @@
 
 #include "../base/phrase.h"
 #include "../base/vector.h"
+#include "cuboid.h"
 #include "part.h"
 
-enum wall { LEFT, RIGHT, FLOOR, CEILING, BACK, FRONT, WALLS };
+enum wall { LEFT, RIGHT, FLOOR, CEILING, BACK, FRONT };
 
 static const char *const wall_names[] = {"left", "right", "floor", "ceiling", "back", "front", NULL};
 
-enum up { UP_Y, UP_Z };
-
-static const char *const up_names[] = {"y", "z", NULL};
-
-/* On which axis each wall stands, and on which side of the middle, by what is up. */
-static const struct {
-    int axis, side;
-} wall_sides[][WALLS] = {
-    [UP_Y] = {{0, -1}, {0, 1}, {1, -1}, {1, 1}, {2, -1}, {2, 1}},
-    [UP_Z] = {{0, -1}, {0, 1}, {2, -1}, {2, 1}, {1, 1}, {1, -1}},
-};
-
 struct room_materials {
     uint64_t given;
-    struct lx_material walls[WALLS];
+    struct lx_material walls[LX_CUBOID_SIDES];
 };
 
 struct room_parameters {
@@ -124,7 +113,7 @@ static const struct lx_parameter room_parameters[] = {
         .type = LX_CHOICE,
         .offset = offsetof(struct room_parameters, up),
         .initial = "y",
-        .choices = up_names,
+        .choices = lx_cuboid_ups,
         .meaning = "the axis that is up, which names the walls: the floor is the lowest wall along it, the ceiling the "
                    "highest",
     },
@@ -155,17 +144,12 @@ static void room_extent(const void *parameters, double low_mm[3], double high_mm
 
 /* ---- walls ---- */
 
-/* Where the wall lies and which way it looks, as a user would write it. */
-static void place_wall(const struct room_parameters *room, unsigned wall, struct lx_plate_parameters *plate)
+static struct lx_cuboid cuboid_of(const struct room_parameters *room)
 {
-    const int axis = wall_sides[room->up][wall].axis, side = wall_sides[room->up][wall].side;
-    const int upward = axis == 1 ? 2 : 1, across = 3 - axis - upward;
-    *plate = (struct lx_plate_parameters){.up = {0, 1, 0}};
-    memcpy(plate->center_mm, room->center_mm, sizeof plate->center_mm);
-    plate->center_mm[axis] += side * room->size_mm[axis] / 2;
-    plate->axis[axis] = -side;
-    plate->size_mm[0] = room->size_mm[across];
-    plate->size_mm[1] = room->size_mm[upward];
+    struct lx_cuboid cuboid = {.axes = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, .up = room->up};
+    memcpy(cuboid.center_mm, room->center_mm, sizeof cuboid.center_mm);
+    memcpy(cuboid.size_mm, room->size_mm, sizeof cuboid.size_mm);
+    return cuboid;
 }
 
 /*
@@ -177,14 +161,15 @@ static void room_part(const void *parameters, unsigned wall, struct lx_part *par
 {
     const struct room_parameters *room = parameters;
     const struct lx_material *material = &room->materials.walls[wall];
+    const struct lx_cuboid cuboid = cuboid_of(room);
     extern const struct lx_surface_kind lx_plate_kind;
     double touch = 0;
-    for (unsigned i = 0; i < WALLS; i++) {
+    for (unsigned i = 0; i < LX_CUBOID_SIDES; i++) {
         struct lx_plate_parameters plate;
-        place_wall(room, i, &plate);
+        lx_cuboid_side(&cuboid, i, true, &plate);
         touch = fmax(touch, lx_surface_shape(&lx_plate_kind, &plate).touch_mm);
     }
-    place_wall(room, wall, &part->own.plate);
+    lx_cuboid_side(&cuboid, wall, true, &part->own.plate);
     part->kind = &lx_plate_kind;
     part->parameters = &part->own.plate;
     part->shape = lx_surface_shape(&lx_plate_kind, &part->own.plate);
@@ -205,13 +190,8 @@ static const struct lx_surface_words wall_words = {
 /* Its middle, its axes and the halves of its sizes along them: what is met, hides and shines are its walls. */
 static struct lx_shape room_shape(const void *parameters)
 {
-    const struct room_parameters *room = parameters;
-    struct lx_shape shape = {.type = LX_GENERAL, .across = {1, 0, 0}, .upward = {0, 1, 0}, .axis = {0, 0, 1}};
-    memcpy(shape.anchor_mm, room->center_mm, sizeof shape.anchor_mm);
-    shape.radius_mm = sqrt(lx_dot(room->size_mm, room->size_mm)) / 2;
-    for (int i = 0; i < 3; i++)
-        shape.own[i] = room->size_mm[i] / 2;
-    return shape;
+    const struct lx_cuboid cuboid = cuboid_of(parameters);
+    return lx_cuboid_shape(&cuboid);
 }
 
 static bool room_surrounds(const void *parameters, const double place_mm[3])
@@ -251,6 +231,6 @@ const struct lx_surface_kind lx_room_kind = {
     .words = &wall_words,
     .surrounds = room_surrounds,
     .part_names = wall_names,
-    .part_count = WALLS,
+    .part_count = LX_CUBOID_SIDES,
     .part = room_part,
 };

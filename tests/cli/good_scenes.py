@@ -195,6 +195,12 @@ def _surface(rng):
     if rng.random() < 0.6:
         radius = rng.uniform(1e-3, 1000)
         return {"type": "sphere", "center": center, "radius": radius, **common}, center[2] + radius
+    if rng.random() < 0.3:
+        sizes = [rng.uniform(1e-3, 1000) for _ in range(3)]
+        keys = _some(rng, {
+            "rotate": lambda: [_number(rng), 90, 0], "up": lambda: rng.choice(["y", "z"]),
+            "materials": lambda: _some(rng, {"top": lambda: _material(rng), "left": lambda: _material(rng)})})
+        return {"type": "box", "center": center, "size": sizes, **keys, **common}, center[2] + sum(sizes)
     if rng.random() < 0.2:
         scale = rng.choice([0.1, 1, rng.uniform(0.01, 2)])
         keys = _some(rng, {

@@ -214,11 +214,13 @@ def random_scenes(tap, tool):
                  {"cylinder": {"radius": 90, "height": 600, "center": [0, 0, 2490], "axis": [1, 0, 0]}})]}))
     wall = {"model": "phong", "diffuse": 0.5, "specular": 0.2, "shininess": 9, "ambient": 0.1, "over_pi": True,
             "highlight": "cosine", "normalized": True}
-    made.append(("scene of a room and a sphere from inside", {
+    made.append(("scene of a room, a box and a sphere from inside", {
         **made[-2][1], "reflections": "none",
         "grids": [{"center": [0, 0, 0], "size": [900, 600], "spacing": "en12464"}],
         "surfaces": [{"type": "room", "center": [0, 0, 1000], "size": [2000, 2000, 2000], "up": "z", "materials": {
             name: wall for name in ("left", "right", "floor", "ceiling", "back", "front")}},
+                     {"type": "box", "center": [0, 0, 300], "size": [200, 200, 200], "materials": {
+                         name: wall for name in ("left", "right", "bottom", "top", "back", "front")}},
                      {"type": "sphere", "center": [0, 0, 500], "radius": 200, "inside": True}]}))
     used = set()
     for title, scene in made:
