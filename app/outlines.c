@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Silhouettes that are kept by what the mesh is and how it is turned; where it stands only shifts them. */
+/* Silhouettes, of meshes kept by what these are and how they are turned; where they stand only shifts them. */
 #include "outlines.h"
 
 #include <string.h>
@@ -72,12 +72,13 @@ const luxel_silhouette *app_outlines_find(AppOutlines *outlines, const luxel_sce
 {
     static const double x[3] = {1, 0, 0}, ups[APP_PROJECTIONS][3] = {{0, 1, 0}, {0, 0, 1}};
     Mesh mesh;
-    if (!read_mesh(scene, surface, &mesh) || luxel_scene_surface_place(scene, surface, now_mm) != LUXEL_OK)
+    const gboolean is_mesh = read_mesh(scene, surface, &mesh);
+    if (luxel_scene_surface_place(scene, surface, now_mm) != LUXEL_OK)
         return NULL;
     if (surface >= outlines->of->len)
         g_ptr_array_set_size(outlines->of, (int)surface + 1);
     Outline *outline = g_ptr_array_index(outlines->of, surface);
-    if (!outline || memcmp(&outline->mesh, &mesh, sizeof mesh) != 0) {
+    if (!outline || !is_mesh || memcmp(&outline->mesh, &mesh, sizeof mesh) != 0) {
         free_outline(outline);
         outline = g_new0(Outline, 1);
         outline->mesh = mesh;

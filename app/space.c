@@ -126,17 +126,12 @@ static void add_surface(AppSpace *space, const luxel_scene *scene, AppOutlines *
     char base[APP_KEY_SIZE];
     AppThing thing = {.kind = APP_THING_SURFACE, .index = index, .is_on = TRUE};
     g_snprintf(base, sizeof base, "surfaces[%zu]", index);
-    char *type = app_space_text(scene, base, "type");
-    const gboolean is_mesh = g_strcmp0(type, "mesh") == 0;
-    if (app_space_numbers(scene, base, is_mesh ? "position" : "center", thing.at_mm, 3) == 3) {
-        add_thing(space, &thing, base, is_mesh ? "position" : "center");
+    const char *name = app_space_numbers(scene, base, "center", thing.at_mm, 3) == 3 ? "center" : "position";
+    if (app_space_numbers(scene, base, name, thing.at_mm, 3) == 3) {
+        add_thing(space, &thing, base, name);
         app_space_include(space, thing.at_mm);
-        if (is_mesh)
-            app_space_add_mesh(space, scene, outlines, index);
-        else
-            app_space_add_body(space, scene, &(AppBody){APP_LINE_SURFACE, index, base, type});
+        app_space_add_surface(space, scene, outlines, index);
     }
-    g_free(type);
 }
 
 /* The group of keys that says where a lamp is and what it looks like, such as "lights[0].disk", and the key itself. */

@@ -181,7 +181,20 @@ static void add_box(AppSpace *space, const luxel_scene *scene, const AppBody *bo
     }
 }
 
-void app_space_add_mesh(AppSpace *space, const luxel_scene *scene, AppOutlines *outlines, gsize index)
+/* Of what has an axis and no height. */
+static void add_front(AppSpace *space, const luxel_scene *scene, gsize index)
+{
+    char base[APP_KEY_SIZE];
+    double center[3], axis[3], height, radius = 0;
+    g_snprintf(base, sizeof base, "surfaces[%zu]", index);
+    if (app_space_numbers(scene, base, "axis", axis, 3) == 3 &&
+        app_space_numbers(scene, base, "height", &height, 1) != 1 &&
+        luxel_scene_surface_place(scene, index, center) == LUXEL_OK &&
+        luxel_scene_surface_radius(scene, index, &radius) == LUXEL_OK)
+        add_normal(space, &(AppBody){APP_LINE_SURFACE, index, base, NULL}, center, axis, 2 * radius);
+}
+
+void app_space_add_surface(AppSpace *space, const luxel_scene *scene, AppOutlines *outlines, gsize index)
 {
     double then[3], now[3];
     for (int i = 0; i < APP_PROJECTIONS; i++) {
@@ -204,6 +217,7 @@ void app_space_add_mesh(AppSpace *space, const luxel_scene *scene, AppOutlines *
             g_free(places);
         }
     }
+    add_front(space, scene, index);
 }
 
 static void add_polygon(AppSpace *space, const luxel_scene *scene, const AppBody *body, const double center[3])
@@ -230,7 +244,7 @@ void app_space_add_body(AppSpace *space, const luxel_scene *scene, const AppBody
         add_rectangle(space, scene, body, center);
     else if (strcmp(shape, "disk") == 0 || strcmp(shape, "cylinder") == 0)
         add_round(space, scene, body, center);
-    else if (strcmp(shape, "box") == 0 || strcmp(shape, "room") == 0)
+    else if (strcmp(shape, "box") == 0)
         add_box(space, scene, body, center);
     else if (strcmp(shape, "polygon") == 0)
         add_polygon(space, scene, body, center);

@@ -30,8 +30,8 @@ typedef struct AppBody {
 } AppBody;
 
 void app_space_add_body(AppSpace *space, const luxel_scene *scene, const AppBody *body);
-/* The silhouettes of a mesh. */
-void app_space_add_mesh(AppSpace *space, const luxel_scene *scene, AppOutlines *outlines, gsize index);
+/* The silhouettes of a surface, and to where its front looks where it has one. */
+void app_space_add_surface(AppSpace *space, const luxel_scene *scene, AppOutlines *outlines, gsize index);
 /* The cone of a spot. */
 void app_space_add_cone(AppSpace *space, const luxel_scene *scene, const AppThing *lamp, const char *base,
                         double reach);

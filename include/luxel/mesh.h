@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /*
  * Meshes that a committed scene reads from files, as surfaces and as bodies of volume sources: how many triangles,
- * whether they close, how large; and what they look like from afar.
+ * whether they close, how large; and what surfaces look like from afar.
  *
  * Threads: these functions only read the scene; several threads may call them at once.
  */
@@ -50,18 +50,18 @@ typedef struct luxel_silhouette_line {
     size_t count;                 /* of the places */
 } luxel_silhouette_line;
 
-/* The part of a plane that a mesh covers: lines run counter-clockwise around it, and clockwise around holes in it. */
+/* The part of a plane that a surface covers: lines run counter-clockwise around it, and clockwise around its holes. */
 typedef struct luxel_silhouette {
     const luxel_silhouette_line *lines; /* count of them */
     size_t count;                       /* of the lines */
 } luxel_silhouette;
 
 /*
- * Finds the silhouette of the mesh of surface i as it is seen from afar, `right` and `up` being unit vectors at right
- * angles to each other, such as {1, 0, 0} and {0, 1, 0} for a plan.  It is for drawings: no part of the mesh is left
- * out, however thin, and lines lie at most 0.3 % of the longer side beside it; a million triangles take some 0.3 s.
- * The silhouette is the caller's: free it with luxel_silhouette_free().
- * LUXEL_ERROR_ARGUMENT: not committed, no such surface, no mesh, no such vectors, or a pointer is NULL.
+ * Finds the silhouette of surface i as it is seen from afar, `right` and `up` being unit vectors at right angles to
+ * each other, such as {1, 0, 0} and {0, 1, 0} for a plan; of a room or a box a line around each side.  It is for
+ * drawings: lines lie at most 0.3 % of the longer side beside a mesh, of which no part is left out, however thin (a
+ * million triangles take some 0.3 s), and less beside others.  It is the caller's: luxel_silhouette_free() frees it.
+ * LUXEL_ERROR_ARGUMENT: not committed, no such surface, no such vectors, or a pointer is NULL.
  * LUXEL_ERROR_MEMORY.
  */
 LUXEL_API luxel_status luxel_find_silhouette(const luxel_scene *scene, size_t i, const double right[3],

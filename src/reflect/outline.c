@@ -12,8 +12,8 @@
 #include "../surface/mesh_faces.h"
 #include "../surface/sheet.h"
 
-/* The most outlines of all lights together. */
-enum { MOST = 200000 };
+/* The straight pieces that a round outline has; the most outlines of all lights together. */
+enum { PIECES = 16, MOST = 200000 };
 
 /* ---- lights ---- */
 
@@ -129,7 +129,7 @@ static void add_surface(struct drawing *drawing, const struct lx_shape *shape)
 {
     struct lx_smooth_sheet sheets[LX_MOST_SHEETS];
     if (lx_shape_sheets(shape, sheets) > 0 && sheets->type->rim)
-        sheets->type->rim(sheets, &drawing->light->at, add_beside, drawing);
+        sheets->type->rim(sheets, &drawing->light->at, PIECES, add_beside, drawing);
     else if (lx_mesh_count(shape) > 0)
         add_mesh(drawing, shape);
 }

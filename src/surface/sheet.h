@@ -57,8 +57,9 @@ struct lx_sheet_type {
     /* A part between coordinates, where edges are straight. */
     void (*part)(const struct lx_smooth_sheet *sheet, const double middle[2], const double half[2],
                  struct lx_sheet_part *part);
-    /* The outline of all of it as a light sees it, which casts its shadow: of what is round in straight pieces. */
-    void (*rim)(const struct lx_smooth_sheet *sheet, const struct lx_origin *light, lx_rim_taker *take, void *data);
+    /* The outline of all of it as a light or an eye sees it: a round one in so many straight pieces. */
+    void (*rim)(const struct lx_smooth_sheet *sheet, const struct lx_origin *light, int pieces, lx_rim_taker *take,
+                void *data);
 
     /* -- of what is curved; NULL: not known -- */
 

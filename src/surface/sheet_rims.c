@@ -3,13 +3,11 @@
 #include "../base/vector.h"
 #include "sheet_types.h"
 
-/* The straight pieces that a round outline has. */
-enum { PIECES = 16 };
-
 /* Whoever takes the pieces of a rim, until it has enough. */
 struct rim {
     lx_rim_taker *take;
     void *data;
+    int pieces; /* of a round outline */
     bool is_over;
 };
 
@@ -18,9 +16,10 @@ static void add(struct rim *rim, const double from_mm[3], const double to_mm[3],
     rim->is_over = rim->is_over || !rim->take(rim->data, from_mm, to_mm, inside_mm);
 }
 
-void lx_rim_of_plate(const struct lx_smooth_sheet *plate, const struct lx_origin *light, lx_rim_taker *take, void *data)
+void lx_rim_of_plate(const struct lx_smooth_sheet *plate, const struct lx_origin *light, int pieces, lx_rim_taker *take,
+                     void *data)
 {
-    struct rim rim = {take, data, false};
+    struct rim rim = {take, data, pieces, false};
     double corners[4][3];
     (void)light;
     const int count = lx_sheet_corners(plate, corners);
@@ -30,9 +29,9 @@ void lx_rim_of_plate(const struct lx_smooth_sheet *plate, const struct lx_origin
 
 /* Place i of a circle. */
 static void on_circle(const double center_mm[3], double radius_mm, const double across[3], const double upward[3],
-                      int i, double place_mm[3])
+                      int i, int pieces, double place_mm[3])
 {
-    const double angle = 2 * M_PI * i / PIECES;
+    const double angle = 2 * M_PI * i / pieces;
     for (int k = 0; k < 3; k++)
         place_mm[k] = center_mm[k] + radius_mm * (cos(angle) * across[k] + sin(angle) * upward[k]);
 }
@@ -41,10 +40,10 @@ static void on_circle(const double center_mm[3], double radius_mm, const double 
 static void add_circle(struct rim *rim, const double center_mm[3], double radius_mm, const double across[3],
                        const double upward[3], const double *inwards)
 {
-    for (int i = 0; i < PIECES; i++) {
+    for (int i = 0; i < rim->pieces; i++) {
         double from[3], to[3], inside[3];
-        on_circle(center_mm, radius_mm, across, upward, i, from);
-        on_circle(center_mm, radius_mm, across, upward, i + 1, to);
+        on_circle(center_mm, radius_mm, across, upward, i, rim->pieces, from);
+        on_circle(center_mm, radius_mm, across, upward, i + 1, rim->pieces, to);
         for (int k = 0; k < 3; k++)
             inside[k] = inwards ? (from[k] + to[k]) / 2 + inwards[k] : center_mm[k];
         add(rim, from, to, inside);
@@ -52,15 +51,16 @@ static void add_circle(struct rim *rim, const double center_mm[3], double radius
 }
 
 /* A disk goes on away from the middle beside its hole. */
-void lx_rim_of_disk(const struct lx_smooth_sheet *disk, const struct lx_origin *light, lx_rim_taker *take, void *data)
+void lx_rim_of_disk(const struct lx_smooth_sheet *disk, const struct lx_origin *light, int pieces, lx_rim_taker *take,
+                    void *data)
 {
-    struct rim rim = {take, data, false};
+    struct rim rim = {take, data, pieces, false};
     (void)light;
     add_circle(&rim, disk->center_mm, disk->half_mm[0], disk->across, disk->upward, NULL);
-    for (int i = 0; i < PIECES && disk->half_mm[1] > 0; i++) {
+    for (int i = 0; i < pieces && disk->half_mm[1] > 0; i++) {
         double from[3], to[3], inside[3];
-        on_circle(disk->center_mm, disk->half_mm[1], disk->across, disk->upward, i, from);
-        on_circle(disk->center_mm, disk->half_mm[1], disk->across, disk->upward, i + 1, to);
+        on_circle(disk->center_mm, disk->half_mm[1], disk->across, disk->upward, i, pieces, from);
+        on_circle(disk->center_mm, disk->half_mm[1], disk->across, disk->upward, i + 1, pieces, to);
         for (int k = 0; k < 3; k++)
             inside[k] = from[k] + to[k] - disk->center_mm[k];
         add(&rim, from, to, inside);
@@ -68,9 +68,10 @@ void lx_rim_of_disk(const struct lx_smooth_sheet *disk, const struct lx_origin *
 }
 
 /* The circle in which ways from the light touch a ball; inside of it there is none. */
-void lx_rim_of_ball(const struct lx_smooth_sheet *ball, const struct lx_origin *light, lx_rim_taker *take, void *data)
+void lx_rim_of_ball(const struct lx_smooth_sheet *ball, const struct lx_origin *light, int pieces, lx_rim_taker *take,
+                    void *data)
 {
-    struct rim rim = {take, data, false};
+    struct rim rim = {take, data, pieces, false};
     const double radius = ball->half_mm[0];
     double way[3], across[3], upward[3], middle[3];
     lx_way_to(light, ball->center_mm, way);
@@ -84,9 +85,10 @@ void lx_rim_of_ball(const struct lx_smooth_sheet *ball, const struct lx_origin *
 }
 
 /* Both rims of a tube, and where ways from the light touch its side. */
-void lx_rim_of_tube(const struct lx_smooth_sheet *tube, const struct lx_origin *light, lx_rim_taker *take, void *data)
+void lx_rim_of_tube(const struct lx_smooth_sheet *tube, const struct lx_origin *light, int pieces, lx_rim_taker *take,
+                    void *data)
 {
-    struct rim rim = {take, data, false};
+    struct rim rim = {take, data, pieces, false};
     const double radius = tube->half_mm[0], half = tube->half_mm[1];
     double way[3];
     for (int side = -1; side <= 1; side += 2) {

@@ -102,7 +102,9 @@ static void test_changing(void **state)
     set(document, "surfaces[0].rotate", "[90, 0, 45]");
     assert_true(fabs(width_of(find(document, outlines)) - width) > 0.01 * width);
     set(document, "surfaces[0]", "{type: sphere, center: [0, 0, 0], radius: 100}");
-    assert_null(find(document, outlines));
+    assert_true(fabs(width_of(find(document, outlines)) - 200) < 1);
+    set(document, "surfaces[0]", "{type: box, center: [0, 0, 0], size: [100, 100, 50], rotate: [0, 0, 45]}");
+    assert_true(fabs(width_of(find(document, outlines)) - 100 * G_SQRT2) < 1e-6);
     app_outlines_free(outlines);
     app_outlines_free(NULL);
     g_object_unref(document);

@@ -97,6 +97,52 @@ def try_reflections(tap, luxel, folder):
            "surfaces of kind ring cannot reflect light" in bare.stderr, "without sides it is refused", str(bare))
 
 
+# Each line of the silhouette of the last surface, as the app's plan and the page's space view ask for it: how many
+# places it has, and the area that it goes around.
+OUTLINES = r"""
+#include <luxel/luxel.h>
+#include <stdio.h>
+
+int main(int count, char **names)
+{
+    const double right[3] = {1, 0, 0}, up[3] = {0, 1, 0};
+    luxel_scene *scene;
+    luxel_silhouette *seen;
+    if (count != 2 || luxel_scene_read_file(names[1], NULL, &scene) || luxel_scene_commit(scene, NULL) ||
+        luxel_find_silhouette(scene, luxel_scene_surface_count(scene) - 1, right, up, &seen))
+        return 1;
+    for (size_t i = 0; i < seen->count; i++) {
+        const luxel_silhouette_line *line = &seen->lines[i];
+        double area = 0;
+        for (size_t k = 0; k < line->count; k++) {
+            const double *a = line->places_mm[k], *b = line->places_mm[(k + 1) % line->count];
+            area += (a[0] * b[1] - a[1] * b[0]) / 2;
+        }
+        printf("%zu %.17g\n", line->count, area);
+    }
+    luxel_silhouette_free(seen);
+    luxel_scene_free(scene);
+    return 0;
+}
+"""
+
+
+def try_outlines(tap, folder):
+    """The plan shows a circle around the ring, and one around its hole that runs the other way."""
+    (folder / "outlines.c").write_text(OUTLINES)
+    made = call("ninja", "-C", folder / "build")
+    if made.returncode == 0:
+        made = call("cc", "-o", folder / "outlines", folder / "outlines.c", "-I", folder / "luxel/include",
+                    "-L", folder / "build/src", "-lluxel", "-Wl,-rpath," + str(folder / "build/src"))
+    tap.ok(made.returncode == 0, "a program that asks for outlines builds", made.stdout[-1000:], made.stderr[-1000:])
+    lines = [line.split() for line in call(folder / "outlines", folder / "ring.yaml").stdout.splitlines()]
+    areas = [float(area) for _, area in lines]
+    # The ring is tilted: its plan is smaller by the cosine of its axis to z; polygons have a little less.
+    cosine = (0.2 ** 2 + 0.3 ** 2 + 1) ** -0.5
+    tap.ok(len(areas) == 2 and 0.99 < areas[0] / (numpy.pi * 150 ** 2 * cosine) < 1 and
+           0.99 < -areas[1] / (numpy.pi * 60 ** 2 * cosine) < 1, "its plan is a ring", str(lines))
+
+
 def try_surface(tap, luxel, folder, scene):
     compare(tap, Pictures(tap, luxel, folder, scene))
     ring = folder / "ring.yaml"
@@ -119,6 +165,7 @@ def try_surface(tap, luxel, folder, scene):
     for command in ("explain", "advise", "isophotes"):
         made = call(luxel, command, ring)
         tap.ok(made.returncode == 0, "luxel %s takes it" % command, made.stderr)
+    try_outlines(tap, folder)
     try_reflections(tap, luxel, folder)
 
 

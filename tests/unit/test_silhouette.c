@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * Silhouettes of meshes: a turned box has the corners that geometry gives it, what is thin stays, and of real meshes
- * the lines part the pixels that show them from those that do not.
+ * Silhouettes: a turned box of triangles has the corners that geometry gives it, what is thin stays, and of real
+ * meshes the lines part the pixels that show them from those that do not; other surfaces have what geometry outlines.
  */
 #include <math.h>
 #include <stdio.h>
@@ -179,13 +179,76 @@ static void parts_what_is_seen(void **state)
     compare_with_picture("builtin:pot.ply", 1, 65, false);
 }
 
+/* Of what is no mesh: where its lines reach, and the area that they go around, of all its parts together. */
+static void outlines_other_surfaces(void **state)
+{
+    (void)state;
+    static const double root = 141.4213562373095;
+    const struct {
+        const char *surface;
+        bool is_elevation;
+        size_t lines;
+        double half[2], area; /* around its centre */
+    } cases[] = {
+        {"sphere, center: [10, 20, 20], radius: 100", false, 1, {100, 100}, PI * 1e4},
+        {"sphere, center: [10, 20, 20], radius: 100", true, 1, {100, 100}, PI * 1e4},
+        {"sphere, center: [10, 20, 20], radius: 100, inside: true", true, 1, {100, 100}, PI * 1e4},
+        {"rectangle, center: [10, 20, 20], size: [200, 100]", false, 1, {100, 50}, 2e4},
+        {"rectangle, center: [10, 20, 20], size: [200, 100]", true, 1, {100, 0}, 0},
+        {"rectangle, center: [10, 20, 20], size: [200, 100], axis: [0, 0, -1]", false, 1, {100, 50}, 2e4},
+        {"disk, center: [10, 20, 20], radius: 100, axis: [0.6, 0, 0.8]", false, 1, {80, 100}, 0.8 * PI * 1e4},
+        {"cylinder, center: [10, 20, 20], radius: 100, height: 600, axis: [1, 0, 0]", false, 4, {300, 100}, 0},
+        {"cylinder, center: [10, 20, 20], radius: 100, height: 600, axis: [0, 0, 1]", true, 4, {100, 300}, 0},
+        {"cylinder, center: [10, 20, 20], radius: 100, height: 600, axis: [0, 0, 1]",
+         false,
+         2,
+         {100, 100},
+         2 * PI * 1e4},
+        {"room, center: [10, 20, 20], size: [200, 100, 300]", false, 6, {100, 50}, 4e4},
+        {"room, center: [10, 20, 20], size: [200, 100, 300]", true, 6, {100, 150}, 12e4},
+        {"box, center: [10, 20, 20], size: [200, 100, 300]", false, 6, {100, 50}, 4e4},
+        {"box, center: [10, 20, 20], size: [200, 200, 300], rotate: [0, 0, 45]", false, 6, {root, root}, 8e4},
+    };
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        char text[1024];
+        luxel_scene *scene = NULL;
+        double low[2] = {HUGE_VAL, HUGE_VAL}, high[2] = {-HUGE_VAL, -HUGE_VAL}, area = 0;
+        snprintf(text, sizeof text,
+                 "luxel: 1\nscreen: {width: 800, height: 800, resolution: [200, 200]}\nobserver: {z: 2000}\n"
+                 "surfaces: [{type: %s}]\nlights: [{type: ambient, irradiance: 1}]\n",
+                 cases[i].surface);
+        assert_int_equal(luxel_scene_read_text(text, strlen(text), NULL, NULL, &scene), LUXEL_OK);
+        assert_int_equal(luxel_scene_commit(scene, NULL), LUXEL_OK);
+        luxel_silhouette *silhouette = silhouette_of(scene, X, cases[i].is_elevation ? Z : Y);
+        assert_int_equal(silhouette->count, cases[i].lines);
+        for (size_t l = 0; l < silhouette->count; l++) {
+            const double own = area_of(&silhouette->lines[l]);
+            assert_true(own >= -1e-6); /* counter-clockwise */
+            area += own;
+            for (size_t k = 0; k < silhouette->lines[l].count; k++)
+                for (int axis = 0; axis < 2; axis++) {
+                    low[axis] = fmin(low[axis], silhouette->lines[l].places_mm[k][axis]);
+                    high[axis] = fmax(high[axis], silhouette->lines[l].places_mm[k][axis]);
+                }
+        }
+        for (int axis = 0; axis < 2; axis++) {
+            const double middle = axis ? 20 : 10;
+            assert_true(fabs(low[axis] - middle + cases[i].half[axis]) < 0.2);
+            assert_true(fabs(high[axis] - middle - cases[i].half[axis]) < 0.2);
+        }
+        assert_true(fabs(area - cases[i].area) <= 2e-3 * cases[i].area + 1e-6);
+        luxel_silhouette_free(silhouette);
+        luxel_scene_free(scene);
+    }
+}
+
 static void refuses_what_is_none(void **state)
 {
     (void)state;
     static const double slant[3] = {0.6, 0.9, 0};
     luxel_scene *scene = scene_of("builtin:pot.ply", 1, 0, 0, 0), *ball = builtin("sphere");
     luxel_silhouette *silhouette = NULL;
-    assert_int_equal(luxel_find_silhouette(ball, 0, X, Y, &silhouette), LUXEL_ERROR_ARGUMENT);
+    assert_int_equal(luxel_find_silhouette(ball, 1, X, Y, &silhouette), LUXEL_ERROR_ARGUMENT);
     assert_int_equal(luxel_find_silhouette(scene, 1, X, Y, &silhouette), LUXEL_ERROR_ARGUMENT);
     assert_int_equal(luxel_find_silhouette(scene, 0, X, slant, &silhouette), LUXEL_ERROR_ARGUMENT);
     assert_int_equal(luxel_find_silhouette(scene, 0, X, NULL, &silhouette), LUXEL_ERROR_ARGUMENT);
@@ -202,6 +265,7 @@ int main(void)
         cmocka_unit_test_setup_teardown(draws_a_turned_box, make_place, remove_place),
         cmocka_unit_test_setup_teardown(keeps_what_is_thin, make_place, remove_place),
         cmocka_unit_test(parts_what_is_seen),
+        cmocka_unit_test(outlines_other_surfaces),
         cmocka_unit_test(refuses_what_is_none),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

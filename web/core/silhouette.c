@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: MIT */
-/* The silhouettes of meshes of the present scene, for the space view. */
+/* The silhouettes of surfaces of the present scene, for the space view. */
 #include "answer.h"
 #include "core.h"
 
-/* Closed lines, each as x, y, x, y, … in mm along the two unit vectors; NULL: it is no mesh. */
+/* Closed lines, each as x, y, x, y, … in mm along the two unit vectors; NULL: there is none. */
 PAGE_CALLS(page_silhouette)
 const char *page_silhouette(unsigned surface, double right_x, double right_y, double right_z, double up_x, double up_y,
                             double up_z)

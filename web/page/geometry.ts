@@ -25,7 +25,7 @@ export interface Shape {
     up?: number[];
     outline?: number[][];
     opening?: number; // of a spot, degrees from its axis
-    text?: string; // of a mesh: its mapping in the scene
+    text?: string; // of a surface that the core draws: its mapping in the scene
 }
 
 export interface Geometry {
@@ -39,6 +39,9 @@ export interface Geometry {
 }
 
 const BODIES = ['rectangle', 'disk', 'box', 'sphere', 'cylinder'];
+
+// Surfaces that the page draws at once by their keys; what all others look like the core is asked.
+const AT_ONCE = ['sphere', 'rectangle', 'disk', 'cylinder', 'room'];
 
 /** Values of keys as the scene has them. */
 class Values {
@@ -113,21 +116,26 @@ class Measuring {
         const base = `surfaces[${index}]`;
         const type = this.values.text(`${base}.type`) ?? '';
         const center = this.values.numbers(`${base}.center`);
-        if (type === 'mesh') this.mesh(index);
-        if (!center) return;
+        if (!AT_ONCE.includes(type)) this.seen(index, type);
+        else if (center) this.known(index, type, center);
+    }
+
+    private known(index: number, type: string, center: number[]) {
+        const base = `surfaces[${index}]`;
         this.things.push({ kind: 'surface', index, key: `${base}.center`, at: center });
         this.shapes.push({ kind: 'surface', index, type, center, ...this.values.sizes(base) });
     }
 
-    // Of a mesh the page knows the ball around it; its form the space view asks for.
-    private mesh(index: number) {
+    // The page knows the ball around it; its form the space view asks for.
+    private seen(index: number, type: string) {
         const base = `surfaces[${index}]`;
         const ball = this.scene.surfaces[index];
-        const at = this.values.numbers(`${base}.position`) ?? [0, 0, 0];
-        this.things.push({ kind: 'surface', index, key: `${base}.position`, at });
+        const center = this.values.numbers(`${base}.center`);
+        const at = center ?? this.values.numbers(`${base}.position`) ?? [0, 0, 0];
+        this.things.push({ kind: 'surface', index, key: `${base}.${center ? 'center' : 'position'}`, at });
         const text = this.values.text(base) ?? '';
         if (ball)
-            this.shapes.push({ kind: 'surface', index, type: 'mesh', center: ball.center, radius: ball.reach, text });
+            this.shapes.push({ kind: 'surface', index, type, center: ball.center, radius: ball.reach, text });
     }
 
     light(index: number) {

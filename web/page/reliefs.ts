@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Reliefs: meshes as they look from the present side of the space view, which the core finds: a coarse one while the view
+// Reliefs: surfaces as they look from the present side of the space view, which the core finds: a coarse one while the view
 // is turned, a fine one with its silhouette in lines when it rests.  Until the core has answered, the last one stays.
 import type { Model } from './model';
 

@@ -213,7 +213,7 @@ export class SpaceView {
         const { center, radius = 0, size, height = 0 } = shape;
         const [u, v, n] = basis(shape.axis ?? [0, 0, 1], shape.up);
         if (shape.outline) this.path(context, shape.outline, true);
-        else if (shape.type === 'mesh') this.drawMesh(context, shape);
+        else if (shape.text !== undefined) this.drawRelief(context, shape);
         else if (shape.type === 'sphere') this.drawSphere(context, center, radius);
         else if (shape.type === 'rectangle' && size) {
             const corner = (a: number, b: number) => along(center, u, (a * size[0]) / 2, v, (b * size[1]) / 2);
@@ -248,8 +248,8 @@ export class SpaceView {
         context.globalAlpha = 1;
     }
 
-    // A mesh as it looks from this side; the ball around it until the core has told.
-    private drawMesh(context: CanvasRenderingContext2D, { index, text, center, radius = 0 }: Shape) {
+    // A surface as it looks from this side; the ball around it until the core has told.
+    private drawRelief(context: CanvasRenderingContext2D, { index, text, center, radius = 0 }: Shape) {
         const [right, up, eye] = this.axes();
         const of = [text, center, radius].join();
         const { image, lines } = this.reliefs.from(index, of, { right, up, eye }, styleColour('--text'));
