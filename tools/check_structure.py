@@ -13,7 +13,7 @@ import sys
 from tap import Tap
 
 MOST_FILES = 60
-LARGEST_CIRCLE = 18
+LARGEST_CIRCLE = 4
 INCLUDE = re.compile(r'^[ \t]*#[ \t]*include[ \t]*"([^"]+)"', re.MULTILINE)
 TAG = re.compile(r"^(?:struct|enum|union) (lx_\w+) \{", re.MULTILINE)
 

@@ -7,7 +7,15 @@
 
 #include "../base/memory.h"
 #include "between.h"
+#include "links.h"
 #include "solution.h"
+
+void lx_tile_clear(struct lx_tile *tile)
+{
+    lx_direct_clear(&tile->direct);
+    lx_rows_free(tile->rows);
+    tile->rows = NULL;
+}
 
 /* ---- making ---- */
 

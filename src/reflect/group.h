@@ -27,6 +27,8 @@ struct lx_radiosity;
 
 /* A group behind the last one of its parent, or a whole face's; its number, or LX_NO_GROUP: memory ran out. */
 uint32_t lx_group_add(struct lx_radiosity *reflected, uint32_t face, uint32_t parent, const struct lx_window *window);
+/* Frees what a tile holds. */
+void lx_tile_clear(struct lx_tile *tile);
 /* Numbers tiles as they lie in the trees, with new ones where there are none; 0, or -1. */
 int lx_groups_number(struct lx_radiosity *reflected);
 /* Cuts the tiles of which that is asked, where their residuals change; 0, or -1. */

@@ -10,6 +10,7 @@
 #include <string.h>
 
 #include "../base/memory.h"
+#include "links.h"
 #include "solution.h"
 
 enum { MOST_STEPS = 120 };

@@ -13,6 +13,8 @@
 
 #include "../base/memory.h"
 #include "between.h"
+#include "links.h"
+#include "reflected.h"
 #include "solution.h"
 
 /* ---- one tile ---- */

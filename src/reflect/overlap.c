@@ -5,6 +5,8 @@
 #include "../base/vector.h"
 #include "overlap.h"
 
+#include "reflected.h"
+
 /* The outline of a window of a disk has the most corners: its arc is a few chords. */
 enum { ARC = 5, MOST_CORNERS = ARC + 2 };
 

@@ -11,6 +11,7 @@
 
 #include "../base/memory.h"
 #include "between.h"
+#include "links.h"
 #include "refine.h"
 #include "within.h"
 

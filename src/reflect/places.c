@@ -6,7 +6,9 @@
 
 #include "../base/memory.h"
 #include "between.h"
+#include "links.h"
 #include "refine.h"
+#include "reflected.h"
 
 /* The share that a place has of a tile's light. */
 struct share {

@@ -74,4 +74,12 @@ static inline struct lx_window lx_window_half(const struct lx_window *window, in
     return made;
 }
 
+/* How small cells have to be, as shares of their distance, or of what normals turn within: those that are seen, those
+ * whose direct light is rough, or most of it on a small part of them, and those seen in part, flat and round;
+ * groups. */
+struct lx_fineness {
+    double seen, rough, narrow, flat_part, round_part, group;
+    bool has_details; /* light is asked in all detail where a part of it is seen */
+};
+
 #endif

@@ -4,12 +4,13 @@
 #define LX_REFLECT_SOLUTION_H
 
 #include "../base/effort.h"
-#include "box.h"
+#include "../format/kept.h"
+#include "closed_box.h"
 #include "direct.h"
-#include "group.h"
-#include "links.h"
-#include "reflected.h"
-#include "transfer.h"
+#include "wish.h"
+
+struct lx_group;
+struct lx_rows;
 
 /* A part of a tile as pictures show it. */
 struct lx_shown_part {

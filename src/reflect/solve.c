@@ -9,8 +9,11 @@
 
 #include "../base/memory.h"
 #include "between.h"
+#include "group.h"
 #include "linear.h"
+#include "links.h"
 #include "refine.h"
+#include "reflected.h"
 #include "within.h"
 
 /* Rests that solutions of the linear system may leave: of the light, where it counts as residual, beside the bound that

@@ -9,6 +9,8 @@
 #include "../base/memory.h"
 #include "../base/vector.h"
 #include "../surface/mesh_faces.h"
+#include "group.h"
+#include "reflected.h"
 #include "solution.h"
 
 /* How far beyond a face or a tile rounding may put a place of it, in its coordinates. */

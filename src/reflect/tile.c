@@ -6,8 +6,6 @@
 #include <string.h>
 
 #include "../base/vector.h"
-#include "direct.h"
-#include "links.h"
 
 static double distance(const double a[3], const double b[3])
 {
@@ -103,13 +101,6 @@ void lx_cell_make(const struct lx_matte_face *face, const struct lx_window *wind
 {
     lx_cell_bound(face, window, cell);
     lx_cell_nodes(face, window, cell);
-}
-
-void lx_tile_clear(struct lx_tile *tile)
-{
-    lx_direct_clear(&tile->direct);
-    lx_rows_free(tile->rows);
-    tile->rows = NULL;
 }
 
 double lx_face_reach(const struct lx_matte_face *face, const double axis[3], const double from_mm[3])

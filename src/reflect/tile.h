@@ -70,8 +70,6 @@ struct lx_tile {
     struct lx_rows *rows;  /* what its places receive, while the solution is made; NULL: not known */
 };
 
-void lx_tile_clear(struct lx_tile *tile);
-
 double lx_cell_area(const struct lx_tile_cell *cell);
 double lx_tile_area(const struct lx_tile *tile);
 

@@ -11,6 +11,8 @@
 #include "../base/vector.h"
 #include "../surface/mesh_faces.h"
 #include "between.h"
+#include "box.h"
+#include "group.h"
 #include "overlap.h"
 #include "solution.h"
 

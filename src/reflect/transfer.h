@@ -13,14 +13,6 @@
 #include "group.h"
 #include "veil.h"
 
-/* How small cells have to be, as shares of their distance, or of what normals turn within: those that are seen, those
- * whose direct light is rough, or most of it on a small part of them, and those seen in part, flat and round;
- * groups. */
-struct lx_fineness {
-    double seen, rough, narrow, flat_part, round_part, group;
-    bool has_details; /* light is asked in all detail where a part of it is seen */
-};
-
 struct lx_sent {
     double weights[LX_RULE_NODES];
     double direct;

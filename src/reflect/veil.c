@@ -8,6 +8,7 @@
 
 #include "../base/memory.h"
 #include "../base/vector.h"
+#include "box.h"
 #include "region.h"
 #include "round.h"
 

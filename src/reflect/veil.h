@@ -9,16 +9,11 @@
 #define LX_REFLECT_VEIL_H
 
 #include "../base/effort.h"
-#include "box.h"
+#include "receiver.h"
 #include "shaft.h"
 #include "tile.h"
 
-/* Where light is received. */
-struct lx_receiver {
-    double place_mm[3], normal[3]; /* unit */
-    size_t own;                    /* the prepared surface that it lies on; SIZE_MAX: none */
-    bool is_turned;                /* its normal is not that of its surface there */
-};
+struct lx_closed_boxes;
 
 /* Whether a face is of the receiver's own smooth surface: faces of a mesh may see each other. */
 static inline bool lx_receives_from_own(const struct lx_receiver *receiver, const struct lx_matte_face *face)

@@ -6,6 +6,8 @@
 #include <stdlib.h>
 
 #include "../base/memory.h"
+#include "links.h"
+#include "veil.h"
 
 /* ---- effort ---- */
 

@@ -8,6 +8,7 @@
 #ifndef LX_REFLECT_WITHIN_H
 #define LX_REFLECT_WITHIN_H
 
+#include "links.h"
 #include "solution.h"
 
 /*
