@@ -13,37 +13,12 @@
 #include "../light/solid/extended.h"
 #include "../light/totals.h"
 
-/* The area of faces that look at the eye. */
-static double faces_seen(const struct lx_facets *facets, const double from_source[3])
-{
-    double sum = 0;
-    for (size_t i = 0; i < facets->face_count; i++) {
-        const lx_bounded3 normal = lx_wide3_direction(facets->faces[i].normal);
-        const double axis[3] = {normal.x.value, normal.y.value, normal.z.value};
-        sum += facets->faces[i].area_mm2 * fmax(0, lx_dot(axis, from_source));
-    }
-    return sum;
-}
-
 /* The area in m^2 that an emitter shows to a direction; 0: it has none. */
 static double area_seen(const struct lx_emitter *emitter, const double from_source[3])
 {
-    const double radius = emitter->radius_mm,
-                 axis[3] = {emitter->axis.x.value, emitter->axis.y.value, emitter->axis.z.value};
     const struct lx_pointed *pointed = emitter->profile.luminaire;
-    const double along = lx_dot(axis, from_source);
-    const bool is_of_file = emitter->type == LX_POINT || lx_is_elliptic(emitter);
-    switch (is_of_file ? LX_POINT : emitter->type) {
-    case LX_FACETS: return faces_seen(emitter->facets, from_source) / 1e6;
-    case LX_DISK: return M_PI * radius * radius * fmax(0, along) / 1e6;
-    case LX_BALL: return M_PI * radius * radius / 1e6;
-    case LX_CYLINDER:
-        return (M_PI * radius * radius * fabs(along) +
-                2 * radius * emitter->height_mm * sqrt(fmax(0, 1 - along * along))) /
-               1e6;
-    case LX_POINT: break;
-    default: return 0;
-    }
+    if (lx_is_extended(emitter) && !lx_is_elliptic(emitter))
+        return lx_emitter_kind(emitter)->area_seen_mm2(emitter, from_source) / 1e6;
     if (!pointed || emitter->is_back)
         return 0;
     const lx_bounded3 *const ways[3] = {&pointed->axis, &pointed->c0, &pointed->across};
@@ -66,7 +41,7 @@ bool lx_see_light(const struct lx_item *item, const double eye_mm[3], struct lx_
         return false;
     }
     const bool is_one = emitters.count == 1 || emitters.extended == emitters.count;
-    seen->is_uniform = emitters.count == 1 && lx_emitter_at(&emitters, 0, &room)->type == LX_UNIFORM;
+    seen->is_uniform = emitters.count == 1 && lx_is_uniform(lx_emitter_at(&emitters, 0, &room));
     if (is_one && emitters.count > 0 && lx_emitters_place(&emitters, middle)) {
         for (int i = 0; i < 3; i++)
             seen->towards[i] = (middle[i] - eye_mm[i]) / 1e3;

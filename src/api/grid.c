@@ -193,11 +193,7 @@ static bool integrates(const struct lx_emitters *emitters)
 static double opening_around(const struct lx_emitter *emitter, lx_bounded3 place)
 {
     const double *center = lx_emitter_center(emitter), size = lx_emitter_radius(emitter);
-    struct lx_emitter point = *emitter;
-    point.type = LX_POINT;
-    point.strength = emitter->radiance.value * lx_extended_area_mm2(emitter).value / 1e6;
-    point.profile = lx_profile_isotropic();
-    memcpy(point.position_mm, center, sizeof point.position_mm);
+    const struct lx_emitter point = lx_extended_as_point(emitter);
     if (lx_length3(lx_sub3(lx_exact3(center), place)).value < size)
         place = lx_exact3((const double[]){center[0] + size, center[1], center[2]});
     return lx_emitter_sample(&point, place).e_perp.value;

@@ -120,7 +120,7 @@ void lx_advise_distances(struct lx_adviser *adviser)
         const struct lx_emitter *emitter = lx_emitter_at(&prepared.emitters, i, &room);
         const struct lx_shape *shape;
         double distance;
-        if (emitter->type != LX_POINT || emitter->is_part || emitter->attenuation == LX_NO_ATTENUATION ||
+        if (!lx_is_point(emitter) || emitter->is_part || emitter->attenuation == LX_NO_ATTENUATION ||
             !lx_find_parameter(adviser->parameters->lights.items[emitter->light].variant->table, "position"))
             continue;
         double change = change_over(&prepared, emitter->position_mm, emitter, emitter->k_mm);

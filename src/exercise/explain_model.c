@@ -33,15 +33,15 @@ static struct used find_used(const struct lx_prepared *prepared)
         struct lx_emitter room;
         const struct lx_emitter *emitter = lx_emitter_at(&prepared->emitters, i, &room);
         const struct lx_profile *profile = &emitter->profile;
-        used.ambient |= emitter->type == LX_UNIFORM;
-        used.distant |= emitter->type == LX_DIRECTION;
+        used.ambient |= lx_is_uniform(emitter);
+        used.distant |= lx_is_endless(emitter);
         used.extended |= lx_is_extended(emitter) && !lx_is_opening(emitter);
         used.opening |= lx_is_opening(emitter);
         used.parts |= emitter->is_part;
-        if (lx_is_extended(emitter) || emitter->type == LX_POINT)
+        if (lx_has_place(emitter))
             used.laws[emitter->attenuation] = true;
         note_interpolation(&used, profile);
-        if (emitter->type != LX_POINT || emitter->is_part)
+        if (!lx_is_point(emitter) || emitter->is_part)
             continue;
         used.point = true;
         used.spot |= profile->falloff != LX_NO_CONE;

@@ -294,7 +294,7 @@ static void explain_irradiance(const struct lx_steps *steps, const struct lx_emi
 {
     struct line line = {{0}};
     double r_m = 0, left = 1;
-    if (emitter->type == LX_DIRECTION) {
+    if (lx_is_endless(emitter)) {
         say(&line, "\\mathbf{L} = ");
         vector(&line, &sample->towards);
         say(&line, ", \\qquad E_{\\perp} = ");
@@ -518,7 +518,7 @@ void lx_explain_light(const struct lx_steps *steps, const luxel_light_share *sha
     if (!first)
         return;
     explain_strength(steps, share->light);
-    if (first->type == LX_UNIFORM) {
+    if (lx_is_uniform(first)) {
         explain_ambient(steps, share);
         return;
     }

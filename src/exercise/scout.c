@@ -42,7 +42,7 @@ static double cost_of(const struct lx_emitter *emitter, bool shines, size_t shad
 {
     if (!lx_is_extended(emitter))
         return 2 + SURFACE_COST * (double)shadows;
-    const double faces = emitter->type == LX_FACETS ? (double)emitter->facets->face_count : 4;
+    const double faces = emitter->facets ? (double)emitter->facets->face_count : 4;
     const double penumbrae = shadows > MANY_SURFACES ? PENUMBRA_COST * (double)shadows : 0;
     /* only of the law 1/r^2 the diffuse light is no integral */
     return penumbrae + faces * (!lx_has_closed_form(emitter) ? 25000 : shines ? 1500 : 200);

@@ -221,7 +221,7 @@ static bool is_least(const struct lx_hunt *hunt, const luxel_peak *peak)
     const struct lx_lobe *lobe =
         &hunt->prepared->surfaces[lx_prepared_index(hunt->prepared, peak->surface, peak->part)].lobe;
     for (size_t i = 0; i < lx_item_count(emitters); i++)
-        if (emitters->items[i].type == LX_UNIFORM)
+        if (lx_is_uniform(&emitters->items[i]))
             least += (hunt->evaluator->settings.quantity == LUXEL_IRRADIANCE ? 1 : lobe->ambient.value) *
                      emitters->items[i].strength;
     return hunt->sign < 0 && hunt->prepared->surface_count == 1 ? peak->value <= least : peak->value <= 0;
@@ -348,7 +348,7 @@ static void judge_lights(struct lx_hunt *hunt)
         const bool is_hidden = hunt->prepared->shadows && hunt->prepared->shadows_extended;
         bool closed = lx_has_closed_form(emitter) && (is_irradiance || !shines) && !is_hidden;
         hunt->costly = hunt->costly || (lx_is_extended(emitter) && !closed);
-        narrow += emitter->type == LX_POINT || emitter->type == LX_DIRECTION;
+        narrow += lx_has_one_way(emitter);
     }
     hunt->knows_lights = narrow <= MOST_EDGE_LIGHTS && narrow * hunt->prepared->surface_count <= MOST_EDGES;
     hunt->costly = hunt->costly || emitters->count > MOST_EDGE_LIGHTS;

@@ -3,6 +3,7 @@
 #include <string.h>
 
 #include "../base/memory.h"
+#include "../light/solid/extended.h"
 #include "extrema.h"
 
 /* Roundings of the coordinates that may stand beyond an edge. */
@@ -80,7 +81,7 @@ static bool add_light(struct lx_hunt *hunt, size_t surface, size_t index)
     edge.type = LX_BRINK_LOBE, edge.closed = true;
     if (lobe->specular.value > 0 && lobe->exponent < 2)
         done = done && add(hunt, edge);
-    if (emitter->type != LX_POINT)
+    if (!lx_is_point(emitter))
         return done;
     return done && add_breaks(hunt, &emitter->profile, edge);
 }
@@ -95,8 +96,7 @@ bool lx_brinks_of(struct lx_hunt *hunt, size_t surface)
     bool done = add_walls(hunt, surface);
     for (size_t i = 0; done && hunt->knows_lights && i < emitters->count; i++) {
         struct lx_emitter room;
-        enum lx_emitter_type type = lx_emitter_at(emitters, i, &room)->type;
-        if (type == LX_POINT || type == LX_DIRECTION)
+        if (lx_has_one_way(lx_emitter_at(emitters, i, &room)))
             done = add_light(hunt, surface, i);
     }
     if (done && lx_reserve(&hunt->sides, &hunt->side_capacity, hunt->brink_count, sizeof *hunt->sides)) {
@@ -173,11 +173,10 @@ static double light_distance(const struct lx_hunt *hunt, const struct lx_brink *
     struct lx_emitter room;
     const struct lx_emitter *emitter = emitter_of(hunt, edge, &room);
     double size_mm = lx_spot_shape(hunt, spot)->radius_mm, way[3], view[3];
-    bool endless = emitter->type == LX_DIRECTION;
-    if (endless)
-        values_of(&emitter->towards, way);
+    const bool endless = lx_is_endless(emitter);
+    lx_emitter_origin(emitter, way);
     for (int i = 0; i < 3 && !endless; i++)
-        way[i] = emitter->position_mm[i] - place[i];
+        way[i] -= place[i];
     if (edge->type == LX_BRINK_SHADOW)
         return beside(hunt, edge->surface, place, way, endless);
     if (edge->type == LX_BRINK_CONE || edge->type == LX_BRINK_PATTERN)

@@ -204,14 +204,8 @@ static void values_of(const lx_bounded3 *from, double to[3])
 /* A light's direction, or its middle. */
 static struct lx_origin origin_of(const struct lx_emitter *emitter)
 {
-    struct lx_origin origin = {.endless = emitter->type == LX_DIRECTION};
-    const double *from = emitter->type == LX_POINT    ? emitter->position_mm
-                         : emitter->type == LX_FACETS ? emitter->facets->center_mm
-                                                      : emitter->center_mm;
-    if (origin.endless)
-        values_of(&emitter->towards, origin.at);
-    else
-        memcpy(origin.at, from, sizeof origin.at);
+    struct lx_origin origin = {.endless = lx_is_endless(emitter)};
+    lx_emitter_origin(emitter, origin.at);
     return origin;
 }
 
@@ -302,11 +296,11 @@ static void add_lights(struct lx_gathering *gathering)
     for (size_t i = 0; i < emitters->count && lx_hunt_goes_on(hunt); i += stride) {
         struct lx_emitter room;
         const struct lx_emitter *emitter = lx_emitter_at(emitters, i, &room);
-        if (emitter->type == LX_UNIFORM)
+        if (lx_is_uniform(emitter))
             continue;
         for (size_t k = 0; k < hunt->prepared->surface_count; k++)
             add_light(gathering, k, i);
-        if (emitter->type == LX_POINT && !lx_profile_is_isotropic(&emitter->profile))
+        if (lx_is_point(emitter) && !lx_profile_is_isotropic(&emitter->profile))
             add_beam(gathering, emitter);
     }
 }

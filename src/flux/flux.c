@@ -84,17 +84,16 @@ static bool may_be_hidden(const struct hunt *hunt, const struct lx_emitter *emit
 {
     const struct lx_cells *cells = hunt->plane.cells;
     const struct lx_ball from = {.radius = hypot(cells->size_mm[0], cells->size_mm[1]) / 2};
-    const bool endless = emitter->type == LX_DIRECTION;
-    struct lx_ball towards = {.center = {emitter->towards.x.value, emitter->towards.y.value, emitter->towards.z.value}};
+    const bool endless = lx_is_endless(emitter);
+    struct lx_ball towards = {.radius = 0};
     const bool is_extended = lx_is_extended(emitter);
-    if (emitter->type == LX_UNIFORM || !hunt->prepared->shadows_on_free ||
+    if (lx_is_uniform(emitter) || !hunt->prepared->shadows_on_free ||
         (is_extended && !hunt->prepared->shadows_extended))
         return false;
-    const struct lx_shaft shaft =
-        is_extended ? lx_shaft_to(cells->center_mm, from.radius, emitter) : (struct lx_shaft){.to_radius_mm = 0};
-    towards.radius = shaft.to_radius_mm;
+    towards.radius = lx_emitter_radius(emitter);
+    lx_emitter_origin(emitter, towards.center);
     for (int i = 0; i < 3 && !endless; i++)
-        towards.center[i] = (is_extended ? shaft.to_mm[i] : emitter->position_mm[i]) - cells->center_mm[i];
+        towards.center[i] -= cells->center_mm[i];
     for (size_t s = 0; s < hunt->prepared->surface_count; s++) {
         const struct lx_prepared_surface *surface = &hunt->prepared->surfaces[s];
         struct lx_ball ball = {.radius = surface->shape.radius_mm};
@@ -134,19 +133,19 @@ static lx_bounded solid_angle(const struct plane *plane, lx_bounded3 at)
 static bool seen_from(const struct plane *plane, const double position_mm[3], lx_bounded3 normal,
                       lx_bounded *irradiance)
 {
-    struct lx_emitter rectangle = {.type = LX_FACETS, .radiance = lx_exact(1)};
-    rectangle.facets = lx_facets_of_pose(plane->cells->center_mm, plane->cells->size_mm, &plane->cells->pose);
-    if (!rectangle.facets)
+    struct lx_facets *rectangle =
+        lx_facets_of_pose(plane->cells->center_mm, plane->cells->size_mm, &plane->cells->pose);
+    if (!rectangle)
         return false;
-    *irradiance = lx_extended_irradiance(&rectangle, lx_exact3(position_mm), normal);
-    lx_facets_free(rectangle.facets);
+    *irradiance = lx_facets_irradiance(rectangle, lx_exact3(position_mm), normal);
+    lx_facets_free(rectangle);
     return true;
 }
 
 /* Whether an emitter without size lies behind the plane or in it, and so gives it nothing, whatever stands around. */
 static bool is_behind(const struct plane *plane, const struct lx_emitter *emitter)
 {
-    if (emitter->type != LX_POINT)
+    if (!lx_is_point(emitter))
         return false;
     const lx_bounded height = above_plane(plane, emitter->position_mm).z;
     return height.value <= -height.error;
@@ -157,16 +156,16 @@ static bool in_closed_form(const struct plane *plane, const struct lx_emitter *e
 {
     const struct lx_profile *profile = &emitter->profile;
     lx_bounded strength = lx_exact(emitter->strength);
-    if (emitter->type == LX_UNIFORM) {
+    if (lx_is_uniform(emitter)) {
         *flux = lx_mul(strength, area_m2(plane->cells));
         return true;
     }
-    if (emitter->type == LX_DIRECTION) {
+    if (lx_is_endless(emitter)) {
         lx_bounded cosine = lx_positive(lx_dot3(plane->normal, emitter->towards));
         *flux = lx_mul(lx_mul(strength, cosine), area_m2(plane->cells));
         return true;
     }
-    if (emitter->type != LX_POINT)
+    if (!lx_is_point(emitter))
         return false;
     lx_bounded3 at = above_plane(plane, emitter->position_mm);
     if (emitter->attenuation != LX_INVERSE_SQUARE || profile->falloff != LX_NO_CONE || profile->luminaire ||
@@ -302,13 +301,10 @@ static void note_aim(struct task *task, const struct lx_emitter *emitter)
 
 static void note_feet(struct task *task, const struct lx_emitter *emitter)
 {
-    if (emitter->type == LX_POINT) {
-        note_foot(task, emitter->position_mm);
+    if (lx_has_place(emitter))
+        note_foot(task, lx_emitter_center(emitter));
+    if (lx_is_point(emitter))
         note_aim(task, emitter);
-    } else if (emitter->type == LX_FACETS)
-        note_foot(task, emitter->facets->center_mm);
-    else if (lx_is_extended(emitter))
-        note_foot(task, emitter->center_mm);
     for (int side = 0; side < 2; side++)
         if (task->foot_count[side] > 1)
             qsort(task->feet[side], task->foot_count[side], sizeof(double), by_size);
@@ -366,7 +362,7 @@ static double work_of(const struct lx_emitter *emitter, bool asks_surfaces)
         return asks_surfaces ? 1 : POINT_WORK;
     if (asks_surfaces)
         return HIDDEN_WORK;
-    return emitter->type == LX_FACETS && emitter->facets->face_count == 1 ? POLYGON_WORK : ROUND_WORK;
+    return emitter->facets && emitter->facets->face_count == 1 ? POLYGON_WORK : ROUND_WORK;
 }
 
 /* The flux of an emitter by its integral. */

@@ -140,23 +140,20 @@ bool lx_caster_hides(const struct lx_edges *edges, size_t caster, double u, doub
 /* Whether a surface may come between the plane and a light without size. */
 static bool may_fall_on(const struct lx_cells *plane, const struct lx_shape *shape, const struct lx_emitter *emitter)
 {
-    const bool endless = emitter->type == LX_DIRECTION;
+    const bool endless = lx_is_endless(emitter);
     const struct lx_ball from = {.radius = hypot(plane->size_mm[0], plane->size_mm[1]) / 2};
     struct lx_ball towards = {.radius = 0}, ball = {.radius = shape->radius_mm + lx_shape_room(shape)};
-    value_of(emitter->towards, towards.center);
+    lx_emitter_origin(emitter, towards.center);
     if (!endless)
-        subtract(emitter->position_mm, plane->center_mm, towards.center);
+        subtract(towards.center, plane->center_mm, towards.center);
     subtract(shape->anchor_mm, plane->center_mm, ball.center);
     return lx_may_block(&ball, &from, &towards, endless);
 }
 
 struct lx_origin lx_edges_light(const struct lx_edges *edges)
 {
-    const struct lx_emitter *emitter = edges->emitter;
-    struct lx_origin light = {.endless = emitter->type == LX_DIRECTION};
-    copy(emitter->position_mm, light.at);
-    if (light.endless)
-        value_of(emitter->towards, light.at);
+    struct lx_origin light = {.endless = lx_is_endless(edges->emitter)};
+    lx_emitter_origin(edges->emitter, light.at);
     return light;
 }
 
@@ -201,13 +198,11 @@ static bool add_point(struct lx_edges *edges, const struct lx_emitter *emitter)
 /* Where faces set. */
 static bool add_faces(struct lx_edges *edges, const struct lx_emitter *emitter)
 {
-    double normal[3];
+    double normal[3], place[3];
     bool is_whole = true;
-    if (emitter->type == LX_DISK) {
-        value_of(emitter->axis, normal);
-        is_whole = add_plane(edges, emitter->center_mm, normal);
-    }
-    for (size_t i = 0; emitter->type == LX_FACETS && i < emitter->facets->face_count && is_whole; i++) {
+    if (lx_emitter_plane(emitter, place, normal))
+        return add_plane(edges, place, normal);
+    for (size_t i = 0; emitter->facets && i < emitter->facets->face_count && is_whole; i++) {
         const struct lx_face *face = &emitter->facets->faces[i];
         const lx_wide3 *corner = &emitter->facets->corners_mm[emitter->facets->loop[face->first]];
         const double at[3] = {lx_wide_value(corner->x), lx_wide_value(corner->y), lx_wide_value(corner->z)};
@@ -231,7 +226,7 @@ int lx_edges_make(const struct lx_prepared *prepared, const struct lx_cells *pla
                                .across = lx_mul3(lx_wide3_direction(plane->pose.across), size[0]),
                                .upward = lx_mul3(lx_wide3_direction(plane->pose.upward), size[1]),
                                .knows_shadows = !casts || !lx_is_extended(emitter)};
-    bool is_whole = (emitter->type != LX_POINT || add_point(edges, emitter)) && add_faces(edges, emitter);
+    bool is_whole = (!lx_is_point(emitter) || add_point(edges, emitter)) && add_faces(edges, emitter);
     /* sources of some size have no edges, but a penumbra */
     for (size_t s = 0; casts && edges->knows_shadows && is_whole && s < prepared->surface_count; s++) {
         const struct lx_prepared_surface *surface = &prepared->surfaces[s];

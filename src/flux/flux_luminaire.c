@@ -389,7 +389,7 @@ static bool begin(struct fan *fan)
 {
     const struct lx_flux_asked *asked = fan->asked;
     const struct lx_pointed *pointed = asked->emitter->profile.luminaire;
-    if (!pointed || asked->emitter->type != LX_POINT || asked->emitter->attenuation != LX_INVERSE_SQUARE ||
+    if (!pointed || !lx_is_point(asked->emitter) || asked->emitter->attenuation != LX_INVERSE_SQUARE ||
         !find_height(fan))
         return false;
     fan->table = pointed->distribution;

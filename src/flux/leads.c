@@ -98,30 +98,6 @@ static void append_peaks(struct gathering *gathering, const struct lx_pointed *p
 
 /* ---- of one emitter ---- */
 
-/* The place of an emitter of some size that is farthest in a direction of unit length. */
-static void farthest(const struct lx_emitter *emitter, const double towards[3], double place_mm[3])
-{
-    double axis[3];
-    memcpy(place_mm, lx_emitter_center(emitter), 3 * sizeof *place_mm);
-    values_of(&emitter->axis, axis);
-    const double along = lx_dot(axis, towards), across = sqrt(fmax(1 - along * along, 0));
-    double furthest = -HUGE_VAL;
-    for (size_t c = 0; emitter->type == LX_FACETS && c < emitter->facets->corner_count; c++) {
-        const lx_wide3 *corner = &emitter->facets->corners_mm[c];
-        const double at[3] = {lx_wide_value(corner->x), lx_wide_value(corner->y), lx_wide_value(corner->z)};
-        if (!(lx_dot(at, towards) > furthest))
-            continue;
-        furthest = lx_dot(at, towards);
-        memcpy(place_mm, at, sizeof at);
-    }
-    for (int i = 0; (emitter->type == LX_DISK || emitter->type == LX_CYLINDER) && i < 3; i++) {
-        if (emitter->type == LX_CYLINDER)
-            place_mm[i] += copysign(emitter->height_mm / 2, along) * axis[i];
-        if (across > 0)
-            place_mm[i] += emitter->radius_mm * (towards[i] - along * axis[i]) / across;
-    }
-}
-
 static void append_own(struct gathering *gathering, const struct lx_emitter *emitter, const double downward[3])
 {
     const struct lx_profile *profile = &emitter->profile;
@@ -133,9 +109,9 @@ static void append_own(struct gathering *gathering, const struct lx_emitter *emi
     else if (!lx_is_extended(emitter) && !lx_profile_is_isotropic(profile))
         append(gathering, center, axis);
     append(gathering, center, downward);
-    if (!lx_is_extended(emitter) || emitter->type == LX_BALL)
+    if (!lx_is_extended(emitter) || !lx_has_axis(emitter)) /* of a ball that is below the middle */
         return;
-    farthest(emitter, downward, end);
+    lx_emitter_kind(emitter)->farthest(emitter, downward, end);
     append(gathering, end, downward);
 }
 
@@ -152,7 +128,7 @@ static void append_shadow(struct gathering *gathering, const struct lx_emitter *
     middle_of(surface, middle);
     values_of(&emitter->towards, way);
     for (int i = 0; i < 3; i++)
-        way[i] = emitter->type == LX_DIRECTION ? -way[i] : middle[i] - lx_emitter_center(emitter)[i];
+        way[i] = lx_is_endless(emitter) ? -way[i] : middle[i] - lx_emitter_center(emitter)[i];
     append(gathering, middle, way);
 }
 
@@ -173,9 +149,9 @@ int lx_leads_make(const struct lx_prepared *prepared, const double downward[3], 
     for (size_t i = 0; i < emitters && !gathering.is_short; i += stride) {
         struct lx_emitter room;
         const struct lx_emitter *emitter = lx_emitter_at(&prepared->emitters, i, &room);
-        if (emitter->type == LX_UNIFORM)
+        if (lx_is_uniform(emitter))
             continue;
-        if (emitter->type != LX_DIRECTION)
+        if (lx_has_place(emitter))
             append_own(&gathering, emitter, downward);
         if (lx_is_extended(emitter) && !prepared->shadows_extended)
             continue;

@@ -243,9 +243,9 @@ struct lx_tabled {
     unsigned size;            /* of the largest of them; terms beyond their own sizes are 0 */
     bool is_axial, by_cosine; /* is_axial: there is no azimuth */
     const lx_even_cell *cells;
-    int row; /* cells of an azimuth */
+    int row;                                                    /* cells of an azimuth */
     int first_polar, first_azimuth, polar_count, azimuth_count; /* cells that the square sees */
-    int turn; /* number of azimuths behind which they begin again */
+    int turn;                                                   /* number of azimuths behind which they begin again */
     float start[LX_MOST_LINES], per_step[LX_MOST_LINES]; /* of each cell: the cosine there, less that of the middle */
 };
 
@@ -348,15 +348,18 @@ struct lx_shell_node {
 
 /* An extended source, as offsets from the anchor of a surface or from the source's centre. */
 struct lx_shell {
-    enum lx_emitter_type type;
+    enum lx_emitter_type type; /* for the tables of kernels alone */
+    bool is_disk, is_ball, has_side;
     double radiance;
     struct lx_shell_law law;
     double center[3]; /* from the anchor */
     double radius_mm; /* of a sphere about the centre around all of it */
     double touch_mm;  /* heights below this are rounding */
     double axis[3];   /* of a disk or cylinder */
-    double round_mm;  /* radius of a disk, ball, cylinder */
-    double half_mm;   /* half the height of a cylinder */
+    double round_mm;  /* radius of a round one */
+    double half_mm;   /* half the height of its side */
+    double turned_mm2,
+        section_mm2; /* of its area what counts as turned to one place at most, and its largest section */
     struct lx_shell_face_double *faces_double;
     struct lx_shell_edge_double *edges_double;
     struct lx_shell_face_single *faces_single; /* NULL where float32 does not do */
@@ -372,7 +375,7 @@ struct lx_shell {
     unsigned nodes_each;
     struct lx_shell_node *nodes;
     size_t most_patches;            /* that its faces can be cut into (patch.h) */
-    const struct lx_facets *facets; /* what they were made of */
+    const struct lx_facets *facets; /* what they were made of; NULL: it is round */
 };
 
 /* A ball around the places of a block. */
@@ -420,8 +423,8 @@ struct lx_kernels {
     lx_find_roots *find_roots;
     lx_light_by_shell_single *facets_single;
     /* by the type of the emitter; NULL for those that are not extended */
-    lx_light_by_shell_double *light_by_shell[LX_CYLINDER + 1];
-    lx_light_by_law *law_single[LX_CYLINDER + 1], *law_double[LX_CYLINDER + 1];
+    lx_light_by_shell_double *light_by_shell[LX_EMITTER_TYPES];
+    lx_light_by_law *law_single[LX_EMITTER_TYPES], *law_double[LX_EMITTER_TYPES];
     /* by the type of the shape */
     lx_meet_lines *meet_lines[LX_SHAPE_TYPES];
     lx_complete_block *complete_block[LX_SHAPE_TYPES];

@@ -315,7 +315,7 @@ void LX_OF_ISA(NAME(lx_round_by_rows))(const struct lx_shell *shell, const struc
         struct NAME(audience) audience = NAME(audience_of)(shell, block, start);
         if (!NAME(any_sees)(shell, &audience))
             continue;
-        if (shell->type == LX_CYLINDER) {
+        if (shell->has_side) {
             NAME(add_side)(&law, shell, &audience);
             NAME(add_disk)(&law, shell, -1, &audience);
         }

@@ -111,18 +111,19 @@ static int carry_opening(struct carrying *carrying, struct lx_emitter *emitter)
 static int carry_one(struct carrying *carrying, struct lx_emitter *emitter)
 {
     const struct lx_frame *frame = carrying->frame;
-    switch (emitter->type) {
-    case LX_UNIFORM: return 0;
-    case LX_DIRECTION: emitter->towards = lx_frame_turn_bounded(frame, emitter->towards); return 0;
-    case LX_POINT:
+    if (lx_is_uniform(emitter))
+        return 0;
+    if (lx_is_endless(emitter)) {
+        emitter->towards = lx_frame_turn_bounded(frame, emitter->towards);
+        return 0;
+    }
+    if (lx_is_point(emitter)) {
         lx_frame_carry(frame, emitter->position_mm, emitter->position_mm);
         emitter->profile.axis = lx_frame_turn_bounded(frame, emitter->profile.axis);
         return emitter->profile.luminaire ? carry_luminaire(carrying, &emitter->profile) : 0;
-    case LX_FACETS: return carry_shell(carrying, emitter) || carry_opening(carrying, emitter) ? -1 : 0;
-    case LX_DISK:
-    case LX_BALL:
-    case LX_CYLINDER: break;
     }
+    if (emitter->facets)
+        return carry_shell(carrying, emitter) || carry_opening(carrying, emitter) ? -1 : 0;
     lx_frame_carry(frame, emitter->center_mm, emitter->center_mm);
     emitter->axis = lx_frame_turn_bounded(frame, emitter->axis);
     return carry_opening(carrying, emitter);

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Lists of emitters, and their float64 reference with its error bound. */
+/* Lists of emitters. */
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -19,8 +19,7 @@ static const double MANY = 4096;
 /* Counts emitters that have the law of one in common. */
 static void count_law(struct lx_emitters *emitters, const struct lx_emitter *emitter, size_t count)
 {
-    const bool has_law = emitter->type == LX_POINT || lx_is_extended(emitter);
-    if (!has_law || emitter->attenuation == LX_INVERSE_SQUARE)
+    if (!lx_has_place(emitter) || emitter->attenuation == LX_INVERSE_SQUARE)
         emitters->by_square += count;
     else if (emitter->attenuation == LX_NO_ATTENUATION)
         emitters->unattenuated += count;
@@ -209,53 +208,4 @@ void lx_emitters_clear(struct lx_emitters *emitters)
     free(emitters->items);
     free(emitters->swarms);
     *emitters = (struct lx_emitters){0};
-}
-
-static lx_bounded metres(lx_bounded length_mm)
-{
-    return lx_div(length_mm, lx_exact(1000));
-}
-
-/* kc + kl r + kq r^2 */
-static lx_bounded polynomial(const double coefficients[3], lx_bounded r)
-{
-    const lx_bounded above = lx_add(lx_exact(coefficients[1]), lx_mul(r, lx_exact(coefficients[2])));
-    return lx_add(lx_exact(coefficients[0]), lx_mul(r, above));
-}
-
-static lx_bounded attenuation(const struct lx_emitter *emitter, lx_bounded distance_m)
-{
-    lx_bounded one = lx_exact(1);
-    switch (emitter->attenuation) {
-    case LX_INVERSE_SQUARE: return lx_div(one, lx_mul(distance_m, distance_m));
-    case LX_PRACTICAL: return lx_div(one, lx_add(metres(lx_exact(emitter->k_mm)), distance_m));
-    case LX_POLYNOMIAL: return lx_div(one, polynomial(emitter->coefficients, distance_m));
-    case LX_NO_ATTENUATION: break;
-    }
-    return one;
-}
-
-static struct lx_sample sample_point(const struct lx_emitter *emitter, lx_bounded3 place_mm)
-{
-    lx_bounded3 offset = lx_sub3(lx_exact3(emitter->position_mm), place_mm);
-    lx_bounded distance = lx_length3(offset);
-    if (distance.value <= distance.error)
-        return (struct lx_sample){.on_element = true};
-    lx_bounded3 towards = lx_unit3(offset);
-    lx_bounded strength = {emitter->strength, emitter->strength_error};
-    lx_bounded e_perp = lx_mul(strength, attenuation(emitter, metres(distance)));
-    return (struct lx_sample){
-        .towards = towards,
-        .e_perp = lx_mul(e_perp, lx_profile_value(&emitter->profile, towards)),
-    };
-}
-
-struct lx_sample lx_emitter_sample(const struct lx_emitter *emitter, lx_bounded3 place_mm)
-{
-    switch (emitter->type) {
-    case LX_POINT: return sample_point(emitter, place_mm);
-    case LX_DIRECTION: return (struct lx_sample){.towards = emitter->towards, .e_perp = lx_exact(emitter->strength)};
-    default: break;
-    }
-    return (struct lx_sample){.e_perp = lx_exact(emitter->strength)};
 }

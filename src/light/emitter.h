@@ -22,7 +22,19 @@
 #include "../base/bounded.h"
 #include "profile.h"
 
-enum lx_emitter_type { LX_UNIFORM, LX_DIRECTION, LX_POINT, LX_FACETS, LX_DISK, LX_BALL, LX_CYLINDER };
+/* The kinds, a row each: the type and the descriptor (emitter_kind.h).  Those from facets on are extended. */
+#define LX_EMITTER_KINDS(ROW)                                                                                          \
+    ROW(LX_UNIFORM, lx_uniform_emitter)                                                                                \
+    ROW(LX_DIRECTION, lx_direction_emitter)                                                                            \
+    ROW(LX_POINT, lx_point_emitter)                                                                                    \
+    ROW(LX_FACETS, lx_facets_emitter)                                                                                  \
+    ROW(LX_DISK, lx_disk_emitter)                                                                                      \
+    ROW(LX_BALL, lx_ball_emitter)                                                                                      \
+    ROW(LX_CYLINDER, lx_cylinder_emitter)
+
+#define LX_EMITTER_TYPE(type, kind) type,
+enum lx_emitter_type { LX_EMITTER_KINDS(LX_EMITTER_TYPE) LX_EMITTER_TYPES };
+#undef LX_EMITTER_TYPE
 
 struct lx_facets;
 struct lx_asking;
@@ -46,8 +58,8 @@ struct lx_emitter {
     /* the extended ones: */
     lx_bounded radiance;      /* W/(sr m^2) */
     bool is_back;             /* of an opening: the other side of one that is in the list, with the same area */
-    struct lx_facets *facets; /* of LX_FACETS; belongs to the list that the emitter is in */
-    double center_mm[3];      /* of a disk, ball, cylinder */
+    struct lx_facets *facets; /* what it is made of, belongs to the list that the emitter is in; NULL: it is round */
+    double center_mm[3];      /* of a round one */
     double radius_mm, height_mm;
     double radii_mm[3]; /* all 0 but of one that is not round (elliptic.h) */
     lx_bounded3 axis;   /* unit: the way a disk shines; along a cylinder */
@@ -59,9 +71,40 @@ static inline double lx_by_polynomial(const double coefficients[3], double dista
     return 1 / (coefficients[0] + distance_m * (coefficients[1] + distance_m * coefficients[2]));
 }
 
+/* Whether it shines everywhere from all sides: there is no way to it. */
+static inline bool lx_is_uniform(const struct lx_emitter *emitter)
+{
+    return emitter->type == LX_UNIFORM;
+}
+
+/* Whether its light is parallel: the way to it, `towards`, is the same everywhere and has no end. */
+static inline bool lx_is_endless(const struct lx_emitter *emitter)
+{
+    return emitter->type == LX_DIRECTION;
+}
+
+/* Whether it shines from one place, `position_mm`, by a profile. */
+static inline bool lx_is_point(const struct lx_emitter *emitter)
+{
+    return emitter->type == LX_POINT;
+}
+
+/* Whether it has an area. */
 static inline bool lx_is_extended(const struct lx_emitter *emitter)
 {
     return emitter->type >= LX_FACETS;
+}
+
+/* Whether a place gets all of its light by one way. */
+static inline bool lx_has_one_way(const struct lx_emitter *emitter)
+{
+    return lx_is_point(emitter) || lx_is_endless(emitter);
+}
+
+/* Whether it stands somewhere, so that distances from it count. */
+static inline bool lx_has_place(const struct lx_emitter *emitter)
+{
+    return lx_is_point(emitter) || lx_is_extended(emitter);
 }
 
 /* Whether it is a side of a luminous opening. */

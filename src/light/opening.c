@@ -315,7 +315,7 @@ int lx_opening_emit(const struct lx_opening *opening, const struct lx_emitter *p
         emitter->radiance = density;
         emitter->profile = point->profile;
         lx_law_copy(point, emitter);
-        result = lx_emitters_make_room(emitters, 1, emitter->type == LX_FACETS ? emitter->facets->face_count : 0, 0);
+        result = lx_emitters_make_room(emitters, 1, emitter->facets ? emitter->facets->face_count : 0, 0);
         if (result == 0) {
             result = lx_emitters_append(emitters, emitter);
             emitter->facets = NULL; /* they are the list's now */

@@ -13,16 +13,14 @@ static const double LEAST_AREA = 1e-100, MOST_AREA = 1e100;
 
 int lx_shapes_add(struct lx_shapes *shapes, const struct lx_emitter *shape)
 {
-    if (shape->type == LX_FACETS && !shape->facets)
-        return -1;
     shapes->area_mm2 = lx_add(shapes->area_mm2, lx_extended_area_mm2(shape));
     return lx_emitters_append(&shapes->emitters, shape);
 }
 
 int lx_shapes_add_facets(struct lx_shapes *shapes, struct lx_facets *facets)
 {
-    struct lx_emitter shape = {.type = LX_FACETS, .facets = facets};
-    return lx_shapes_add(shapes, &shape);
+    const struct lx_emitter shape = {.type = LX_FACETS, .facets = facets};
+    return facets ? lx_shapes_add(shapes, &shape) : -1;
 }
 
 void lx_shapes_clear(struct lx_shapes *shapes)
@@ -55,7 +53,7 @@ void lx_check_area(const struct lx_check *check, const char *key, const struct l
 /* Into how many parts a shape is cut at least; `side`: how many each way, 0 where it is not cut. */
 static double least_parts(const struct lx_emitter *shape, unsigned side)
 {
-    double faces = shape->type == LX_FACETS ? (double)shape->facets->face_count : 1;
+    double faces = shape->facets ? (double)shape->facets->face_count : 1;
     return side > 0 ? faces * side * side : 1;
 }
 
@@ -69,8 +67,8 @@ int lx_spread_emit(const struct lx_spread *spread, lx_bounded radiance, struct l
         emitter->radiance = radiance;
         lx_law_set(&spread->law, emitter);
         const double parts = least_parts(emitter, side);
-        const size_t faces = side == 0 && emitter->type == LX_FACETS ? emitter->facets->face_count : 0;
-        const bool in_swarms = emitter->type == LX_FACETS && side >= LX_LEAST_IN_SWARM;
+        const size_t faces = side == 0 && emitter->facets ? emitter->facets->face_count : 0;
+        const bool in_swarms = emitter->facets && side >= LX_LEAST_IN_SWARM;
         result = lx_emitters_make_room(emitters, in_swarms ? 0 : parts, faces, in_swarms ? (size_t)parts : 0);
         if (result == 0 && side == 0) {
             result = lx_emitters_append(emitters, emitter);

@@ -26,7 +26,7 @@ static double flux_of(const struct lx_emitter *emitter)
         return strength_of_opening(emitter) * lx_profile_solid_angle(&emitter->profile);
     if (lx_is_extended(emitter))
         return M_PI * emitter->radiance.value * (lx_extended_area_mm2(emitter).value / 1e6);
-    return emitter->type == LX_POINT ? emitter->strength * lx_profile_solid_angle(&emitter->profile) : (double)NAN;
+    return lx_is_point(emitter) ? emitter->strength * lx_profile_solid_angle(&emitter->profile) : (double)NAN;
 }
 
 double lx_emitters_flux(const struct lx_emitters *emitters)
@@ -74,7 +74,7 @@ static double greatest_strength(const struct lx_emitters *emitters)
     double greatest = 0;
     for (size_t i = 0; i < emitters->count; i++) {
         const struct lx_emitter *emitter = lx_emitter_at(emitters, i, &room);
-        if (emitter->type == LX_POINT)
+        if (lx_is_point(emitter))
             greatest = fmax(greatest, emitter->strength);
     }
     return greatest;
@@ -87,11 +87,11 @@ bool lx_emitters_place(const struct lx_emitters *emitters, double place_mm[3])
     struct lx_emitter room;
     for (size_t i = 0; i < emitters->count; i++) {
         const struct lx_emitter *emitter = lx_emitter_at(emitters, i, &room);
-        if (emitter->type == LX_FACETS)
+        if (emitter->facets)
             add_facets(&middle, emitter->facets);
         else if (lx_is_extended(emitter))
             add_place(&middle, lx_wide3_of(emitter->center_mm), lx_wide_of(2 * lx_extended_area_mm2(emitter).value));
-        else if (emitter->type == LX_POINT)
+        else if (lx_is_point(emitter))
             add_place(&middle, lx_wide3_of(emitter->position_mm),
                       lx_wide_of(greatest > 0 ? emitter->strength / greatest : 1));
     }
@@ -107,33 +107,24 @@ bool lx_emitters_place(const struct lx_emitters *emitters, double place_mm[3])
 
 static bool is_isotropic(const struct lx_emitter *emitter)
 {
-    return emitter->type == LX_POINT && lx_profile_is_isotropic(&emitter->profile);
+    return lx_is_point(emitter) && lx_profile_is_isotropic(&emitter->profile);
 }
 
 static bool direction_of(const struct lx_emitter *emitter, double direction[3])
 {
-    lx_bounded3 axis = emitter->axis;
+    lx_bounded3 axis;
+    double place[3];
     if (lx_is_opening(emitter)) {
         memcpy(direction,
                (double[]){emitter->profile.axis.x.value, emitter->profile.axis.y.value, emitter->profile.axis.z.value},
                3 * sizeof *direction);
         return true;
     }
-    switch (emitter->type) {
-    case LX_DIRECTION: axis = lx_negate3(emitter->towards); break;
-    case LX_POINT:
-        if (is_isotropic(emitter))
-            return false;
-        axis = emitter->profile.axis;
-        break;
-    case LX_FACETS:
-        if (emitter->facets->face_count != 1)
-            return false;
-        axis = lx_wide3_direction(emitter->facets->faces[0].normal);
-        break;
-    case LX_DISK: break;
-    default: return false;
-    }
+    if (lx_is_extended(emitter))
+        return lx_emitter_plane(emitter, place, direction);
+    if (lx_is_uniform(emitter) || is_isotropic(emitter))
+        return false;
+    axis = lx_is_endless(emitter) ? lx_negate3(emitter->towards) : emitter->profile.axis;
     memcpy(direction, (double[]){axis.x.value, axis.y.value, axis.z.value}, 3 * sizeof *direction);
     return true;
 }
@@ -176,10 +167,10 @@ double lx_emitters_intensity(const struct lx_emitters *emitters)
     if (emitters->count == 0)
         return (double)NAN;
     const struct lx_emitter *first = lx_emitter_at(emitters, 0, &room);
-    if (first->type == LX_BALL && emitters->count == 1 && !lx_is_opening(first))
+    if (!lx_has_axis(first) && emitters->count == 1 && !lx_is_opening(first))
         return M_PI * first->radiance.value * (first->radius_mm / 1e3) * (first->radius_mm / 1e3);
     const bool is_even = is_isotropic(first), is_flat = lx_is_extended(first);
-    if (first->type < LX_POINT || (!is_even && !lx_emitters_direction(emitters, along)))
+    if (!lx_has_place(first) || (!is_even && !lx_emitters_direction(emitters, along)))
         return (double)NAN;
     for (size_t i = 0; i < emitters->count; i++) {
         const struct lx_emitter *emitter = lx_emitter_at(emitters, i, &room);

@@ -3,6 +3,7 @@
 #include "blockers.h"
 
 #include "../base/memory.h"
+#include "../light/solid/extended.h"
 #include "../world/among.h"
 #include "../world/blocking.h"
 
@@ -10,14 +11,13 @@ int lx_find_blockers(const struct lx_plan *plan, struct lx_planned_surface *lit,
 {
     const double *anchor = lit->shape.anchor_mm;
     const struct lx_ball from = lx_ball_from(&plan->balls[lit - plan->surfaces], anchor);
-    const bool endless = emitter->type == LX_DIRECTION;
-    struct lx_ball towards = {.center = {emitter->towards.x.value, emitter->towards.y.value, emitter->towards.z.value}};
+    const bool endless = lx_is_endless(emitter);
+    struct lx_ball towards = {.radius = 0};
     struct lx_origin light = {.endless = endless};
     int count = 0;
+    lx_emitter_origin(emitter, light.at);
     for (int i = 0; i < 3; i++)
-        light.at[i] = endless ? towards.center[i] : emitter->position_mm[i];
-    for (int i = 0; i < 3 && !endless; i++)
-        towards.center[i] = emitter->position_mm[i] - anchor[i];
+        towards.center[i] = endless ? light.at[i] : light.at[i] - anchor[i];
     struct lx_found found;
     const bool is_found = lx_among_balls(plan->prepared, anchor, &from, &towards, endless, &found);
     const size_t all = lx_found_count(&found, is_found, plan->surface_count);

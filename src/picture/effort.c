@@ -39,7 +39,7 @@ static double shells_ns(const struct lx_plan *plan, const struct lx_planned_surf
         const bool is_summed = surface->glossy_count > 0 || planned->emitter->attenuation != LX_INVERSE_SQUARE;
         sum += planned->by_reference ? REFERENCE_NS : 0;
         sum += planned->blocker_count > 0 ? PENUMBRA_NS + (is_summed ? SEEN_NS : 0) : 0;
-        sum += planned->shell.type == LX_FACETS ? EDGE_NS * (double)planned->shell.edge_count : ROUND_NS;
+        sum += planned->shell.facets ? EDGE_NS * (double)planned->shell.edge_count : ROUND_NS;
     }
     sum += OPENING_NS * (double)surface->opening_count;
     return sum;

@@ -64,7 +64,7 @@ static double law_towards(const struct work *work, const double u[3])
     const double length = sqrt(lx_dot(u, u)), radius = work->emitter->radius_mm;
     if (work->emitter->attenuation == LX_INVERSE_SQUARE)
         return 1;
-    if (work->emitter->type != LX_BALL)
+    if (lx_has_axis(work->emitter))
         return law_at(work->emitter, work->height_mm * length / lx_dot(work->face, u));
     const double ahead = lx_dot(work->center, u) / length;
     const double below = radius * radius - lx_dot(work->center, work->center) + ahead * ahead;
@@ -119,7 +119,7 @@ static unsigned order_for(const struct work *work, double length)
     unsigned order = length < 0.15 ? 2 : length < 0.4 ? 3 : 4; /* by the cosines alone */
     if (work->asked->is_matte)
         return LX_GLIMPSE_NODES;
-    if (work->emitter->type == LX_BALL && work->emitter->attenuation != LX_INVERSE_SQUARE)
+    if (!lx_has_axis(work->emitter) && work->emitter->attenuation != LX_INVERSE_SQUARE)
         order += 2;
     return lx_glimpse_order(order, length / 2 / work->width);
 }
@@ -130,7 +130,7 @@ static void add_spoke(struct work *work, const double x[3], unsigned order, doub
     const double *places = lx_glimpse_places[order - 1], *weights = lx_glimpse_weights[order - 1];
     struct lx_beams_double *beams = &work->beams;
     const bool by_square = work->emitter->attenuation == LX_INVERSE_SQUARE;
-    const bool is_eased = work->emitter->type == LX_BALL && !by_square; /* distances end like roots at the rim */
+    const bool is_eased = !lx_has_axis(work->emitter) && !by_square; /* distances end like roots at the rim */
     const unsigned parts = is_eased && work->asked->is_matte ? 2 : 1;
     if (work->node_count + parts * order > LX_BLOCK)
         flush(work);
@@ -263,9 +263,9 @@ static bool look_at(struct work *work, const struct lx_skyline_polygon *part, st
         least = fmin(least, slope);
         most = fmax(most, slope);
     }
-    const bool is_even = work->emitter->attenuation == LX_INVERSE_SQUARE || work->emitter->type == LX_BALL;
+    const bool is_even = work->emitter->attenuation == LX_INVERSE_SQUARE || !lx_has_axis(work->emitter);
     look->oblique = is_even ? 1 : most / least;
-    if (work->emitter->type != LX_FACETS) /* the corners are directions alone */
+    if (!work->emitter->facets) /* the corners are directions alone */
         farthest = sqrt(lx_dot(work->center, work->center)) + work->emitter->radius_mm;
     look->bound = work->asked->is_matte ? 0 : bound_of(work, look->cosine, farthest);
     return is_even || least > 0;
@@ -382,9 +382,9 @@ static bool add_source(struct work *work)
     const struct lx_emitter *emitter = work->emitter;
     struct lx_skyline_shapes shapes;
     if (emitter->attenuation != LX_INVERSE_SQUARE) {
-        if (emitter->type == LX_FACETS)
+        if (emitter->facets)
             return add_faces(work);
-        if (emitter->type == LX_CYLINDER)
+        if (lx_emitter_kind(emitter)->has_side)
             return false;
         const double axis[3] = {emitter->axis.x.value, emitter->axis.y.value, emitter->axis.z.value};
         for (int k = 0; k < 3; k++)

@@ -203,7 +203,7 @@ bool lx_glimpse_outline(const struct lx_glimpse *glimpse, const struct lx_asking
     struct lx_occlusion with_horizon = *glimpse->occlusion, *const occlusion = &with_horizon;
     struct lx_sweeps sweeps = {0};
     struct work work; /* large: what is not needed stays as it is */
-    if (emitter->type != LX_FACETS || emitter->attenuation != LX_INVERSE_SQUARE || !lx_outline_is_alone(occlusion) ||
+    if (!emitter->facets || emitter->attenuation != LX_INVERSE_SQUARE || !lx_outline_is_alone(occlusion) ||
         glimpse->lobe->exponent.value < SMOOTH ||
         (glimpse->lobe->highlight != LX_HIGHLIGHT_PLAIN && !lx_outline_add_horizon(occlusion, glimpse->normal)))
         return false;

@@ -38,7 +38,7 @@ struct lx_lobe_single lx_lobe_single_of(const struct lx_lobe_double *lobe)
 
 enum lx_kernel_light lx_light_kind_of(const struct lx_emitter *emitter)
 {
-    if (emitter->type != LX_POINT)
+    if (!lx_is_point(emitter))
         return LX_DISTANT;
     if (!lx_profile_is_isotropic(&emitter->profile))
         return LX_PROFILED;
@@ -54,7 +54,7 @@ enum lx_kernel_light lx_light_kind_of(const struct lx_emitter *emitter)
 bool lx_has_edges(const struct lx_emitter *emitter, const struct lx_lobe_double *lobe)
 {
     bool is_gated = lobe->highlight == LX_HIGHLIGHT_GATED && lobe->specular > 0;
-    return is_gated || (emitter->type == LX_POINT && emitter->profile.falloff != LX_NO_CONE);
+    return is_gated || (lx_is_point(emitter) && emitter->profile.falloff != LX_NO_CONE);
 }
 
 double lx_light_unit(enum lx_attenuation law)
@@ -84,12 +84,12 @@ void lx_light_set(const struct lx_emitter *emitter, const double anchor_mm[3], s
         .by_none = emitter->coefficients[0],
         .by_root = emitter->coefficients[1],
         .by_square = emitter->coefficients[2],
-        .falloff = emitter->type == LX_POINT ? profile->falloff : LX_NO_CONE,
+        .falloff = lx_is_point(emitter) ? profile->falloff : LX_NO_CONE,
         .axis_x = profile->axis.x.value,
         .axis_y = profile->axis.y.value,
         .axis_z = profile->axis.z.value,
         .exponent = lx_exponent_of(profile->exponent),
-        .luminaire = emitter->type == LX_POINT ? profile->luminaire : NULL,
+        .luminaire = lx_is_point(emitter) ? profile->luminaire : NULL,
     };
     if (light->kind == LX_DISTANT)
         return;

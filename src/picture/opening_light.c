@@ -247,8 +247,8 @@ static double target(void *data, const struct lx_integral *integral)
 
 bool lx_opening_is_flat(const struct lx_emitter *emitter)
 {
-    return emitter->type == LX_DISK ||
-           (emitter->type == LX_FACETS && emitter->facets->face_count == 1 && emitter->facets->faces[0].count == 4);
+    const struct lx_facets *facets = emitter->facets;
+    return lx_is_disk(emitter) || (facets && facets->face_count == 1 && facets->faces[0].count == 4);
 }
 
 static void corner_of(const struct lx_facets *facets, unsigned i, double corner[3])
@@ -263,7 +263,7 @@ static bool set_shape(struct work *work, const double place_mm[3])
     const struct lx_emitter *emitter = work->emitter;
     double first[3], second[3], last[3],
         axis[3] = {emitter->axis.x.value, emitter->axis.y.value, emitter->axis.z.value};
-    work->is_round = emitter->type == LX_DISK;
+    work->is_round = lx_is_disk(emitter);
     if (work->is_round) {
         lx_half_axes(emitter, work->a, work->b);
         for (int k = 0; k < 3; k++)

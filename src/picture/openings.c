@@ -194,12 +194,12 @@ static bool may_arrive(const struct lit *lit)
         away[k] = lit->place[k] - shell->center[k] - lit->surface->shape.anchor_mm[k];
     if (!looks_below && lx_dot(lit->normal, away) > shell->radius_mm + shell->touch_mm)
         return false;
-    if (shell->type == LX_DISK)
+    if (shell->is_disk)
         return lx_dot(shell->axis, away) > -shell->touch_mm;
-    for (size_t f = 0; shell->type == LX_FACETS && f < shell->face_count; f++)
+    for (size_t f = 0; f < shell->face_count; f++)
         if (lx_dot(shell->faces_double[f].normal, away) > shell->faces_double[f].height - shell->touch_mm)
             return true;
-    return shell->type != LX_FACETS;
+    return !shell->facets;
 }
 
 static bool may_arrive_at_any(const struct lx_plan *plan, const struct lx_planned_surface *surface,

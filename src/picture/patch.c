@@ -41,7 +41,7 @@ static void make_frame(const double n[3], double a[3], double b[3])
 
 size_t lx_patch_limit(const struct lx_shell *shell)
 {
-    return shell->type == LX_FACETS ? shell->most_patches : LX_MOST_ROUND_PATCHES;
+    return shell->facets ? shell->most_patches : LX_MOST_ROUND_PATCHES;
 }
 
 static void set_areas(struct lx_patch *patch)
@@ -312,12 +312,10 @@ static size_t make_patches(const struct lx_shell *shell, const struct lx_around 
                            struct lx_patch *patches)
 {
     size_t count = 0;
-    switch (shell->type) {
-    case LX_FACETS: return facet_patches(shell, around, asking, patches);
-    case LX_DISK: return disk_patch(shell, around, 0, patches);
-    case LX_BALL: return ball_patch(shell, around, patches);
-    default: break;
-    }
+    if (shell->facets)
+        return facet_patches(shell, around, asking, patches);
+    if (!shell->has_side)
+        return shell->is_ball ? ball_patch(shell, around, patches) : disk_patch(shell, around, 0, patches);
     count += side_patch(shell, around, patches);
     count += disk_patch(shell, around, 1, patches + count);
     count += disk_patch(shell, around, -1, patches + count);

@@ -74,23 +74,9 @@ static struct lx_shaft shaft_from(const struct lx_planned_surface *surface, cons
 /* How far before a wall the place of a source is that is nearest to it, or farthest behind. */
 static double lowest_before(const struct lx_shape *wall, const struct lx_emitter *emitter)
 {
-    double lowest = HUGE_VAL, height = 0;
-    for (size_t c = 0; emitter->type == LX_FACETS && c < emitter->facets->corner_count; c++) {
-        const lx_wide3 *corner = &emitter->facets->corners_mm[c];
-        const double offset[3] = {lx_wide_value(corner->x) - wall->anchor_mm[0],
-                                  lx_wide_value(corner->y) - wall->anchor_mm[1],
-                                  lx_wide_value(corner->z) - wall->anchor_mm[2]};
-        lowest = fmin(lowest, lx_dot(wall->axis, offset));
-    }
-    if (emitter->type == LX_FACETS)
-        return lowest;
-    for (int k = 0; k < 3; k++)
-        height += wall->axis[k] * (emitter->center_mm[k] - wall->anchor_mm[k]);
-    const double axis[3] = {emitter->axis.x.value, emitter->axis.y.value, emitter->axis.z.value};
-    const double along = fmin(fabs(lx_dot(axis, wall->axis)), 1), across = sqrt(1 - along * along);
-    if (emitter->type == LX_BALL)
-        return height - emitter->radius_mm;
-    return height - emitter->radius_mm * across - (emitter->type == LX_CYLINDER ? emitter->height_mm / 2 * along : 0);
+    double lowest;
+    lx_emitter_extent(emitter, wall->anchor_mm, wall->axis, &lowest);
+    return lowest;
 }
 
 /* Whether a surface and a source are both before a wall of a room, which then hides nothing. */
@@ -303,7 +289,7 @@ void lx_look_again(const struct lx_plan *plan, const struct lx_planned_surface *
 static bool is_closed(const struct lx_plan *plan, const struct lx_emitter *emitter,
                       const struct lx_occlusion *occlusion)
 {
-    bool has_cylinder = emitter->type == LX_CYLINDER;
+    bool has_cylinder = lx_emitter_kind(emitter)->has_side;
     for (size_t i = 0; i < occlusion->obstacles.count; i++)
         has_cylinder = has_cylinder || occlusion->obstacles.items[i].type == LX_OBSTACLE_TUBE;
     return !has_cylinder || plan->precision != LUXEL_DOUBLE;

@@ -81,7 +81,7 @@ bool lx_is_set_in(const struct lx_planned_surface *surface, const struct lx_emit
     const bool is_plain = surface->lobe.specular.value > 0 && surface->lobe.highlight == LX_HIGHLIGHT_PLAIN;
     double nearest;
     return lx_shape_is_flat(shape) && !is_plain &&
-           fabs(lx_reach_along(emitter, shape->anchor_mm, shape->axis, &nearest)) <=
+           fabs(lx_emitter_extent(emitter, shape->anchor_mm, shape->axis, &nearest)) <=
                lx_plane_rounding_mm(shape->anchor_mm, lx_distance(lx_emitter_center(emitter), shape->anchor_mm) +
                                                           lx_emitter_radius(emitter));
 }
@@ -161,7 +161,7 @@ static int append_to_runs(struct lx_planned_surface *surface, const struct lx_em
 /* Whether an emitter is a light of the plan: neither extended, nor uniform, nor clustered. */
 static bool is_light(const struct lx_plan *plan, const struct lx_emitter *emitter)
 {
-    return (emitter->type == LX_POINT || emitter->type == LX_DIRECTION) && !lx_is_clustered(&plan->forest, emitter);
+    return lx_has_one_way(emitter) && !lx_is_clustered(&plan->forest, emitter);
 }
 
 /* The next span of emitters that are lights all of them, or else of one item; false: there is none. */
@@ -190,7 +190,7 @@ static luxel_status plan_lights(struct lx_plan *plan, struct lx_control *control
             const struct lx_emitter *emitter = lx_span_at(&span, e, &room);
             if (!goes_on(control, e))
                 return LUXEL_CANCELLED;
-            if (emitter->type == LX_UNIFORM)
+            if (lx_is_uniform(emitter))
                 surface->uniform += surface->lobe.ambient.value * emitter->strength;
             if (!span.swarm && !is_light(plan, emitter))
                 continue;
@@ -281,7 +281,7 @@ static bool needs_reference(const struct lx_plan *plan, const struct lx_planned_
     enum { MOST_EDGES = 1000 };
     const double promised = plan->precision == LUXEL_DOUBLE ? 1e-11 : 2e-6;
     const double share = promised * plan->least_maximum / sqrt((double)surface->shell_count);
-    return shell->type == LX_FACETS && shell->edge_count <= MOST_EDGES &&
+    return shell->facets && shell->edge_count <= MOST_EDGES &&
            lx_bound_shell_double(&surface->shape, surface->lobe_exact.diffuse, shell, asking) > share;
 }
 

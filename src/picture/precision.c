@@ -15,6 +15,7 @@
 #include <math.h>
 
 #include "../base/vector.h"
+#include "../light/solid/extended.h"
 #include "../world/camera.h"
 #include "precision.h"
 #include "shell.h"
@@ -67,13 +68,11 @@ static double least_half_length(const struct lx_prepared *prepared, const struct
         eye_distance = distance((double[]){0, 0, camera->z_mm}, center);
         spread += turn_towards(shape, eye_distance);
     }
-    if (emitter->type == LX_POINT) {
-        for (int i = 0; i < 3; i++)
-            light[i] = emitter->position_mm[i] - center[i];
+    lx_emitter_origin(emitter, light);
+    for (int i = 0; i < 3 && !lx_is_endless(emitter); i++)
+        light[i] -= center[i];
+    if (!lx_is_endless(emitter))
         spread += turn_towards(shape, light_distance);
-    } else {
-        light[0] = emitter->towards.x.value, light[1] = emitter->towards.y.value, light[2] = emitter->towards.z.value;
-    }
     double zero[3] = {0, 0, 0};
     double cosine = lx_dot(eye, light) / (distance(eye, zero) * distance(light, zero));
     double angle = fmin(acos(fmax(-1, fmin(1, cosine))) + spread, M_PI);
@@ -124,7 +123,7 @@ double lx_bound_stand(const struct lx_shape *shape, const struct lx_lobe *lobe, 
                       double strength, const struct lx_stand *stand)
 {
     double radius = shape->radius_mm, off = unit, attenuation = 1, relative = 2 * unit, of_profile = 0;
-    if (emitter->type == LX_POINT) {
+    if (lx_is_point(emitter)) {
         double moved = unit * (stand->away_mm + radius) / stand->nearest_mm;
         off = moved + 3 * unit;
         of_profile = lx_profile_error_single(&emitter->profile, off + 2 * unit, moved);
@@ -148,7 +147,7 @@ double lx_bound_light(const struct lx_prepared *prepared, const struct lx_shape 
     struct lx_stand stand = {.least_half = 2};
     if (!shape->kind->bounds)
         return HUGE_VAL;
-    if (emitter->type == LX_POINT) {
+    if (lx_is_point(emitter)) {
         double from[3];
         for (int i = 0; i < 3; i++)
             from[i] = emitter->position_mm[i] - shape->anchor_mm[i];
@@ -219,8 +218,7 @@ double lx_gap(const struct lx_shape *shape, const struct lx_shell *shell, const 
 {
     if (!shape->kind->bounds)
         return -HUGE_VAL;
-    return shell->type == LX_FACETS ? least_gap(shape, shell, asking)
-                                    : least_distance(shape, shell->center) - shell->radius_mm;
+    return shell->facets ? least_gap(shape, shell, asking) : least_distance(shape, shell->center) - shell->radius_mm;
 }
 
 /*
@@ -249,7 +247,7 @@ static const double roundings = 2;
 double lx_bound_shell(const struct lx_shape *shape, double diffuse, const struct lx_shell *shell,
                       const struct lx_asking *asking)
 {
-    if (shell->type != LX_FACETS || !shape->kind->bounds)
+    if (!shell->facets || !shape->kind->bounds)
         return HUGE_VAL;
     const double radius = shell->radius_mm, greatest = diffuse * shell->radiance;
     const double away = distance(shell->center, (double[]){0, 0, 0}), nearest = least_gap(shape, shell, asking);
@@ -294,13 +292,12 @@ double lx_bound_law(const struct lx_shape *shape, double diffuse, const struct l
     const struct lx_shell_law *law = &shell->law;
     if (!(nearest > 0))
         return HUGE_VAL;
-    const double seen = shell->type == LX_BALL ? 0.25 : shell->type == LX_CYLINDER ? 0.5 : 1; /* of the area, at most */
-    const double greatest = diffuse * shell->radiance * greatest_flow(law, seen * lx_shell_area(shell), nearest);
+    const double greatest = diffuse * shell->radiance * greatest_flow(law, shell->turned_mm2, nearest);
     const double least = nearest * nearest * (law->none + nearest * (law->root + nearest * law->square));
     const double most = farthest * farthest * (law->none + farthest * (law->root + farthest * law->square));
     const bool moderate = is_moderate(shape->radius_mm) && is_moderate(away) && is_moderate(nearest) &&
                           is_moderate(radius) && is_moderate(greatest) && least > 1e-20 && most < 1e30;
-    const double shared = shell->type == LX_BALL ? 1 + radius / nearest : 1;
+    const double shared = shell->is_ball ? 1 + radius / nearest : 1;
     return moderate ? units * unit * shared * greatest : HUGE_VAL;
 }
 
@@ -358,7 +355,7 @@ bool lx_samples_fit_single(const struct lx_shape *shape, const struct lx_lobe_do
     const double margin = 200; /* between roundings and the tolerance, and for what is not looked at here */
     double away = distance(shell->center, (double[]){0, 0, 0});
     double nearest = least_distance(shape, shell->center) - shell->radius_mm;
-    if (shell->type == LX_CYLINDER)
+    if (shell->has_side)
         nearest = fmax(nearest, cylinder_gap(shape, shell));
     double off = unit * (away + shell->radius_mm + shape->radius_mm) / nearest + 4 * unit;
     double error = off * fmax(1, lx_power_slope(lobe->exponent.value));

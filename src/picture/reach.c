@@ -7,13 +7,14 @@
 #include <string.h>
 
 #include "../base/memory.h"
+#include "../light/solid/extended.h"
 #include "plan_make.h"
 
 /* A source that shines at all shines with strength 1 by the law 1/r^2, and ambient light not at all. */
 static void make_plain(struct lx_emitter *emitter)
 {
     emitter->attenuation = LX_INVERSE_SQUARE;
-    if (emitter->type == LX_UNIFORM)
+    if (lx_is_uniform(emitter))
         emitter->strength = 0;
     else if (emitter->strength > 0)
         emitter->strength = 1;
@@ -30,7 +31,7 @@ static bool shines(const struct lx_emitter *emitter)
 static bool has_ambient_light(const struct lx_emitters *emitters)
 {
     for (size_t i = 0; i < lx_item_count(emitters); i++)
-        if (emitters->items[i].type == LX_UNIFORM && emitters->items[i].strength > 0)
+        if (lx_is_uniform(&emitters->items[i]) && emitters->items[i].strength > 0)
             return true;
     return false;
 }
@@ -85,10 +86,9 @@ void lx_reach_clear(struct lx_reach *reach)
 static struct lx_reach_stretch stretch_of(const struct lx_emitter *emitter, const struct lx_prepared_surface *surface,
                                           double y_mm)
 {
-    struct lx_origin light = {.endless = emitter->type == LX_DIRECTION};
+    struct lx_origin light = {.endless = lx_is_endless(emitter)};
     struct lx_reach_stretch stretch;
-    const double towards[3] = {emitter->towards.x.value, emitter->towards.y.value, emitter->towards.z.value};
-    memcpy(light.at, light.endless ? towards : emitter->position_mm, sizeof light.at);
+    lx_emitter_origin(emitter, light.at);
     if (!(emitter->strength > 0) ||
         !surface->kind->lit_range(&surface->shape, &light, y_mm, &stretch.low_mm, &stretch.high_mm))
         return (struct lx_reach_stretch){HUGE_VAL, -HUGE_VAL};
@@ -102,7 +102,7 @@ struct lx_reach_stretch lx_reach_stretch(const struct lx_reach *reach, double y_
         return (struct lx_reach_stretch){-HUGE_VAL, HUGE_VAL};
     struct lx_reach_stretch all = {HUGE_VAL, -HUGE_VAL};
     for (size_t i = 0; i < emitters->count; i++) {
-        if (emitters->items[i].type == LX_UNIFORM)
+        if (lx_is_uniform(&emitters->items[i]))
             continue;
         const struct lx_reach_stretch one = stretch_of(&emitters->items[i], reach->plan.prepared->surfaces, y_mm);
         all.low_mm = fmin(all.low_mm, one.low_mm);

@@ -56,7 +56,7 @@ bool lx_round_view_of(const struct lx_shell *shell, const struct lx_vicinity *at
     const double from_center[3] = {at->place[0] - shell->center[0], at->place[1] - shell->center[1],
                                    at->place[2] - shell->center[2]};
     const double distance =
-        shell->type == LX_BALL ? sqrt(lx_dot(from_center, from_center)) : lx_distance_from_axis(shell, from_center);
+        shell->is_ball ? sqrt(lx_dot(from_center, from_center)) : lx_distance_from_axis(shell, from_center);
     const double margin = 1e-9 * distance + shell->touch_mm, moved = place->first + place->second + margin;
     const double nearest = distance - moved, imaginary = place->imaginary;
     if (!(nearest > imaginary))
@@ -71,7 +71,7 @@ bool lx_round_view_of(const struct lx_shell *shell, const struct lx_vicinity *at
     };
     if (!(view->share < densest))
         return false;
-    if (shell->type == LX_BALL)
+    if (shell->is_ball)
         return move_with_ball(radius, least, u_square, place, view);
     move_with_side(radius, least, u_square, place, view);
     return true;

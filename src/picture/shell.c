@@ -90,18 +90,6 @@ struct lx_shell_law lx_law_of(const struct lx_emitter *emitter)
     return law;
 }
 
-double lx_shell_area(const struct lx_shell *shell)
-{
-    const double circle = M_PI * shell->round_mm * shell->round_mm;
-    switch (shell->type) {
-    case LX_DISK: return circle;
-    case LX_BALL: return 4 * circle;
-    case LX_CYLINDER: return 2 * circle + 4 * M_PI * shell->round_mm * shell->half_mm;
-    default: break;
-    }
-    return shell->facets->area_mm2;
-}
-
 /* The quadrilaterals that faces are cut into for patches, from the source's centre. */
 static luxel_status set_quads(const struct lx_asking *asking, struct lx_shell *shell)
 {
@@ -133,17 +121,21 @@ luxel_status lx_shell_make(const struct lx_emitter *emitter, const struct lx_sha
                            struct lx_shell *shell)
 {
     const struct lx_facets *facets = emitter->facets;
-    bool is_facets = emitter->type == LX_FACETS;
+    const struct lx_emitter_kind *kind = lx_emitter_kind(emitter);
     const double *center = lx_emitter_center(emitter);
-    double half = emitter->type == LX_CYLINDER ? emitter->height_mm / 2 : 0;
     *shell = (struct lx_shell){
         .type = emitter->type,
+        .is_disk = lx_is_disk(emitter),
+        .is_ball = !lx_has_axis(emitter),
+        .has_side = kind->has_side,
         .radiance = emitter->radiance.value,
         .law = lx_law_of(emitter),
         .radius_mm = lx_emitter_radius(emitter),
         .axis = {emitter->axis.x.value, emitter->axis.y.value, emitter->axis.z.value},
-        .round_mm = is_facets ? 0 : emitter->radius_mm,
-        .half_mm = half,
+        .round_mm = facets ? 0 : emitter->radius_mm,
+        .half_mm = lx_half_height(emitter),
+        .turned_mm2 = kind->share_seen * kind->area_mm2(emitter).value,
+        .section_mm2 = kind->section_mm2(emitter),
     };
     double away = 0;
     for (int i = 0; i < 3; i++) {
@@ -151,8 +143,8 @@ luxel_status lx_shell_make(const struct lx_emitter *emitter, const struct lx_sha
         away += fabs(shell->center[i]);
     }
     shell->touch_mm = 16 * LX_ROUNDING * (away + shell->radius_mm + lit->radius_mm);
-    luxel_status status = is_facets ? set_facets(facets, asking, shell) : LUXEL_OK;
-    if (status == LUXEL_OK && is_facets && emitter->attenuation != LX_INVERSE_SQUARE)
+    luxel_status status = facets ? set_facets(facets, asking, shell) : LUXEL_OK;
+    if (status == LUXEL_OK && facets && emitter->attenuation != LX_INVERSE_SQUARE)
         status = set_quads(asking, shell);
     return status;
 }
@@ -226,7 +218,7 @@ static luxel_status set_quads_nodes(const struct lx_gauss_rules *rules, double n
 static luxel_status set_disk_nodes(const struct lx_gauss_rules *rules, double nearest, struct lx_shell *shell)
 {
     const unsigned needed = places_for(rules->digits, MISSED_ROUND, 2 * shell->round_mm, nearest);
-    const unsigned rings = (needed + 1) / 2, spokes = 4 * rings, ends = shell->type == LX_CYLINDER ? 2 : 1;
+    const unsigned rings = (needed + 1) / 2, spokes = 4 * rings, ends = shell->has_side ? 2 : 1;
     const double *axis = shell->axis, other[3] = {fabs(axis[0]) <= 0.5, fabs(axis[0]) > 0.5, 0};
     double a[3], b[3], length = 0;
     if (needed == 0)
@@ -260,14 +252,12 @@ luxel_status lx_shell_set_nodes(const struct lx_gauss_rules *rules, double neare
 {
     if (!(nearest > 0))
         return LUXEL_OK;
-    switch (shell->type) {
-    case LX_FACETS: return set_quads_nodes(rules, nearest, shell);
-    case LX_BALL: { /* rings go from the edge of what is seen, behind which singularities are */
+    if (shell->facets)
+        return set_quads_nodes(rules, nearest, shell);
+    if (shell->is_ball) { /* rings go from the edge of what is seen, behind which singularities are */
         const double away = nearest / shell->round_mm;
         shell->nodes_each = places_for(rules->digits, MISSED_BALL, 1, sqrt(away * (away + 2)));
         return LUXEL_OK;
-    }
-    default: break;
     }
     return set_disk_nodes(rules, nearest, shell);
 }

@@ -11,8 +11,6 @@
 #include "../kernel/kernel.h"
 
 struct lx_shell_law lx_law_of(const struct lx_emitter *emitter);
-/* The area that shines, in mm^2. */
-double lx_shell_area(const struct lx_shell *shell);
 
 /* Sets the rules with few places where those do, no place that is lit being nearer to the shell than that (mm).
  * LUXEL_OK or LUXEL_ERROR_MEMORY. */

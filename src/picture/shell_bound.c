@@ -23,11 +23,7 @@ static enum side side_of(double height, double leeway)
 static double reach_of(const struct lx_shell *shell, const double direction[3])
 {
     double farthest = -HUGE_VAL;
-    if (shell->type == LX_DISK) {
-        const double cosine = lx_dot(direction, shell->axis);
-        return shell->round_mm * sqrt(lx_larger(1 - cosine * cosine, 0));
-    }
-    if (shell->type == LX_CYLINDER) {
+    if (shell->is_disk || shell->has_side) {
         const double cosine = lx_dot(direction, shell->axis);
         return shell->half_mm * fabs(cosine) + shell->round_mm * sqrt(lx_larger(1 - cosine * cosine, 0));
     }
@@ -65,12 +61,10 @@ static enum side side_of_faces(const struct lx_shell *shell, const struct lx_vic
 {
     const double leeway = at->place_leeway.tile + margin;
     enum side side = BEHIND;
-    switch (shell->type) {
-    case LX_BALL: return BEFORE;
-    case LX_DISK: return side_of(lx_dot(shell->axis, from_center), leeway);
-    case LX_CYLINDER: return side_of_cylinder(shell, from_center, leeway);
-    default: break;
-    }
+    if (shell->has_side)
+        return side_of_cylinder(shell, from_center, leeway);
+    if (!shell->facets)
+        return shell->is_ball ? BEFORE : side_of(lx_dot(shell->axis, from_center), leeway);
     for (size_t f = 0; f < shell->face_count && side != UNSURE; f++) {
         const struct lx_shell_face_double *face = &shell->faces_double[f];
         const enum side of_face = side_of(lx_dot(face->normal, from_center) - face->height, leeway);
@@ -82,7 +76,7 @@ static enum side side_of_faces(const struct lx_shell *shell, const struct lx_vic
 /* The distance of a source's nearest place, or less. */
 static double least_distance(const struct lx_shell *shell, const double from_center[3])
 {
-    if (shell->type != LX_CYLINDER)
+    if (!shell->has_side)
         return sqrt(lx_dot(from_center, from_center)) - shell->radius_mm;
     return hypot(lx_larger(lx_distance_from_axis(shell, from_center) - shell->round_mm, 0),
                  lx_larger(fabs(lx_dot(shell->axis, from_center)) - shell->half_mm, 0));
@@ -127,7 +121,7 @@ double lx_smooth_shell_bound(const struct lx_shell *shell, double gain, const st
     const enum side faces = side_of_faces(shell, at, from_center, margin);
     if (horizon == BEHIND || faces == BEHIND)
         return 0;
-    if (shell->type == LX_CYLINDER && lx_distance_from_axis(shell, from_center) > shell->round_mm) {
+    if (shell->has_side && lx_distance_from_axis(shell, from_center) > shell->round_mm) {
         if (!lx_round_view_of(shell, at, &view))
             return HUGE_VAL;
         const double aside = view.aside * lx_beyond_real(&place);
@@ -141,6 +135,6 @@ double lx_smooth_shell_bound(const struct lx_shell *shell, double gain, const st
     const double most = sqrt((nearest + place.second) * (nearest + place.second) + imaginary);
     const double across = view.most * (1 + view.share) * sqrt(1 + view.share); /* of the way to a cylinder's side */
     const double size = gain * hypot(1 + normal->second, normal->imaginary) * most * lx_larger(most, across) / least;
-    return shell->type == LX_BALL ? size / least * lx_most_of_ball(shell, at)
-                                  : size * lx_law_at(&shell->law, sqrt(least), least);
+    return shell->is_ball ? size / least * lx_most_of_ball(shell, at)
+                          : size * lx_law_at(&shell->law, sqrt(least), least);
 }

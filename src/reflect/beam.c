@@ -171,7 +171,7 @@ int lx_beams_make(const struct lx_emitters *emitters, double share, struct lx_be
     *beams = (struct lx_beams){0};
     for (size_t i = 0; i < count; i++) {
         const struct lx_emitter *emitter = &emitters->items[i];
-        if (emitter->type == LX_UNIFORM || emitter->type == LX_DIRECTION)
+        if (!lx_has_place(emitter))
             continue;
         if (lx_reserve(&beams->items, &beams->capacity, beams->count + 1, sizeof *beams->items))
             return -1;

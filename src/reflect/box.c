@@ -268,9 +268,9 @@ static bool reaches_into(const struct lx_emitter *emitter, const struct lx_prepa
 {
     const bool is_extended = lx_is_extended(emitter);
     double at[3];
-    if (emitter->type == LX_UNIFORM || !(is_extended ? prepared->shadows_extended : prepared->shadows_on_free))
+    if (lx_is_uniform(emitter) || !(is_extended ? prepared->shadows_extended : prepared->shadows_on_free))
         return true;
-    if (emitter->type == LX_DIRECTION)
+    if (lx_is_endless(emitter))
         return false;
     locate(box, lx_emitter_center(emitter), at);
     for (int way = 0; way < 3; way++)

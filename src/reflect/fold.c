@@ -153,7 +153,7 @@ int lx_folds_make(const struct lx_emitters *emitters, double share, struct lx_fo
     const size_t count = lx_item_count(emitters);
     *folds = (struct lx_folds){0};
     for (size_t i = 0; i < count; i++)
-        if (emitters->items[i].type == LX_POINT && add_folds(&emitters->items[i], share, folds))
+        if (lx_is_point(&emitters->items[i]) && add_folds(&emitters->items[i], share, folds))
             return -1;
     return 0;
 }

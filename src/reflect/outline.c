@@ -47,18 +47,17 @@ static void set_light(const struct lx_emitter *emitter, struct lx_outline_light 
 {
     const double axis[3] = {emitter->axis.x.value, emitter->axis.y.value, emitter->axis.z.value};
     double across[3], upward[3];
-    *light = (struct lx_outline_light){.emitter = emitter, .at.endless = emitter->type == LX_DIRECTION};
-    const double towards[3] = {emitter->towards.x.value, emitter->towards.y.value, emitter->towards.z.value};
-    memcpy(light->at.at, light->at.endless ? towards : lx_emitter_center(emitter), sizeof light->at.at);
-    if (emitter->type == LX_FACETS)
+    *light = (struct lx_outline_light){.emitter = emitter, .at.endless = lx_is_endless(emitter)};
+    lx_emitter_origin(emitter, light->at.at);
+    if (emitter->facets)
         reach_of_facets(emitter->facets, light);
-    if (!lx_is_extended(emitter) || emitter->type == LX_FACETS)
+    if (!lx_is_extended(emitter) || emitter->facets)
         return;
     lx_around_axis(axis, across, upward);
     set_reach(light, across, emitter->radius_mm);
     set_reach(light, upward, emitter->radius_mm);
-    if (emitter->type != LX_DISK)
-        set_reach(light, axis, emitter->type == LX_BALL ? emitter->radius_mm : emitter->height_mm / 2);
+    if (!lx_is_disk(emitter))
+        set_reach(light, axis, lx_half_height(emitter) + (lx_emitter_kind(emitter)->bulges ? emitter->radius_mm : 0));
 }
 
 /* ---- outlines of surfaces ---- */
@@ -138,7 +137,7 @@ static void add_surface(struct drawing *drawing, const struct lx_shape *shape)
 
 static bool casts(const struct lx_prepared *prepared, const struct lx_emitter *emitter)
 {
-    return emitter->type != LX_UNIFORM && !emitter->is_back &&
+    return !lx_is_uniform(emitter) && !emitter->is_back &&
            (lx_is_extended(emitter) ? prepared->shadows_extended : prepared->shadows);
 }
 

@@ -7,7 +7,7 @@
 
 #include "../scene/object.h"
 
-enum lx_random { LX_UNIFORM, LX_LOGARITHMIC, LX_BOX, LX_ON_SPHERE, LX_RANDOM_CHOICE };
+enum lx_random { LX_EVEN, LX_LOGARITHMIC, LX_BOX, LX_ON_SPHERE, LX_RANDOM_CHOICE };
 
 /* One element of `vary`, by lx_vary_table. */
 struct lx_vary {

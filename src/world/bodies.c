@@ -45,8 +45,7 @@ static bool is_lit_within(const struct lx_prepared *prepared, const struct lx_sh
     for (size_t i = 0; i < prepared->emitters.count; i++) {
         struct lx_emitter room;
         const struct lx_emitter *emitter = lx_emitter_at(&prepared->emitters, i, &room);
-        if (emitter->type != LX_UNIFORM && emitter->type != LX_DIRECTION &&
-            lx_shape_encloses(shape, lx_emitter_center(emitter)))
+        if (lx_has_place(emitter) && lx_shape_encloses(shape, lx_emitter_center(emitter)))
             return true;
     }
     return false;

@@ -9,9 +9,9 @@
 #include <stdint.h>
 #include <string.h>
 
+#include "../kernel/kernel_law.h"
 #include "../surface/beside.h"
 #include "kernel_elements.h"
-#include "../kernel/kernel_law.h"
 
 #include "../kernel/lanes_double.h"
 
@@ -214,14 +214,14 @@ static void light(const struct lx_emitter *emitter, const struct lx_elements *el
 {
     const struct lx_lobe *lobe = elements->lobe;
     const struct sample everywhere_same = {everywhere3(emitter->towards), exactly(all_double(emitter->strength))};
-    if (emitter->type == LX_UNIFORM) {
+    if (lx_is_uniform(emitter)) {
         light_uniform(emitter, elements, wanted, received);
         return;
     }
     for (size_t i = 0; i < elements->count; i += LX_WIDTH_double) {
         const struct bounded3 normal = load_bounded3(&elements->normal, i);
         const struct sample sample =
-            emitter->type == LX_DIRECTION
+            lx_is_endless(emitter)
                 ? everywhere_same
                 : sample_point(emitter, load_bounded3(&elements->place_mm, i), received->on_element + i);
         const struct bounded n_dot_l = dot_normal(elements, normal, sample.towards), cosine = positive(n_dot_l);

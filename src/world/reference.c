@@ -83,7 +83,7 @@ static lx_bounded blocked_by(const struct lx_prepared_surface *surface, const st
 /* The way from the element to an emitter without size; sets whether it has no end. */
 static lx_bounded3 way_to(const struct lx_element *element, const struct lx_emitter *emitter, bool *endless)
 {
-    *endless = emitter->type == LX_DIRECTION;
+    *endless = lx_is_endless(emitter);
     return *endless ? emitter->towards : lx_sub3(lx_exact3(emitter->position_mm), element->place_mm);
 }
 
@@ -187,7 +187,7 @@ struct lx_lighting lx_light_element(const struct lx_prepared *prepared, const st
     struct lx_sample sample = lx_emitter_sample(emitter, element->place_mm);
     if (sample.on_element)
         return (struct lx_lighting){.on_element = true};
-    if (emitter->type == LX_UNIFORM)
+    if (lx_is_uniform(emitter))
         return (struct lx_lighting){
             .irradiance = sample.e_perp,
             .diffuse = lx_mul(element->lobe->ambient, sample.e_perp),

@@ -5,6 +5,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "../light/solid/extended.h"
 #include "../surface/beside.h"
 #include "among.h"
 #include "camera.h"
@@ -147,9 +148,9 @@ static bool may_close(const struct lx_shape *shape, const struct lx_elements *el
 
 static struct lx_ways ways_to(const struct lx_emitter *emitter)
 {
-    if (emitter->type == LX_DIRECTION)
-        return (struct lx_ways){true, {emitter->towards.x.value, emitter->towards.y.value, emitter->towards.z.value}};
-    return (struct lx_ways){false, {emitter->position_mm[0], emitter->position_mm[1], emitter->position_mm[2]}};
+    struct lx_ways ways = {.endless = lx_is_endless(emitter)};
+    lx_emitter_origin(emitter, ways.to);
+    return ways;
 }
 
 static void open_all(struct lx_openness *openness)
@@ -191,7 +192,7 @@ static const struct lx_column *find_open(const struct lx_world *world, const str
     const struct lx_element_kernels *kernels = world->kernels;
     const bool casts = elements->are_free ? prepared->shadows_on_free : prepared->shadows;
     bool is_open = true;
-    if (!casts || emitter->type == LX_UNIFORM)
+    if (!casts || lx_is_uniform(emitter))
         return NULL;
     const struct lx_ways ways = ways_to(emitter);
     struct lx_found found;

@@ -63,7 +63,7 @@ static struct seen_place seen_of_ball(const struct lx_shell *ball, struct vector
 static struct seen_place seen_of(const struct lx_shell *shell, const struct lx_vicinity *at, struct vector place,
                                  double s, double t)
 {
-    if (shell->type == LX_CYLINDER)
+    if (shell->has_side)
         return seen_of_side(shell, place, s, t);
     return seen_of_ball(shell, unit(plus(vector_of(at->place), -1, vector_of(shell->center))), place, s, t);
 }
@@ -91,7 +91,7 @@ static void places_move(void **state)
     for (int i = 0; i < BODIES; i++) {
         struct randomness random = {.state = UINT64_C(0x94D049BB133111EB) * ((uint64_t)i + 1)};
         const double distance = logarithmic(&random, 110, 3000), reach = distance * logarithmic(&random, 0.001, 0.3);
-        struct lx_shell shell = {.type = i % 2 ? LX_BALL : LX_CYLINDER, .round_mm = 100, .half_mm = 200};
+        struct lx_shell shell = {.is_ball = i % 2 == 1, .has_side = i % 2 == 0, .round_mm = 100, .half_mm = 200};
         struct lx_vicinity at = {.place_leeway = {.first = reach * uniform(&random, 0, 1),
                                                   .second = reach * uniform(&random, 0, 0.3),
                                                   .imaginary = reach * uniform(&random, 0, 1)}};
@@ -188,7 +188,7 @@ static void try_parts(const struct test_scene *test, struct workplace *work, con
         assert_true(size == size);
         if (!isfinite(size) || size == 0)
             continue;
-        ++tried[part.shell->type == LX_CYLINDER];
+        ++tried[part.shell->has_side];
         check_size_by(plan, lobe, brightness_by_part, &part, &about, size, &vicinity, square, basis, random);
     }
 }
@@ -249,7 +249,7 @@ static void check_sums(const struct lx_shell *shell, const struct lx_vicinity *a
     }
     assert_true(fabs(area - 1) < 1e-12);
     assert_true(lx_round_view_of(shell, at, &view));
-    if (shell->type == LX_BALL)
+    if (shell->is_ball)
         assert_true(fabs(gain / (7 * M_PI * 150 * 150 / (1 - view.share)) - 1) < 1e-9);
 }
 
@@ -294,7 +294,7 @@ static void bounds_of_cylinders(void **state)
     (void)state;
     for (int i = 0; i < CYLINDERS; i++) {
         struct randomness random = {.state = UINT64_C(0xD1B54A32D192ED03) * ((uint64_t)i + 1)};
-        struct lx_shell shell = {.type = LX_CYLINDER, .round_mm = 100, .half_mm = logarithmic(&random, 10, 1000)};
+        struct lx_shell shell = {.has_side = true, .round_mm = 100, .half_mm = logarithmic(&random, 10, 1000)};
         shell.law = i % 2 ? (struct lx_shell_law){.square = 1} : (struct lx_shell_law){1e5, 1e2 * (i % 3), i % 5, 0};
         const double away = logarithmic(&random, 101, 2000), reach = away * logarithmic(&random, 0.0001, 0.1);
         struct lx_vicinity at = {.normal = {0, 0, 1}, .place_leeway = {.first = reach, .tile = reach / 4}};
@@ -328,7 +328,7 @@ static void bounds_of_cylinders(void **state)
 /* None where the plane of an end goes through the square. */
 static void ends_of_cylinders(void **state)
 {
-    struct lx_shell shell = {.type = LX_CYLINDER, .law.square = 1, .round_mm = 100, .half_mm = 200, .axis = {1, 0, 0}};
+    struct lx_shell shell = {.has_side = true, .law.square = 1, .round_mm = 100, .half_mm = 200, .axis = {1, 0, 0}};
     const struct lx_vicinity at = {.normal = {0, 0, 1}, .place_leeway = {.first = 10, .tile = 10}};
     (void)state;
     shell.center[2] = 1000;

@@ -348,7 +348,7 @@ static void disks(void **state)
     for (int degrees = 5; degrees < 90; degrees += 10) {
         const double turn = degrees * M_PI / 180, reach = 100 * sin(turn);
         struct lx_shell shell = {
-            .type = LX_DISK, .law.square = 1, .axis = {-sin(turn), 0, -cos(turn)}, .center = {300, 0, 1.001 * reach}};
+            .is_disk = true, .law.square = 1, .axis = {-sin(turn), 0, -cos(turn)}, .center = {300, 0, 1.001 * reach}};
         shell.radius_mm = shell.round_mm = 100;
         assert_true(isfinite(lx_smooth_shell_bound(&shell, 1, &at)));
         shell.center[2] = 0.999 * reach;

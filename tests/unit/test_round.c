@@ -70,7 +70,7 @@ static struct lx_emitter cylinder(const double center[3], double radius, double 
 static lx_bounded light(const struct lx_emitter *emitter, const double place[3], const double normal[3])
 {
     assert_false(lx_round_touches(emitter, lx_exact3(place)));
-    lx_bounded found = lx_round_irradiance(emitter, lx_exact3(place), lx_exact3(normal));
+    lx_bounded found = lx_emitter_kind(emitter)->irradiance(emitter, lx_exact3(place), lx_exact3(normal));
     assert_true(found.value >= 0 && found.error >= 0);
     return found;
 }
@@ -411,13 +411,13 @@ static void uncertain_elements(void **unused)
             continue;
         if (axis_off > 0)
             turned.axis = lx_unit3(lx_exact3(direction));
-        lx_bounded found = lx_round_irradiance(&emitter, place, uncertain);
+        lx_bounded found = lx_emitter_kind(&emitter)->irradiance(&emitter, place, uncertain);
         double there[3], tilted[3];
         for (int k = 0; k < 3; k++) {
             there[k] = place_off * (uniform(&state, 0, 1) < 0.5 ? -1 : 1);
             tilted[k] = normal[k] + normal_off * (uniform(&state, 0, 1) < 0.5 ? -1 : 1);
         }
-        lx_bounded other = lx_round_irradiance(&turned, lx_exact3(there), lx_exact3(tilted));
+        lx_bounded other = lx_emitter_kind(&turned)->irradiance(&turned, lx_exact3(there), lx_exact3(tilted));
         if (!(fabs(found.value - other.value) <= found.error + other.error))
             fail_msg("type %d: %.17g and %.17g, error %g", (int)emitter.type, found.value, other.value, found.error);
     }
@@ -488,7 +488,7 @@ static double parts_light(const struct lx_emitter *emitter, unsigned parts, cons
 {
     struct lx_emitters list = {0};
     double sum = 0;
-    assert_int_equal(lx_round_cut(emitter, parts, &list), 0);
+    assert_int_equal(lx_emitter_kind(emitter)->cut(emitter, parts, &list), 0);
     for (size_t i = 0; i < list.count; i++) {
         struct lx_sample sample = lx_emitter_sample(&list.items[i], lx_exact3(place));
         sum += sample.e_perp.value * fmax(0, lx_dot3(sample.towards, lx_exact3(normal)).value);
@@ -508,7 +508,7 @@ static void parts(void **unused)
         round[k].radiance = lx_exact(7);
         for (unsigned n = 1; n <= 5; n += 2) {
             struct lx_emitters list = {0};
-            assert_int_equal(lx_round_cut(&round[k], n, &list), 0);
+            assert_int_equal(lx_emitter_kind(&round[k])->cut(&round[k], n, &list), 0);
             assert_int_equal(list.count, (round[k].type == LX_CYLINDER ? 3 : 1) * n * n);
             double strength = 0;
             for (size_t i = 0; i < list.count; i++) {

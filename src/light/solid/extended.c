@@ -1,63 +1,64 @@
 /* SPDX-License-Identifier: MIT */
-/* Extended emitters by their kind. */
+/* Extended emitters: what all of them answer in the same way. */
 #include <stdlib.h>
+#include <string.h>
 
-#include "elliptic.h"
+#include "../../base/vector.h"
 #include "extended.h"
-#include "facets.h"
-#include "round.h"
-
-/* Whether it is within a sphere that is an opening, whose surface is seen from outside alone. */
-static bool is_within(const struct lx_emitter *emitter, lx_bounded3 place_mm)
-{
-    const lx_bounded3 offset = lx_sub3(lx_exact3(emitter->center_mm), place_mm);
-    return lx_is_opening(emitter) && emitter->type == LX_BALL && !lx_is_elliptic(emitter) &&
-           lx_length3(offset).value < emitter->radius_mm;
-}
-
-bool lx_extended_touches(const struct lx_emitter *emitter, lx_bounded3 place_mm)
-{
-    if (is_within(emitter, place_mm))
-        return true;
-    if (emitter->type == LX_FACETS)
-        return lx_facets_touch(emitter->facets, place_mm);
-    if (lx_is_elliptic(emitter))
-        return lx_elliptic_touches(emitter, place_mm);
-    return lx_round_touches(emitter, place_mm);
-}
-
-/* The area of facets was summed as it stands, from the rounded areas of the faces. */
-lx_bounded lx_extended_area_mm2(const struct lx_emitter *emitter)
-{
-    lx_bounded pi = lx_rounded(M_PI, 0, 1);
-    lx_bounded radius = lx_exact(emitter->radius_mm), square = lx_mul(radius, radius);
-    if (lx_is_elliptic(emitter))
-        return lx_elliptic_area_mm2(emitter);
-    switch (emitter->type) {
-    case LX_FACETS: return lx_rounded(emitter->facets->area_mm2, 0, 4 + (double)emitter->facets->face_count);
-    case LX_DISK: return lx_mul(pi, square);
-    case LX_BALL: return lx_scale(lx_mul(pi, square), 4);
-    case LX_CYLINDER: return lx_scale(lx_mul(pi, lx_add(square, lx_mul(radius, lx_exact(emitter->height_mm)))), 2);
-    default: break;
-    }
-    return lx_exact(0);
-}
 
 lx_bounded lx_extended_irradiance(const struct lx_emitter *emitter, lx_bounded3 place_mm, lx_bounded3 normal)
 {
-    if (emitter->type == LX_FACETS)
-        return lx_mul(emitter->radiance, lx_facets_irradiance(emitter->facets, place_mm, normal));
-    return lx_mul(emitter->radiance, lx_round_irradiance(emitter, place_mm, normal));
+    return lx_mul(emitter->radiance, lx_emitter_kind(emitter)->irradiance(emitter, place_mm, normal));
+}
+
+struct lx_emitter lx_extended_as_point(const struct lx_emitter *emitter)
+{
+    struct lx_emitter point = *emitter;
+    point.type = LX_POINT;
+    point.facets = NULL;
+    point.strength = emitter->radiance.value * lx_extended_area_mm2(emitter).value / 1e6;
+    point.profile = lx_profile_isotropic();
+    memcpy(point.position_mm, lx_emitter_center(emitter), sizeof point.position_mm);
+    return point;
 }
 
 int lx_extended_cut(const struct lx_emitter *emitter, unsigned parts, struct lx_emitters *emitters)
 {
     size_t first = lx_item_count(emitters), first_swarm = emitters->swarm_count;
-    int failed =
-        emitter->type == LX_FACETS ? lx_facets_cut(emitter, parts, emitters) : lx_round_cut(emitter, parts, emitters);
+    int failed = lx_emitter_kind(emitter)->cut(emitter, parts, emitters);
     for (size_t i = first; i < lx_item_count(emitters); i++)
         emitters->items[i].is_part = true;
     for (size_t i = first_swarm; i < emitters->swarm_count; i++)
         emitters->swarms[i].model.is_part = true;
     return failed;
+}
+
+bool lx_emitter_plane(const struct lx_emitter *emitter, double place_mm[3], double normal[3])
+{
+    const struct lx_emitter_kind *kind = lx_emitter_kind(emitter);
+    return kind->plane && kind->plane(emitter, place_mm, normal);
+}
+
+double lx_emitter_extent(const struct lx_emitter *emitter, const double place_mm[3], const double direction[3],
+                         double *nearest)
+{
+    const struct lx_facets *facets = emitter->facets;
+    double offset[3], farthest = -HUGE_VAL;
+    *nearest = HUGE_VAL;
+    for (size_t i = 0; facets && i < facets->corner_count; i++) {
+        const lx_wide3 *corner = &facets->corners_mm[i];
+        const double at[3] = {lx_wide_value(corner->x), lx_wide_value(corner->y), lx_wide_value(corner->z)};
+        for (int k = 0; k < 3; k++)
+            offset[k] = at[k] - place_mm[k];
+        const double along = lx_dot(direction, offset);
+        farthest = fmax(farthest, along);
+        *nearest = fmin(*nearest, along);
+    }
+    if (facets)
+        return farthest;
+    for (int k = 0; k < 3; k++)
+        offset[k] = emitter->center_mm[k] - place_mm[k];
+    const double middle = lx_dot(direction, offset), around = lx_round_reach(emitter, direction);
+    *nearest = middle - around;
+    return middle + around;
 }

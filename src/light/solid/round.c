@@ -19,12 +19,14 @@
  */
 #include <math.h>
 
+#include "../../base/vector.h"
+#include "elliptic.h"
 #include "rim.h"
 #include "round.h"
 
 /* What an element at the origin sees, scaled by a power of two so that nothing is far from 1. */
 struct sight {
-    enum lx_emitter_type type;
+    bool is_disk;
     lx_wide rho, height, radius, half_height; /* the centre is (rho, 0, height) in the frame of rim.h */
     lx_wide3 normal;
     double place_error, normal_error; /* how far places of the source may be off, from the element, and N */
@@ -107,7 +109,7 @@ static struct sight sight_of(const struct lx_emitter *emitter, lx_bounded3 place
     center = scaled(center, scale);
     double distance = lx_wide3_length(center).high, turned = 0;
     lx_wide3 n = wide_of(normal), a;
-    if (emitter->type == LX_BALL) {
+    if (!lx_has_axis(emitter)) {
         a = distance > 0 ? lx_wide3_unit(center) : lx_wide3_of((const double[]){0, 0, 1});
     } else {
         a = lx_wide3_unit(wide_of(bounded_axis));
@@ -115,18 +117,18 @@ static struct sight sight_of(const struct lx_emitter *emitter, lx_bounded3 place
         turned *= 1 + turned; /* of a unit vector along it */
     }
     lx_wide height = lx_wide3_dot(center, a);
-    if (emitter->type == LX_DISK || height.high < 0) { /* away from the element; a disk's front is towards it */
+    if (lx_is_disk(emitter) || height.high < 0) { /* away from the element; a disk's front is towards it */
         a = lx_wide3_mul(a, lx_wide_of(-1));
         height = lx_wide_negate(height);
     }
     lx_wide3 u = towards(center, a), v = lx_wide3_cross(a, u);
     double size = hypot(emitter->radius_mm, emitter->height_mm / 2) * scale;
     struct sight sight = {
-        .type = emitter->type,
-        .rho = emitter->type == LX_BALL ? lx_wide_of(0) : lx_wide3_dot(center, u),
+        .is_disk = lx_is_disk(emitter),
+        .rho = lx_has_axis(emitter) ? lx_wide3_dot(center, u) : lx_wide_of(0),
         .height = height,
         .radius = lx_wide_of(emitter->radius_mm * scale),
-        .half_height = lx_wide_of(emitter->type == LX_CYLINDER ? emitter->height_mm * scale / 2 : 0),
+        .half_height = lx_wide_of(lx_half_height(emitter) * scale),
         .normal = {lx_wide3_dot(n, u), lx_wide3_dot(n, v), lx_wide3_dot(n, a)},
         .place_error = error_norm(place_mm) * scale + OWN * distance + turned * size,
         .normal_error = error_norm(normal) + OWN,
@@ -183,7 +185,7 @@ static double surface_bound(const struct sight *sight, double distance, double m
         return M_PI;
     double d = distance, omega = fmin(2 * M_PI, area / (d * d));
     double highest = fmax(sight->height.high, 0) + sight->place_error + sight->tilted; /* above the disk */
-    if (sight->type == LX_DISK)
+    if (sight->is_disk)
         omega = fmin(omega, area * fmin(1, highest / d) / (d * d));
     double by_area = (5 * omega / d + mu * fmin(area / (d * d * d), c * M_PI / d)) * sight->place_error;
     by_area += sight->turned * mu * area / (d * d);
@@ -339,23 +341,58 @@ static struct estimate see_cylinder(const struct sight *sight)
 
 /* ---- the interface ---- */
 
-lx_bounded lx_round_irradiance(const struct lx_emitter *emitter, lx_bounded3 place_mm, lx_bounded3 normal)
+lx_bounded lx_disk_irradiance(const struct lx_emitter *disk, lx_bounded3 place_mm, lx_bounded3 normal)
 {
-    struct sight sight = sight_of(emitter, place_mm, normal);
-    struct estimate estimate = emitter->type == LX_DISK   ? see_disk(&sight)
-                               : emitter->type == LX_BALL ? see_ball(&sight)
-                                                          : see_cylinder(&sight);
+    const struct sight sight = sight_of(disk, place_mm, normal);
+    const struct estimate estimate = see_disk(&sight);
     return lx_rounded(estimate.value, estimate.error, 2);
 }
 
+lx_bounded lx_ball_irradiance(const struct lx_emitter *ball, lx_bounded3 place_mm, lx_bounded3 normal)
+{
+    const struct sight sight = sight_of(ball, place_mm, normal);
+    const struct estimate estimate = see_ball(&sight);
+    return lx_rounded(estimate.value, estimate.error, 2);
+}
+
+lx_bounded lx_cylinder_irradiance(const struct lx_emitter *cylinder, lx_bounded3 place_mm, lx_bounded3 normal)
+{
+    const struct sight sight = sight_of(cylinder, place_mm, normal);
+    const struct estimate estimate = see_cylinder(&sight);
+    return lx_rounded(estimate.value, estimate.error, 2);
+}
+
+double lx_round_reach(const struct lx_emitter *emitter, const double direction[3])
+{
+    const double axis[3] = {emitter->axis.x.value, emitter->axis.y.value, emitter->axis.z.value};
+    const double along = lx_has_axis(emitter) ? lx_dot(direction, axis) : 0;
+    const double across = lx_emitter_kind(emitter)->bulges ? 1 : sqrt(fmax(1 - along * along, 0));
+    return emitter->radius_mm * across + lx_half_height(emitter) * fabs(along);
+}
+
+void lx_round_farthest(const struct lx_emitter *emitter, const double towards[3], double place_mm[3])
+{
+    const double axis[3] = {emitter->axis.x.value, emitter->axis.y.value, emitter->axis.z.value};
+    const double along = lx_has_axis(emitter) ? lx_dot(axis, towards) : 0;
+    const bool bulges = lx_emitter_kind(emitter)->bulges;
+    const double across = bulges ? 1 : sqrt(fmax(1 - along * along, 0)), inwards = bulges ? 0 : along;
+    for (int i = 0; i < 3; i++) {
+        place_mm[i] = emitter->center_mm[i];
+        if (lx_emitter_kind(emitter)->has_side)
+            place_mm[i] += copysign(lx_half_height(emitter), along) * axis[i];
+        if (across > 0)
+            place_mm[i] += emitter->radius_mm * (towards[i] - inwards * axis[i]) / across;
+    }
+}
+
 /* The distance from the surface. */
-static double distance_to(const struct sight *sight)
+static double distance_to(const struct lx_emitter *emitter, const struct sight *sight)
 {
     double beyond = lx_wide_sub(sight->rho, sight->radius).high;
     double over = lx_wide_sub(sight->height, sight->half_height).high;
-    if (sight->type == LX_BALL)
+    if (!lx_has_axis(emitter))
         return fabs(lx_wide_sub(sight->height, sight->radius).high);
-    if (sight->type == LX_DISK)
+    if (sight->is_disk)
         return hypot(fmax(beyond, 0), over);
     return beyond <= 0 && over <= 0 ? -fmax(beyond, over) : hypot(fmax(beyond, 0), fmax(over, 0));
 }
@@ -363,6 +400,8 @@ static double distance_to(const struct sight *sight)
 bool lx_round_touches(const struct lx_emitter *emitter, lx_bounded3 place_mm)
 {
     static const double UNITS = 4;
+    if (lx_is_elliptic(emitter))
+        return lx_elliptic_touches(emitter, place_mm);
     struct sight sight = sight_of(emitter, place_mm, (lx_bounded3){{0, 0}, {0, 0}, {0, 0}});
     lx_wide3 center = lx_wide3_sub(lx_wide3_of(emitter->center_mm), wide_of(place_mm));
     double largest = fmax(fmax(fabs(place_mm.x.value), fabs(place_mm.y.value)), fabs(place_mm.z.value));
@@ -370,5 +409,5 @@ bool lx_round_touches(const struct lx_emitter *emitter, lx_bounded3 place_mm)
         largest = fmax(largest, fabs(emitter->center_mm[i]));
     largest = fmax(largest, fmax(emitter->radius_mm, emitter->height_mm));
     double slack = UNITS * DBL_EPSILON * largest * scale_of(emitter, center);
-    return distance_to(&sight) <= sight.place_error + slack;
+    return distance_to(emitter, &sight) <= sight.place_error + slack;
 }

@@ -12,12 +12,38 @@
 #ifndef LX_LIGHT_ROUND_H
 #define LX_LIGHT_ROUND_H
 
-#include "../emitter.h"
+#include "../emitter_kind.h"
 
-/* As lx_extended_touches(), _irradiance(), _cut() for LX_DISK, LX_BALL, LX_CYLINDER. */
+/* Half the height of the side; 0 where there is none. */
+static inline double lx_half_height(const struct lx_emitter *emitter)
+{
+    return lx_emitter_kind(emitter)->has_side ? emitter->height_mm / 2 : 0;
+}
+
+/* Whether it is another one when it is turned. */
+static inline bool lx_has_axis(const struct lx_emitter *emitter)
+{
+    return lx_emitter_kind(emitter)->has_side || !lx_emitter_kind(emitter)->bulges;
+}
+
+/* Whether it is flat and shines along its axis. */
+static inline bool lx_is_disk(const struct lx_emitter *emitter)
+{
+    const struct lx_emitter_kind *kind = lx_emitter_kind(emitter);
+    return !emitter->facets && !kind->has_side && !kind->bulges;
+}
+
+/* How far it reaches from its centre in a unit direction, and its place there. */
+double lx_round_reach(const struct lx_emitter *emitter, const double direction[3]);
+void lx_round_farthest(const struct lx_emitter *emitter, const double towards[3], double place_mm[3]);
+
+/* The rest as emitter_kind.h asks for it. */
 bool lx_round_touches(const struct lx_emitter *emitter, lx_bounded3 place_mm);
-/* for a radiance of 1 */
-lx_bounded lx_round_irradiance(const struct lx_emitter *emitter, lx_bounded3 place_mm, lx_bounded3 normal);
-int lx_round_cut(const struct lx_emitter *emitter, unsigned parts, struct lx_emitters *emitters);
+lx_bounded lx_disk_irradiance(const struct lx_emitter *disk, lx_bounded3 place_mm, lx_bounded3 normal);
+lx_bounded lx_ball_irradiance(const struct lx_emitter *ball, lx_bounded3 place_mm, lx_bounded3 normal);
+lx_bounded lx_cylinder_irradiance(const struct lx_emitter *cylinder, lx_bounded3 place_mm, lx_bounded3 normal);
+int lx_disk_cut(const struct lx_emitter *disk, unsigned parts, struct lx_emitters *emitters);
+int lx_ball_cut(const struct lx_emitter *ball, unsigned parts, struct lx_emitters *emitters);
+int lx_cylinder_cut(const struct lx_emitter *cylinder, unsigned parts, struct lx_emitters *emitters);
 
 #endif

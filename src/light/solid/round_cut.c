@@ -20,7 +20,7 @@ static void to_doubles(lx_wide3 a, double result[3])
 static struct frame frame_of(const struct lx_emitter *emitter)
 {
     double axis[3] = {0, 0, 1}, up[3];
-    if (emitter->type != LX_BALL)
+    if (lx_has_axis(emitter))
         axis[0] = emitter->axis.x.value, axis[1] = emitter->axis.y.value, axis[2] = emitter->axis.z.value;
     lx_usual_up(axis, up);
     struct lx_pose pose = lx_pose_of(axis, up);
@@ -113,14 +113,27 @@ static int cut_side(struct cut *cut, unsigned parts)
     return 0;
 }
 
-int lx_round_cut(const struct lx_emitter *emitter, unsigned parts, struct lx_emitters *emitters)
+static struct cut cut_of(const struct lx_emitter *emitter, struct lx_emitters *emitters)
 {
-    struct cut cut = {.emitter = emitter, .frame = frame_of(emitter), .emitters = emitters};
-    if (emitter->type == LX_DISK)
-        return cut_disk(&cut, 0, 1, parts);
-    if (emitter->type == LX_BALL)
-        return cut_ball(&cut, parts);
-    double half = emitter->height_mm / 2;
+    return (struct cut){.emitter = emitter, .frame = frame_of(emitter), .emitters = emitters};
+}
+
+int lx_disk_cut(const struct lx_emitter *disk, unsigned parts, struct lx_emitters *emitters)
+{
+    struct cut cut = cut_of(disk, emitters);
+    return cut_disk(&cut, 0, 1, parts);
+}
+
+int lx_ball_cut(const struct lx_emitter *ball, unsigned parts, struct lx_emitters *emitters)
+{
+    struct cut cut = cut_of(ball, emitters);
+    return cut_ball(&cut, parts);
+}
+
+int lx_cylinder_cut(const struct lx_emitter *cylinder, unsigned parts, struct lx_emitters *emitters)
+{
+    struct cut cut = cut_of(cylinder, emitters);
+    const double half = cylinder->height_mm / 2;
     if (cut_side(&cut, parts) || cut_disk(&cut, half, 1, parts))
         return -1;
     return cut_disk(&cut, -half, -1, parts);

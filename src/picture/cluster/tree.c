@@ -28,7 +28,7 @@ static bool same_law(const struct lx_emitter *a, const struct lx_emitter *b)
 
 static bool same_kind(const struct lx_emitter *a, const struct lx_emitter *b)
 {
-    return a->type == LX_POINT && b->type == LX_POINT && a->is_part == b->is_part && same_law(a, b) &&
+    return lx_is_point(a) && lx_is_point(b) && a->is_part == b->is_part && same_law(a, b) &&
            lx_profile_is_alike(&a->profile, &b->profile);
 }
 
@@ -54,7 +54,7 @@ static bool has_own_tree(const struct lx_emitter_span *span)
 static void count_points(struct kinds *kinds, const struct lx_emitter *emitter, size_t points, bool has_own)
 {
     size_t kind = 0;
-    if (emitter->type != LX_POINT || !lx_profile_is_alike(&emitter->profile, &emitter->profile))
+    if (!lx_is_point(emitter) || !lx_profile_is_alike(&emitter->profile, &emitter->profile))
         return;
     while (kind < kinds->count && !same_kind(kinds->models[kind], emitter))
         kind++;

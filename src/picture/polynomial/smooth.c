@@ -86,11 +86,7 @@ void lx_bases_make(struct lx_basis bases[LX_BASES])
 static double gain_of(const struct lx_planned_shell *planned, double diffuse)
 {
     const struct lx_shell *shell = &planned->shell;
-    const double circle = M_PI * shell->round_mm * shell->round_mm;
-    const double area = shell->type == LX_BALL       ? circle
-                        : shell->type == LX_CYLINDER ? circle + 4 * shell->half_mm * shell->round_mm
-                                                     : lx_extended_area_mm2(planned->emitter).value;
-    return planned->by_reference ? HUGE_VAL : diffuse * shell->radiance * area;
+    return planned->by_reference ? HUGE_VAL : diffuse * shell->radiance * shell->section_mm2;
 }
 
 /* The parts that highlights are of, and numbers that stand for the profile of flat ones where they have none. */

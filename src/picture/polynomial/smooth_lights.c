@@ -297,7 +297,7 @@ static struct lx_patch round_patch(const struct lx_shell *shell, const struct lx
     const struct lx_around around = {.center = {at->place[0], at->place[1], at->place[2]}};
     struct lx_patch patches[LX_MOST_ROUND_PATCHES];
     lx_patches_make(shell, &around, NULL, patches);
-    if (shell->type == LX_BALL) {
+    if (shell->is_ball) {
         const double sine = shell->round_mm / view->distance;
         patches->kind = LX_PATCH_DISK;
         patches->radius = shell->round_mm / sqrt(1 - sine * sine);
@@ -313,7 +313,7 @@ static struct lx_patch round_patch(const struct lx_shell *shell, const struct lx
 static double gain_of(const struct lx_shell *shell, const struct lx_cell *cell, const struct lx_round_view *view)
 {
     const double radius = shell->round_mm, end = cell->s + cell->ds, q = view->share;
-    if (shell->type == LX_BALL)
+    if (shell->is_ball)
         return shell->radiance * M_PI * radius * radius / (1 - q) * (end * end - cell->s * cell->s) * cell->dt;
     const double from = 2 * cell->t - 1, to = 2 * (cell->t + cell->dt) - 1; /* 2 t/(1 + t^2): docs/MATHS.md */
     const double turn = 2 * to / (1 + to * to) - 2 * from / (1 + from * from);
@@ -333,13 +333,13 @@ static void place_part(const struct lx_round_part *part, const struct lx_vicinit
     const double sways = view->aside * lx_beyond_real(place), strays = radius + view->along * place->first + sways;
     const double nearest = sqrt(square) - strays - place->first - place->second, imaginary = place->imaginary + sways;
     light.gain = gain_of(part->shell, &part->cell, view);
-    if (part->shell->type == LX_CYLINDER && nearest > imaginary)
+    if (part->shell->has_side && nearest > imaginary)
         light.gain /= sqrt((nearest - imaginary) * (nearest + imaginary));
     light.x = middle[0], light.y = middle[1], light.z = middle[2];
-    if (part->shell->type == LX_BALL)
+    if (part->shell->is_ball)
         light.gain *= lx_most_of_ball(part->shell, at);
     set_light(&light, radius + view->along * place->tile, made, i);
-    if (part->shell->type != LX_BALL)
+    if (!part->shell->is_ball)
         set_law(&part->shell->law, made, i);
     made->strays[i] = strays;
     made->sways[i] = sways;
@@ -351,7 +351,7 @@ static bool is_hidden(const struct lx_shell *shell, const struct lx_vicinity *at
     double from_center[3];
     for (int k = 0; k < 3; k++)
         from_center[k] = at->place[k] - shell->center[k];
-    return shell->type == LX_CYLINDER &&
+    return shell->has_side &&
            lx_distance_from_axis(shell, from_center) + at->place_leeway.tile + shell->touch_mm < shell->round_mm;
 }
 
@@ -368,7 +368,7 @@ void lx_round_lights_place(const struct lx_round_parts *round, const struct lx_v
     for (size_t i = 0, next; i < round->count; i = next) {
         const struct lx_shell *shell = round->parts[i].shell;
         struct lx_round_view view;
-        const bool is_bounded = shell->type != LX_BALL || isfinite(lx_most_of_ball(shell, at));
+        const bool is_bounded = !shell->is_ball || isfinite(lx_most_of_ball(shell, at));
         const bool is_outside = is_bounded && lx_round_view_of(shell, at, &view);
         const bool is_seen = is_outside || !is_hidden(shell, at);
         const struct lx_patch patch = is_outside ? round_patch(shell, at, &view) : (struct lx_patch){.radius = 0};

@@ -80,7 +80,7 @@ static double opening_at(struct lx_problem *problem, const double towards[3], do
 {
     const struct lx_pointed *luminaire = problem->emitter->profile.luminaire;
     double area = 1 / fmax(incidence, DBL_MIN);
-    if (problem->emitter->type == LX_BALL) {
+    if (!lx_has_axis(problem->emitter)) {
         const enum lx_sweep_wall wall = problem->sweep->wall;
         double incidences[2];
         const double far = lx_sweep_far(problem->sweep, &problem->arc, tau, incidences);

@@ -240,18 +240,18 @@ static double opening_error(const struct lx_facets *facets, const double place_m
  */
 static double shape_error(const struct lx_emitter *emitter, const double place_mm[3])
 {
-    if (emitter->type == LX_FACETS && !lx_is_opening(emitter))
+    if (emitter->facets && !lx_is_opening(emitter))
         return 0;
-    if (emitter->type == LX_FACETS)
+    if (emitter->facets)
         return opening_error(emitter->facets, place_mm);
-    const bool is_round_disk = emitter->type == LX_DISK && !lx_is_elliptic(emitter);
-    double away = is_round_disk ? 0 : emitter->radius_mm + emitter->height_mm / 2;
+    const bool is_round_disk = lx_is_disk(emitter) && !lx_is_elliptic(emitter);
+    double away = is_round_disk ? 0 : emitter->radius_mm + lx_half_height(emitter);
     for (int i = 0; i < 3; i++)
         away += fabs(emitter->center_mm[i] - place_mm[i]);
     const double flat = lx_is_opening(emitter) ? LX_FLATTEST : 0;
-    const double turned = lx_is_elliptic(emitter)    ? lx_elliptic_error(emitter)
-                          : emitter->type == LX_BALL ? 0
-                                                     : error_of(emitter->axis);
+    const double turned = lx_is_elliptic(emitter) ? lx_elliptic_error(emitter)
+                          : lx_has_axis(emitter)  ? error_of(emitter->axis)
+                                                  : 0;
     return away * (2 * DBL_EPSILON + flat + turned);
 }
 
@@ -401,7 +401,7 @@ static lx_bounded integrate(struct lx_problem *problem, const double place_mm[3]
         double scale = exp(problem->top);
         result.value = all.value * scale;
         double estimate = caution_for(problem->lobe) * all.error, rounding = ROUNDING;
-        if (problem->emitter->type == LX_FACETS)
+        if (problem->emitter->facets)
             rounding += facets_error(problem->emitter->facets);
         result.error = (estimate + all.inherited + strip + rounding * all.value) * scale;
         result.error += problem->top < 0 ? DBL_MIN : 0;
@@ -480,7 +480,7 @@ struct lx_cubature lx_integrate_seen(const struct lx_emitter *emitter, const str
     for (int i = 0; i < 3; i++)
         problem.mirrored[i] = 2 * problem.n_dot_v * problem.normal[i] - problem.view[i];
     problem.place_error_mm = error_of(element->place_mm) + shape_error(emitter, place);
-    problem.normal_error = error_of(element->normal) + (emitter->type == LX_DISK ? error_of(emitter->axis) : 0);
+    problem.normal_error = error_of(element->normal) + (lx_is_disk(emitter) ? error_of(emitter->axis) : 0);
     problem.view_error = error_of(element->view);
     if (!(radiance > 0))
         return result;

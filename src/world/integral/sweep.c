@@ -311,20 +311,20 @@ static int part_walls(struct lx_sweeps *sweeps)
 int lx_sweeps_make(const struct lx_emitter *emitter, const double place_mm[3], const double across[3], bool is_occluded,
                    struct lx_sweeps *sweeps)
 {
-    if (emitter->type == LX_FACETS) {
-        const struct lx_facets *facets = emitter->facets;
+    const struct lx_facets *facets = emitter->facets;
+    if (facets) {
         for (size_t i = 0; i < facets->face_count; i++)
             if (sweep_face(emitter, &facets->faces[i], place_mm, across, sweeps))
                 return -1;
         return 0;
     }
-    if (emitter->type == LX_BALL) {
+    if (!lx_has_axis(emitter)) {
         if (lx_is_elliptic(emitter) ? lx_sweep_ellipsoid(emitter, place_mm, across, sweeps)
                                     : lx_sweep_ball(emitter, place_mm, across, sweeps))
             return -1;
         return is_occluded && lx_is_opening(emitter) ? part_walls(sweeps) : 0;
     }
-    if (emitter->type == LX_CYLINDER)
+    if (lx_emitter_kind(emitter)->has_side)
         return lx_sweep_cylinder(emitter, place_mm, across, is_occluded, sweeps);
     const double axis[3] = {emitter->axis.x.value, emitter->axis.y.value, emitter->axis.z.value};
     return lx_sweep_disk(emitter, emitter->center_mm, axis, place_mm, across, sweeps);

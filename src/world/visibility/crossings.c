@@ -136,13 +136,13 @@ static void add_source(struct borders *borders, const struct lx_emitter *emitter
         center[k] = emitter->center_mm[k] - place_mm[k];
     if (lx_is_elliptic(emitter))
         return; /* where borders cross it the integrals find by themselves */
-    if (emitter->type == LX_BALL)
+    if (!lx_has_axis(emitter))
         add_circle(borders, 0, center, emitter->radius_mm);
-    else if (emitter->type == LX_DISK)
+    else if (lx_is_disk(emitter))
         add_rim(borders, 0, center, axis, emitter->radius_mm);
-    else if (emitter->type == LX_CYLINDER)
+    else if (!facets)
         add_tube(borders, 0, center, axis, emitter->radius_mm, emitter->height_mm / 2);
-    for (size_t i = 0; emitter->type == LX_FACETS && i < facets->edge_count; i++) {
+    for (size_t i = 0; facets && i < facets->edge_count; i++) {
         const lx_wide3 *a = &facets->corners_mm[facets->edges[i].from], *b = &facets->corners_mm[facets->edges[i].to];
         const double first[3] = {a->x.high, a->y.high, a->z.high}, second[3] = {b->x.high, b->y.high, b->z.high};
         for (int k = 0; k < 3; k++) {
@@ -343,7 +343,7 @@ int lx_find_crossings(const struct lx_occlusion *occlusion, const struct lx_emit
     for (size_t i = 0; i < occlusion->obstacles.count && !borders.is_full; i++)
         add_obstacle(&borders, i + 1, &occlusion->obstacles.items[i]);
     if (occlusion->has_outline && !borders.is_full)
-        failed = cross_outline(&borders, occlusion->outline, emitter->type == LX_FACETS, directions);
+        failed = cross_outline(&borders, occlusion->outline, emitter->facets != NULL, directions);
     for (size_t i = 0; i < borders.count && !borders.is_full; i++)
         for (size_t k = i + 1; k < borders.count && !failed; k++)
             if (borders.items[i].body != borders.items[k].body || borders.items[i].type != borders.items[k].type)

@@ -69,9 +69,9 @@ static double radius_of_rectangles(const struct lx_emitter *emitter, const doubl
 {
     const double axis[3] = {emitter->axis.x.value, emitter->axis.y.value, emitter->axis.z.value};
     const bool is_opening = lx_is_opening(emitter);
-    double offset[3], half = emitter->height_mm / 2;
-    if (emitter->type != LX_CYLINDER)
-        return (emitter->type == LX_BALL && lx_is_elliptic(emitter) ? 5 : M_SQRT2) * emitter->radius_mm;
+    double offset[3], half = lx_half_height(emitter);
+    if (!lx_emitter_kind(emitter)->has_side)
+        return (lx_has_axis(emitter) || !lx_is_elliptic(emitter) ? M_SQRT2 : 5) * emitter->radius_mm;
     for (int k = 0; k < 3; k++)
         offset[k] = emitter->center_mm[k] - place_mm[k];
     const double along = lx_dot(offset, axis), away = sqrt(fmax(lx_dot(offset, offset) - along * along, 0));
@@ -105,22 +105,21 @@ static void set_before(struct lx_shaft *shaft, bool is_flat, bool is_cylinder)
 
 struct lx_shaft lx_shaft_to(const double from_mm[3], double radius_mm, const struct lx_emitter *emitter)
 {
-    const bool is_facets = emitter->type == LX_FACETS;
     const struct lx_facets *facets = emitter->facets;
+    double at[3], normal[3];
+    const bool is_flat = lx_emitter_plane(emitter, at, normal);
     struct lx_shaft shaft = {
         .from_radius_mm = radius_mm,
         .to_radius_mm = lx_emitter_radius(emitter),
     };
     memcpy(shaft.from_mm, from_mm, sizeof shaft.from_mm);
     memcpy(shaft.to_mm, lx_emitter_center(emitter), sizeof shaft.to_mm);
-    if (is_facets && facets->face_count == 1)
+    if (is_flat && facets)
         bound_by_face(&shaft, facets);
-    else if (emitter->type == LX_DISK)
-        add_plane(&shaft, (const double[]){emitter->axis.x.value, emitter->axis.y.value, emitter->axis.z.value},
-                  emitter->center_mm);
-    shaft.outline_radius_mm = is_facets ? facets->radius_mm : radius_of_rectangles(emitter, from_mm);
-    set_before(&shaft, emitter->type == LX_DISK || (is_facets && facets->face_count == 1),
-               emitter->type == LX_CYLINDER);
+    else if (is_flat)
+        add_plane(&shaft, normal, at);
+    shaft.outline_radius_mm = facets ? facets->radius_mm : radius_of_rectangles(emitter, from_mm);
+    set_before(&shaft, is_flat, lx_emitter_kind(emitter)->has_side);
     return shaft;
 }
 
@@ -131,10 +130,10 @@ static bool is_beyond(const struct lx_emitter *emitter, const double place_mm[3]
 {
     const double length = sqrt(lx_dot(normal, normal));
     double offset[3];
-    if (emitter->type != LX_FACETS) {
+    if (!emitter->facets) {
         for (int k = 0; k < 3; k++)
             offset[k] = emitter->center_mm[k] - place_mm[k];
-        return lx_dot(normal, offset) < -length * hypot(emitter->radius_mm, emitter->height_mm / 2);
+        return lx_dot(normal, offset) < -length * lx_emitter_radius(emitter);
     }
     for (size_t i = 0; i < emitter->facets->corner_count; i++) {
         corner_of(emitter->facets, i, offset);
@@ -144,33 +143,6 @@ static bool is_beyond(const struct lx_emitter *emitter, const double place_mm[3]
             return false;
     }
     return true;
-}
-
-double lx_reach_along(const struct lx_emitter *emitter, const double place_mm[3], const double direction[3],
-                      double *nearest)
-{
-    double offset[3], farthest = -HUGE_VAL;
-    *nearest = HUGE_VAL;
-    if (emitter->type == LX_FACETS) {
-        for (size_t i = 0; i < emitter->facets->corner_count; i++) {
-            corner_of(emitter->facets, i, offset);
-            for (int k = 0; k < 3; k++)
-                offset[k] -= place_mm[k];
-            const double along = lx_dot(direction, offset);
-            farthest = fmax(farthest, along);
-            *nearest = fmin(*nearest, along);
-        }
-        return farthest;
-    }
-    for (int k = 0; k < 3; k++)
-        offset[k] = emitter->center_mm[k] - place_mm[k];
-    const double middle = lx_dot(direction, offset),
-                 axis[3] = {emitter->axis.x.value, emitter->axis.y.value, emitter->axis.z.value};
-    const double by_axis = emitter->type == LX_BALL ? 0 : lx_dot(direction, axis);
-    const double around =
-        emitter->radius_mm * sqrt(fmax(1 - by_axis * by_axis, 0)) + emitter->height_mm / 2 * fabs(by_axis);
-    *nearest = middle - around;
-    return middle + around;
 }
 
 /* Whether a flat obstacle has the source on the element's side, or the element in its plane: then it hides nothing. */
@@ -194,7 +166,7 @@ static bool is_aside(const struct lx_obstacle *flat, const struct lx_emitter *em
         for (int k = 0; k < 3; k++)
             axis[k] = -axis[k];
     return fabs(height) <= flat->touch_mm ||
-           lx_reach_along(emitter, place_mm, axis, &nearest) <= fabs(height) + flat->touch_mm;
+           lx_emitter_extent(emitter, place_mm, axis, &nearest) <= fabs(height) + flat->touch_mm;
 }
 
 /* Whether a polygon as seen from the place lies beside the source. */
@@ -285,7 +257,7 @@ static bool look_up(const struct lx_emitter *emitter, const struct lx_occlusion 
         return true;
     const double *normal = occlusion->horizons[0];
     double middle[3] = {way[0], way[1], way[2]}, radius = emitter->radius_mm;
-    for (size_t i = 0; emitter->type == LX_FACETS && i < emitter->facets->corner_count; i++) {
+    for (size_t i = 0; emitter->facets && i < emitter->facets->corner_count; i++) {
         double corner[3];
         corner_of(emitter->facets, i, corner);
         for (int k = 0; k < 3; k++)
@@ -295,16 +267,16 @@ static bool look_up(const struct lx_emitter *emitter, const struct lx_occlusion 
             memcpy(way, corner, sizeof corner);
         }
     }
-    if (emitter->type != LX_FACETS) {
+    if (!emitter->facets) {
         const double axis[3] = {emitter->axis.x.value, emitter->axis.y.value, emitter->axis.z.value};
         const double along = lx_dot(normal, axis);
         double up[3];
         for (int k = 0; k < 3; k++)
-            up[k] = emitter->type == LX_BALL ? normal[k] : normal[k] - along * axis[k];
+            up[k] = lx_emitter_kind(emitter)->bulges ? normal[k] : normal[k] - along * axis[k];
         lx_normalize(up);
         for (int k = 0; k < 3; k++)
             way[k] += 0.98 * radius * up[k] +
-                      (emitter->type == LX_CYLINDER ? copysign(0.49 * emitter->height_mm, along) * axis[k] : 0);
+                      (lx_emitter_kind(emitter)->has_side ? copysign(0.49 * emitter->height_mm, along) * axis[k] : 0);
     }
     for (unsigned i = 0; i < occlusion->horizon_count; i++)
         if (!(lx_dot(occlusion->horizons[i], way) > 0))
@@ -317,7 +289,8 @@ static int take_sheets(const struct lx_emitter *emitter, struct lx_occlusion *oc
 {
     enum { MOST_SHEETS = 64 };
     struct lx_obstacles *obstacles = &occlusion->obstacles;
-    if ((emitter->type != LX_BALL && emitter->type != LX_CYLINDER) || obstacles->sheet_count > MOST_SHEETS)
+    const struct lx_emitter_kind *kind = lx_emitter_kind(emitter);
+    if ((!kind->bulges && !kind->has_side) || obstacles->sheet_count > MOST_SHEETS)
         return 0;
     for (size_t i = 0; i < obstacles->sheet_count; i++) {
         struct lx_obstacle polygon = {.type = LX_OBSTACLE_POLYGON, .corner_count = 3};
@@ -439,7 +412,7 @@ static bool polygon_hides_all(const struct lx_obstacle *polygon, const struct lx
     double height = lx_dot(axis, polygon->corners_mm[0]);
     for (int k = 0; k < 3 && height < 0; k++)
         axis[k] = -axis[k];
-    lx_reach_along(emitter, place_mm, axis, &nearest);
+    lx_emitter_extent(emitter, place_mm, axis, &nearest);
     if (!(nearest > fabs(height) + polygon->touch_mm))
         return false;
     for (unsigned i = 0; i < polygon->corner_count; i++) {
@@ -448,7 +421,7 @@ static bool polygon_hides_all(const struct lx_obstacle *polygon, const struct lx
         const double sign = lx_dot(first, polygon->corners_mm[(i + 2) % polygon->corner_count]) < 0 ? -1 : 1;
         for (int k = 0; k < 3; k++)
             first[k] *= sign;
-        lx_reach_along(emitter, place_mm, first, &nearest);
+        lx_emitter_extent(emitter, place_mm, first, &nearest);
         if (!(nearest > 0))
             return false;
     }
@@ -463,15 +436,14 @@ static bool ball_hides_all(const struct lx_obstacle *ball, const struct lx_emitt
     const double away = lx_normalize(axis), sine = ball->radius_mm / away;
     if (ball->is_around || !(sine < 1))
         return false;
-    lx_reach_along(emitter, place_mm, axis, &nearest);
+    lx_emitter_extent(emitter, place_mm, axis, &nearest);
     if (!(nearest > away))
         return false;
     const double alpha = asin(sine) * (1 - 1e-12), cosine = cos(alpha);
-    if (emitter->type != LX_FACETS) {
+    if (!emitter->facets) {
         for (int k = 0; k < 3; k++)
             offset[k] = emitter->center_mm[k] - place_mm[k];
-        const double distance = lx_normalize(offset);
-        const double radius = hypot(emitter->radius_mm, emitter->height_mm / 2);
+        const double distance = lx_normalize(offset), radius = lx_emitter_radius(emitter);
         return distance > radius && acos(fmin(lx_dot(axis, offset), 1)) + asin(radius / distance) < alpha;
     }
     for (size_t i = 0; i < emitter->facets->corner_count; i++) {

@@ -84,10 +84,6 @@ static inline bool lx_is_occluded(const struct lx_occlusion *occlusion)
 /* The shaft from a ball of places to a source; all obstacles that count are before it. */
 struct lx_shaft lx_shaft_to(const double from_mm[3], double radius_mm, const struct lx_emitter *emitter);
 
-/* How far a source comes at most along a direction from a place, and at least. */
-double lx_reach_along(const struct lx_emitter *emitter, const double place_mm[3], const double direction[3],
-                      double *nearest);
-
 /* What is hidden of an arc: parts in the order of tau that share nothing; returns how many, in occlusion->hidden. */
 size_t lx_occlusion_hide(const struct lx_occlusion *occlusion, const struct lx_sweep *sweep, const struct lx_arc *arc);
 

@@ -68,8 +68,8 @@ static bool reach_beyond(const struct lx_occlusion *occlusion, const double n[3]
 bool lx_outline_may_cut(const struct lx_occlusion *occlusion, const struct lx_emitter *emitter)
 {
     double n[3], away;
-    if (emitter->type == LX_FACETS) {
-        const struct lx_facets *facets = emitter->facets;
+    const struct lx_facets *facets = emitter->facets;
+    if (facets) {
         for (size_t f = 0; f < facets->face_count; f++) {
             const struct lx_face *face = &facets->faces[f];
             const lx_wide3 *corner = &facets->corners_mm[facets->loop[face->first]];

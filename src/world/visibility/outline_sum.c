@@ -103,7 +103,7 @@ bool lx_outline_sum(const struct lx_occlusion *known, const struct lx_emitter *e
     struct lx_sweeps sweeps = {0};
     struct lx_occlusion with_horizon = *known, *const occlusion = &with_horizon;
     *result = *error = 0;
-    if (emitter->type != LX_FACETS || emitter->attenuation != LX_INVERSE_SQUARE || !lx_outline_is_alone(occlusion) ||
+    if (!emitter->facets || emitter->attenuation != LX_INVERSE_SQUARE || !lx_outline_is_alone(occlusion) ||
         !lx_outline_add_horizon(occlusion, normal))
         return false;
     const bool failed = lx_sweeps_make(emitter, occlusion->place_mm, normal, true, &sweeps) ||

@@ -443,14 +443,15 @@ bool lx_skyline_irradiance(const struct lx_emitter *emitter, const double normal
     if (emitter->attenuation != LX_INVERSE_SQUARE || !lx_skyline_begin(occlusion, &skyline) ||
         !lx_skyline_is_before(occlusion, emitter))
         return false;
-    if (emitter->type == LX_BALL) {
+    const bool is_ball = !lx_has_axis(emitter);
+    if (is_ball) {
         if (!make_ball(emitter, occlusion, normal, &skyline.bodies[0]) ||
             (skyline.bodies[0].count > 0 && !lx_skyline_walk(&skyline, add_irradiance, &sum)))
             return false;
     } else if (!lx_skyline_shape(occlusion, emitter, &shapes)) {
         return false;
     }
-    for (unsigned i = 0; i < shapes.count && emitter->type != LX_BALL; i++)
+    for (unsigned i = 0; i < shapes.count && !is_ball; i++)
         if (!add_shape(&shapes.items[i], &skyline, &sum) ||
             (i + 1 < shapes.count && !lx_skyline_put_aside(&shapes.items[i], &skyline)))
             return false;

@@ -73,15 +73,15 @@ static bool is_before_round(const struct lx_occlusion *occlusion, const struct l
         center[k] = emitter->center_mm[k] - occlusion->place_mm[k];
         back[k] = -center[k];
     }
-    if (emitter->type == LX_BALL) {
+    if (!lx_has_axis(emitter)) {
         const double away = lx_normalize(back);
         return is_in_front(obstacle, back, emitter->radius_mm - away);
     }
     const double axis[3] = {emitter->axis.x.value, emitter->axis.y.value, emitter->axis.z.value};
-    const double half = emitter->type == LX_CYLINDER ? emitter->height_mm / 2 : 0;
+    const double half = lx_half_height(emitter);
     const struct lx_skyline_tube tube = lx_skyline_tube_of(center, axis, emitter->radius_mm, half);
     const double opposite[3] = {-axis[0], -axis[1], -axis[2]};
-    return (emitter->type == LX_CYLINDER && tube.away > tube.radius &&
+    return (lx_emitter_kind(emitter)->has_side && tube.away > tube.radius &&
             is_in_front(obstacle, tube.out, tube.radius - tube.away)) ||
            (tube.height > half && is_in_front(obstacle, axis, half - tube.height)) ||
            (tube.height < -half && is_in_front(obstacle, opposite, half + tube.height));
@@ -101,7 +101,7 @@ static bool is_beyond_obstacle(const struct lx_occlusion *occlusion, const struc
     if (obstacle->type == LX_OBSTACLE_BALL) {
         memcpy(axes[0], obstacle->center_mm, sizeof axes[0]);
         const double away = lx_normalize(axes[0]);
-        lx_reach_along(emitter, occlusion->place_mm, axes[0], &nearest);
+        lx_emitter_extent(emitter, occlusion->place_mm, axes[0], &nearest);
         return nearest > away + obstacle->touch_mm;
     }
     if (obstacle->type == LX_OBSTACLE_POLYGON) {
@@ -127,7 +127,7 @@ static bool is_beyond_obstacle(const struct lx_occlusion *occlusion, const struc
     for (int k = 0; k < 3 && side < 0; k++)
         axes[0][k] = -axes[0][k];
     for (unsigned i = 0; i < count; i++) {
-        lx_reach_along(emitter, occlusion->place_mm, axes[i], &nearest);
+        lx_emitter_extent(emitter, occlusion->place_mm, axes[i], &nearest);
         if (nearest > fmax(extent_of(obstacle, axes[i]), 0) + obstacle->touch_mm)
             return true;
     }
@@ -138,8 +138,8 @@ bool lx_skyline_is_before(const struct lx_occlusion *occlusion, const struct lx_
 {
     for (size_t i = 0; i < occlusion->obstacles.count; i++) {
         const struct lx_obstacle *obstacle = &occlusion->obstacles.items[i];
-        const bool is_before = emitter->type == LX_FACETS ? is_before_face(occlusion, emitter->facets, obstacle)
-                                                          : is_before_round(occlusion, emitter, obstacle);
+        const bool is_before = emitter->facets ? is_before_face(occlusion, emitter->facets, obstacle)
+                                               : is_before_round(occlusion, emitter, obstacle);
         if (!is_before && !is_beyond_obstacle(occlusion, emitter, obstacle))
             return false;
     }
@@ -274,19 +274,18 @@ bool lx_skyline_shape(const struct lx_occlusion *occlusion, const struct lx_emit
     shapes->count = 0;
     for (int k = 0; k < 3; k++)
         center[k] = emitter->center_mm[k] - occlusion->place_mm[k];
-    switch (emitter->type) {
-    case LX_FACETS:
+    if (emitter->facets) {
         shapes->items[0].has_curve = false;
         if (!lx_skyline_outline(occlusion, emitter->facets, &shapes->items[0].polygon))
             return false;
         shapes->count = shapes->items[0].polygon.count > 0;
         return true;
-    case LX_BALL: return shape_ball(center, emitter->radius_mm, shapes);
-    case LX_DISK:
-        if (lx_dot(center, axis) < 0)
-            add_disk(center, axis, emitter->radius_mm, shapes);
-        return true;
-    case LX_CYLINDER: shape_cylinder(center, axis, emitter->radius_mm, emitter->height_mm / 2, shapes); return true;
-    default: return false;
     }
+    if (!lx_has_axis(emitter))
+        return shape_ball(center, emitter->radius_mm, shapes);
+    if (lx_emitter_kind(emitter)->has_side)
+        shape_cylinder(center, axis, emitter->radius_mm, lx_half_height(emitter), shapes);
+    else if (lx_dot(center, axis) < 0)
+        add_disk(center, axis, emitter->radius_mm, shapes);
+    return true;
 }
