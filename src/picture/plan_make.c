@@ -35,14 +35,14 @@ static const double DIM = 1e-3;
 static void set_lobes(const struct lx_lobe *lobe, struct lx_planned_surface *surface)
 {
     surface->lobe_exact = (struct lx_lobe_double){
-        .model = lobe->specular.value > 0 ? lobe->model : LX_LAMBERT,
+        .model = lx_lobe_kernel_model(lobe),
         .highlight = lobe->highlight,
         .diffuse = lobe->diffuse.value,
         .specular = lobe->specular.value,
         .exponent = lx_exponent_of(lobe->exponent),
     };
     surface->matte_exact = surface->glossy_exact = surface->lobe_exact;
-    surface->matte_exact.model = LX_LAMBERT;
+    surface->matte_exact.model = lx_lobe_kernel_model(&(struct lx_lobe){.model = lobe->model});
     surface->glossy_exact.diffuse = 0;
     surface->limits = lx_lobe_limits_of(&surface->lobe_exact);
     surface->lobe = *lobe;
@@ -78,9 +78,8 @@ static luxel_status plan_rules(struct lx_plan *plan, struct lx_control *control,
 bool lx_is_set_in(const struct lx_planned_surface *surface, const struct lx_emitter *emitter)
 {
     const struct lx_shape *shape = &surface->shape;
-    const bool is_plain = surface->lobe.specular.value > 0 && surface->lobe.highlight == LX_HIGHLIGHT_PLAIN;
     double nearest;
-    return lx_curvature(shape) == 0 && !is_plain &&
+    return lx_curvature(shape) == 0 && !lx_lobe_reaches_below(&surface->lobe) &&
            fabs(lx_reach_along(emitter, shape->anchor_mm, shape->axis, &nearest)) <=
                lx_plane_rounding_mm(shape->anchor_mm, lx_distance(lx_emitter_center(emitter), shape->anchor_mm) +
                                                           lx_emitter_radius(emitter));
@@ -112,7 +111,7 @@ static luxel_status plan_shells(struct lx_plan *plan, struct lx_control *control
         planned->emitter = emitter;
         luxel_status status = lx_shell_make(emitter, &surface->shape, &asking, &planned->shell);
         struct lx_sampled *sampled = &surface->glossy[surface->shell_count++];
-        surface->glossy_count += surface->glossy_exact.model != LX_LAMBERT;
+        surface->glossy_count += lx_lobe_shines(&surface->lobe);
         if (status == LUXEL_OK && lx_find_shell_blockers(plan, surface, planned))
             status = LUXEL_ERROR_MEMORY;
         if (status != LUXEL_OK)

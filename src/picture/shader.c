@@ -235,6 +235,7 @@ static struct lx_cone cone_around(const struct extent *extent)
 static struct lx_tract find_tract(const struct lx_plan *plan, struct lx_shader_memory *memory, size_t s)
 {
     const struct lx_planned_surface *surface = &plan->surfaces[s];
+    const bool asks_mirrored = LX_IS_BY_MIRROR(surface->limits.lobe.model);
     struct lx_block_double *block = &memory->seen.block;
     struct extent places = EMPTY, normals = EMPTY, views = EMPTY, mirrored = EMPTY;
     struct lx_tract tract = {.count = 0};
@@ -246,7 +247,7 @@ static struct lx_tract find_tract(const struct lx_plan *plan, struct lx_shader_m
         extend(&normals, block->nx, block->ny, block->nz, count);
         extend(&views, block->vx, block->vy, block->vz, count);
         tract.count += count;
-        for (size_t i = 0; surface->limits.lobe.model == LX_PHONG && i < count; i++) {
+        for (size_t i = 0; asks_mirrored && i < count; i++) {
             const double nx = block->nx[i], ny = block->ny[i], nz = block->nz[i];
             const double twice = 2 * (nx * block->vx[i] + ny * block->vy[i] + nz * block->vz[i]);
             const double x = twice * nx - block->vx[i], y = twice * ny - block->vy[i], z = twice * nz - block->vz[i];
@@ -256,7 +257,7 @@ static struct lx_tract find_tract(const struct lx_plan *plan, struct lx_shader_m
     tract.places = ball_around(&places);
     tract.normals = cone_around(&normals);
     tract.views = cone_around(&views);
-    if (surface->limits.lobe.model == LX_PHONG)
+    if (asks_mirrored)
         tract.mirrored = cone_around(&mirrored);
     return tract;
 }
