@@ -18,6 +18,14 @@ static inline void lx_cross(const double a[3], const double b[3], double product
         product[i] = a[(i + 1) % 3] * b[(i + 2) % 3] - a[(i + 2) % 3] * b[(i + 1) % 3];
 }
 
+/* The angle between two vectors of any lengths. */
+static inline double lx_angle_between(const double a[3], const double b[3])
+{
+    double cross[3];
+    lx_cross(a, b, cross);
+    return atan2(sqrt(lx_dot(cross, cross)), lx_dot(a, b));
+}
+
 /* The length of a vector, which becomes of unit length unless it is 0. */
 static inline double lx_normalize(double a[3])
 {

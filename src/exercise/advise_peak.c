@@ -8,6 +8,7 @@
 #include <string.h>
 
 #include "../base/number.h"
+#include "../material/lobe.h"
 #include "../scene/materials.h"
 #include "../surface/part.h"
 #include "adviser.h"
@@ -187,11 +188,16 @@ static void mend_height(struct lx_adviser *adviser)
     }
 }
 
+/* The power that a material's highlight is; NULL: it is none. */
+static const struct lx_power_lobe *power_of(const struct lx_material *material)
+{
+    return lx_power_lobe_of((enum lx_model)material->model);
+}
+
 /* How far the normal turns from the highlight's middle to where it has fallen to half, under a distant source. */
 static double half_width_rad(const struct lx_material *material)
 {
-    double angle = acos(exp2(-1 / material->shininess));
-    return material->model == LX_PHONG ? angle / 2 : angle; /* the mirrored ray turns twice as far */
+    return acos(exp2(-1 / material->shininess)) / power_of(material)->turns_of_normal;
 }
 
 /* The shape of what shows the peak. */
@@ -264,7 +270,7 @@ static void advise_highlight(struct lx_adviser *adviser)
     size_t materials = 0;
     for (struct lx_scene_material at = {0}; lx_next_material(adviser->parameters, &at);)
         materials++;
-    if (material.material->model == LX_LAMBERT || !may_shine(adviser->parameters) || materials > MOST_MATERIALS)
+    if (!power_of(material.material) || !may_shine(adviser->parameters) || materials > MOST_MATERIALS)
         return;
     /* a highlight that may fall between the samples of a coarse picture is not judged by it */
     double samples = pixels_of_half(adviser, material.material) * adviser->parameters->screen.width_mm /

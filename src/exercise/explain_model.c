@@ -278,25 +278,21 @@ static void explain_lights(struct luxel_document *document, const struct used *u
 /* The highlight's factor beside ks S^n. */
 static void explain_weight(struct luxel_document *document, const struct lx_material *material)
 {
-    switch ((enum lx_highlight)material->highlight) {
-    case LX_HIGHLIGHT_PLAIN:
+    const enum lx_highlight highlight = (enum lx_highlight)material->highlight;
+    if (!LX_ENDS_AT_HORIZON(highlight))
         lx_document_paragraph(document,
                               LX_N("The weight {0} says that the highlight counts everywhere, even where the surface "
                                    "is turned away from the source, {1}."),
                               LX_SPANS(LX_MATH("w = 1"), LX_MATH("\\mathbf{N} \\cdot \\mathbf{L} \\le 0")));
-        return;
-    case LX_HIGHLIGHT_GATED:
+    else if (LX_JUMPS_AT_HORIZON(highlight))
         lx_document_paragraph(
             document,
             LX_N("The highlight counts only where the surface is turned to the source: {0} where "
                  "{1}, else {2}."),
             LX_SPANS(LX_MATH("w = 1"), LX_MATH("\\mathbf{N} \\cdot \\mathbf{L} > 0"), LX_MATH("w = 0")));
-        return;
-    case LX_HIGHLIGHT_COSINE:
+    else
         lx_document_paragraph(document, LX_N("The highlight is weighted by the cosine of the light's angle: {0}."),
                               LX_SPANS(LX_MATH("w = \\max(0, \\mathbf{N} \\cdot \\mathbf{L})")));
-        return;
-    }
 }
 
 /* How ambient light adds to the brightness, which materials divide by pi or not. */
@@ -325,7 +321,8 @@ static void explain_ambient(struct luxel_document *document, const struct lx_pre
 static bool is_alike(const struct lx_material *one, const struct lx_material *other)
 {
     return one->model == other->model && one->over_pi == other->over_pi &&
-           (one->model == LX_LAMBERT || (one->highlight == other->highlight && one->normalized == other->normalized));
+           (!lx_power_lobe_of((enum lx_model)one->model) ||
+            (one->highlight == other->highlight && one->normalized == other->normalized));
 }
 
 /* "surfaces[0], surfaces[0].materials.floor": what has a material like this one. */
@@ -351,35 +348,19 @@ static void name_alike(struct luxel_document *document, const struct lx_scene_pa
 
 static void explain_material(struct luxel_document *document, const struct lx_material *material)
 {
-    bool phong = material->model == LX_PHONG;
-    if (material->model == LX_LAMBERT) {
-        lx_document_formula(document, material->over_pi
-                                          ? "B = \\frac{1}{\\pi}\\, E_{\\perp} k_d \\max(0, \\mathbf{N} "
-                                            "\\cdot \\mathbf{L})"
-                                          : "B = E_{\\perp} k_d \\max(0, \\mathbf{N} \\cdot \\mathbf{L})");
-        return;
-    }
-    lx_document_formula(document, phong
-                                      ? "\\mathbf{R} = 2 (\\mathbf{N} \\cdot \\mathbf{L}) \\mathbf{N} - \\mathbf{L}, "
-                                        "\\qquad S = \\max(0, \\mathbf{R} \\cdot \\mathbf{V})"
-                                      : "\\mathbf{H} = \\frac{\\mathbf{L} + \\mathbf{V}}{|\\mathbf{L} + \\mathbf{V}|}, "
-                                        "\\qquad S = \\max(0, \\mathbf{N} \\cdot \\mathbf{H})");
-    lx_document_formula(document,
-                        material->over_pi && material->normalized
-                            ? "B = \\frac{1}{\\pi}\\, E_{\\perp} \\left( k_d \\max(0, \\mathbf{N} \\cdot \\mathbf{L}) "
-                              "+ k_s\\, c\\, w\\, S^n \\right)"
-                        : material->over_pi
-                            ? "B = \\frac{1}{\\pi}\\, E_{\\perp} \\left( k_d \\max(0, \\mathbf{N} \\cdot \\mathbf{L}) "
-                              "+ k_s\\, w\\, S^n \\right)"
-                        : material->normalized
-                            ? "B = E_{\\perp} \\left( k_d \\max(0, \\mathbf{N} \\cdot \\mathbf{L}) + k_s\\, c\\, w\\, "
-                              "S^n \\right)"
-                            : "B = E_{\\perp} \\left( k_d \\max(0, \\mathbf{N} \\cdot \\mathbf{L}) + k_s\\, w\\, S^n "
-                              "\\right)");
-    explain_weight(document, material);
-    if (material->normalized)
-        lx_document_formula(document, phong ? "c = \\frac{n + 2}{2}"
-                                            : "c = \\frac{(n + 2)(n + 4)}{8 \\left( n + 2^{-n/2} \\right)}");
+    const struct lx_lobe_kind *kind = lx_lobe_kinds[material->model];
+    const bool is_normalized = material->normalized && kind->words.normalized;
+    struct lx_text formula = {0};
+    if (kind->words.definition)
+        lx_document_formula(document, kind->words.definition);
+    lx_text_printf(&formula, "B = %sE_{\\perp} %s", material->over_pi ? "\\frac{1}{\\pi}\\, " : "",
+                   is_normalized ? kind->words.normalized : kind->words.brightness);
+    lx_document_formula(document, formula.bytes ? formula.bytes : "");
+    lx_text_clear(&formula);
+    if (kind->power)
+        explain_weight(document, material);
+    if (is_normalized)
+        lx_document_formula(document, kind->words.constant);
 }
 
 /* Each formula once, with the names of what it holds for where there are several. */

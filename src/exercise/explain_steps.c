@@ -357,48 +357,51 @@ static void explain_diffuse(const struct lx_steps *steps, const struct lx_sample
     end(steps, &line);
 }
 
-static void explain_highlight(const struct lx_steps *steps, const struct lx_sample *sample,
-                              const luxel_light_share *share)
+/* S of a power, with the vector that it depends on; returns the lobe's f. */
+static double explain_power(const struct lx_steps *steps, const struct lx_sample *sample)
 {
     const struct lx_element *element = steps->element;
     const struct lx_lobe *lobe = element->lobe;
+    const struct lx_lobe_kind *kind = lx_lobe_kind_of(lobe);
     struct line line = {{0}};
-    double cosine = dot(&element->normal, &sample->towards), base;
-    double weight = lobe->highlight == LX_HIGHLIGHT_PLAIN   ? 1
-                    : lobe->highlight == LX_HIGHLIGHT_GATED ? cosine > 0
-                                                            : fmax(0, cosine);
-    if (lobe->model == LX_PHONG) {
-        lx_bounded3 mirrored = lx_sub3(
-            lx_mul3(element->normal, lx_mul(lx_exact(2), lx_dot3(element->normal, sample->towards))), sample->towards);
-        say(&line, "\\mathbf{R} = 2 (\\mathbf{N} \\cdot \\mathbf{L}) \\mathbf{N} - \\mathbf{L} = ");
-        vector(&line, &mirrored);
-        base = fmax(0, dot(&mirrored, &element->view));
-        end(steps, &line);
-        say(&line, "S = \\max(0, \\mathbf{R} \\cdot \\mathbf{V}) = ");
-    } else {
-        lx_bounded3 half = lx_unit3(lx_add3(sample->towards, element->view));
-        say(&line, "\\mathbf{H} = \\frac{\\mathbf{L} + \\mathbf{V}}{|\\mathbf{L} + \\mathbf{V}|} = ");
-        vector(&line, &half);
-        base = fmax(0, dot(&half, &element->normal));
-        end(steps, &line);
-        say(&line, "S = \\max(0, \\mathbf{N} \\cdot \\mathbf{H}) = ");
-    }
+    lx_bounded3 pair[2];
+    kind->power->pair(element->normal, element->view, sample->towards, pair);
+    const double base = fmax(0, dot(&pair[0], &pair[1]));
+    say(&line, kind->words.vector);
+    say(&line, " = ");
+    vector(&line, &pair[kind->power->moving]);
+    end(steps, &line);
+    say(&line, kind->words.cosine);
+    say(&line, " = ");
     number(&line, base);
     say(&line, ", \\qquad S^n = S^{");
     number(&line, lobe->exponent);
     say(&line, "} = ");
     number(&line, pow(base, lobe->exponent));
     say(&line, ", \\qquad w = ");
-    number(&line, weight);
+    number(&line, lx_lobe_weight(lobe, dot(&element->normal, &sample->towards)));
     end(steps, &line);
-    say(&line, "B_s = E_{\\perp}\\, p\\, k_s\\, c\\, w\\, S^n = ");
+    return pow(base, lobe->exponent);
+}
+
+static void explain_highlight(const struct lx_steps *steps, const struct lx_sample *sample,
+                              const luxel_light_share *share)
+{
+    const struct lx_element *element = steps->element;
+    const struct lx_lobe *lobe = element->lobe;
+    const struct lx_lobe_kind *kind = lx_lobe_kind_of(lobe);
+    const double weight = lx_lobe_weight(lobe, dot(&element->normal, &sample->towards));
+    struct line line = {{0}};
+    const double shape = kind->power ? explain_power(steps, sample)
+                                     : kind->value(lobe, element->normal, element->view, sample->towards).value;
+    say(&line, kind->power ? "B_s = E_{\\perp}\\, p\\, k_s\\, c\\, w\\, S^n = " : kind->words.step);
     number(&line, sample->e_perp.value);
     say(&line, " \\cdot ");
     number(&line, lobe->specular.value);
     say(&line, " \\cdot ");
     number(&line, weight);
     say(&line, " \\cdot ");
-    number(&line, pow(base, lobe->exponent));
+    number(&line, shape);
     say(&line, " = ");
     number(&line, share->specular);
     end(steps, &line);
@@ -449,7 +452,7 @@ static void explain_sum(const struct lx_steps *steps, const luxel_light_share *s
     if (steps->quantity == LUXEL_BRIGHTNESS) {
         say(&line, ", \\qquad B_d = p\\, k_d E = ");
         number(&line, share->diffuse);
-        if (steps->element->lobe->model != LX_LAMBERT) {
+        if (lx_lobe_kind_of(steps->element->lobe)->value) {
             say(&line, ", \\qquad B_s = ");
             number(&line, share->specular);
         }
@@ -460,7 +463,7 @@ static void explain_sum(const struct lx_steps *steps, const luxel_light_share *s
 static void sum_parts(const struct lx_steps *steps, const luxel_light_share *share)
 {
     struct line line = {{0}};
-    if (steps->quantity == LUXEL_IRRADIANCE || steps->element->lobe->model == LX_LAMBERT)
+    if (steps->quantity == LUXEL_IRRADIANCE || !lx_lobe_kind_of(steps->element->lobe)->value)
         return;
     say(&line, "B = B_d + B_s = ");
     number(&line, share->diffuse);
@@ -538,7 +541,7 @@ void lx_explain_light(const struct lx_steps *steps, const luxel_light_share *sha
     explain_diffuse(steps, &sample, hidden ? 0 : 1, share);
     if (hidden)
         lx_explain_shadows(steps, share, count);
-    if (hidden || steps->quantity == LUXEL_IRRADIANCE || steps->element->lobe->model == LX_LAMBERT)
+    if (hidden || steps->quantity == LUXEL_IRRADIANCE || !lx_lobe_kind_of(steps->element->lobe)->value)
         return;
     explain_highlight(steps, &sample, share);
     sum_parts(steps, share);

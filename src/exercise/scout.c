@@ -69,7 +69,7 @@ static int count_sources(const struct lx_scene_parameters *scene, struct sources
         struct lx_smooth_sheet sheets[LX_MOST_SHEETS];
         const int sides = lx_shape_sheets(&prepared.surfaces[i].shape, sheets);
         sources->tubes += sides > 0 && sheets[0].type->obstacle == LX_OBSTACLE_TUBE;
-        shines = shines || (lobe->model != LX_LAMBERT && lobe->specular.value > 0);
+        shines = shines || lx_lobe_shines(lobe);
     }
     for (size_t i = 0; !failed && i < prepared.emitters.count; i++) {
         struct lx_emitter room;

@@ -79,7 +79,7 @@ static bool add_light(struct lx_hunt *hunt, size_t surface, size_t index)
     edge.type = LX_BRINK_TERMINATOR, edge.closed = false;
     done = done && add(hunt, edge);
     edge.type = LX_BRINK_LOBE, edge.closed = true;
-    if (lobe->specular.value > 0 && lobe->exponent < 2)
+    if (lx_lobe_shines(lobe) && lx_lobe_kind_of(lobe)->end && lobe->exponent < 2)
         done = done && add(hunt, edge);
     if (!lx_is_point(emitter))
         return done;
@@ -184,11 +184,13 @@ static double light_distance(const struct lx_hunt *hunt, const struct lx_brink *
     lx_normalize(way);
     if (edge->type == LX_BRINK_TERMINATOR)
         return size_mm * lx_dot(normal, way);
-    struct lx_element element = lx_spot_element(hunt, spot);
+    const struct lx_element element = lx_spot_element(hunt, spot);
+    struct lx_lobe_at at;
+    double limit;
     values_of(&element.view, view);
-    if (element.lobe->model == LX_BLINN_PHONG)
-        return size_mm * (lx_dot(normal, way) + lx_dot(normal, view));
-    return size_mm * (2 * lx_dot(normal, way) * lx_dot(normal, view) - lx_dot(way, view));
+    lx_lobe_at_set(normal, view, &at);
+    const double *end = lx_lobe_kind_of(element.lobe)->end(&at, &limit);
+    return size_mm * (lx_dot(end, way) - limit);
 }
 
 double lx_brink_distance(const struct lx_hunt *hunt, const struct lx_brink *edge, const struct lx_spot *spot)
@@ -301,7 +303,7 @@ static struct verdict judge(const struct lx_hunt *hunt, const struct lx_lobe *lo
         if (edge->type == LX_BRINK_SHADOW || hard)
             verdict.dark |= !inside;
         verdict.whole_cone |= hard && inside;
-        if (edge->type == LX_BRINK_TERMINATOR && lobe->highlight == LX_HIGHLIGHT_GATED) {
+        if (edge->type == LX_BRINK_TERMINATOR && LX_JUMPS_AT_HORIZON(lobe->highlight)) {
             verdict.gate_open = inside;
             verdict.gate_shut = !inside;
         }

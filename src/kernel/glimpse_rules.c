@@ -5,6 +5,7 @@
 #include <math.h>
 
 #include "../base/vector.h"
+#include "../material/lobe.h"
 
 /* Rules of Gauss on (0, 1). */
 const double lx_glimpse_places[LX_GLIMPSE_NODES][LX_GLIMPSE_NODES] = {
@@ -51,19 +52,15 @@ double lx_glimpse_power(const struct lx_lobe_double *lobe, const double mirrored
     const double towards = fmin(lx_dot(middle, mirrored), 1);
     const double aside = sqrt(fmax(1 - towards * towards, 0));
     const double nearest = towards >= cosine ? 1 : fmin(towards * cosine + aside * sine, 1);
-    if (lobe->model == LX_BLINN_PHONG)
-        return pow(fmax((1 + nearest) / 2, 0), lobe->exponent.value / 2);
-    return nearest > 0 ? pow(nearest, lobe->exponent.value) : 0;
+    return pow(lx_power_lobe_of(lobe->model)->greatest_square(nearest), lobe->exponent.value / 2);
 }
 
 double lx_glimpse_width(const struct lx_lobe_double *lobe, const double view[3], const double middle[3], double sine)
 {
     const double NARROWEST = 0.05; /* of the widest */
-    const double sigma = 1 / sqrt(fmax(lobe->exponent.value, 1));
     double half[3];
-    if (lobe->model == LX_PHONG)
-        return sigma;
     for (int k = 0; k < 3; k++)
         half[k] = middle[k] + view[k];
-    return 2 * sigma * fmin(fmax((sqrt(lx_dot(half, half)) - sine) / 2, NARROWEST), 1);
+    const double share = fmin(fmax((sqrt(lx_dot(half, half)) - sine) / 2, NARROWEST), 1);
+    return lx_power_lobe_of(lobe->model)->width(lobe->exponent.value, 2 * share);
 }

@@ -44,12 +44,10 @@ LX_LANE double NAME(beams_of)(const struct NAME(lx_beams) * beams, size_t count,
 static double NAME(sum_beams)(const struct NAME(lx_beams) * beams, size_t count, const struct NAME(lx_lobe) * lobe,
                               const double normal[3], const double view[3])
 {
-    const bool by_cosine = lobe->highlight == LX_HIGHLIGHT_COSINE;
-    if (lobe->model == LX_BLINN_PHONG && by_cosine)
-        return NAME(beams_of)(beams, count, lobe->exponent, normal, view, LX_BLINN_PHONG, LX_HIGHLIGHT_COSINE);
-    if (lobe->model == LX_BLINN_PHONG)
-        return NAME(beams_of)(beams, count, lobe->exponent, normal, view, LX_BLINN_PHONG, LX_HIGHLIGHT_PLAIN);
-    if (by_cosine)
-        return NAME(beams_of)(beams, count, lobe->exponent, normal, view, LX_PHONG, LX_HIGHLIGHT_COSINE);
-    return NAME(beams_of)(beams, count, lobe->exponent, normal, view, LX_PHONG, LX_HIGHLIGHT_PLAIN);
+    const bool by_cosine = LX_FALLS_TO_HORIZON(lobe->highlight);
+#define LX_SUM_BEAMS(one, weight, when)                                                                                \
+    if (when)                                                                                                          \
+        return NAME(beams_of)(beams, count, lobe->exponent, normal, view, one, weight);
+    LX_KERNEL_BEAMS(LX_SUM_BEAMS, lobe->model, by_cosine)
+#undef LX_SUM_BEAMS
 }

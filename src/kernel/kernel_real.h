@@ -206,7 +206,7 @@ LX_LANE void NAME(shine_of)(struct NAME(lx_exponent) exponent, const struct NAME
                             NAME(lanes) * shine)
 {
     /* with an exponent below 2 a power of S^2 would rise too steeply from S = 0 */
-    const bool by_square = model == LX_BLINN_PHONG && exponent.value >= 2;
+    const bool by_square = LX_IS_BY_HALF(model) && exponent.value >= 2;
     const bool is_odd = by_square && exponent.whole % 2 == 1;
     NAME(lanes) cosine[LX_ABREAST], versine[LX_ABREAST], along[LX_ABREAST], square[LX_ABREAST];
     LX_WRITTEN_OUT
@@ -217,12 +217,12 @@ LX_LANE void NAME(shine_of)(struct NAME(lx_exponent) exponent, const struct NAME
         NAME(lanes) across = x * x + (y * y + (z * z + (REAL)TINY));
         along[i] = NAME(greater)(n_dot_l[i] + at[i].along_n, NAME(all)(0));
         square[i] = across; /* of Phong's none is asked for, which compilers cannot tell in a loop for both */
-        if (model == LX_PHONG)
+        if (LX_IS_BY_MIRROR(model))
             NAME(phong)(&at[i], &ray[i], n_dot_l[i], across, &cosine[i], &versine[i]);
         else
             NAME(blinn_phong)(along[i], across, &square[i], &cosine[i], &versine[i]);
     }
-    for (int i = 0; i < count && model == LX_BLINN_PHONG && !by_square; i++) {
+    for (int i = 0; i < count && LX_IS_BY_HALF(model) && !by_square; i++) {
         NAME(lanes) root = along[i] * NAME(inverse_root)(square[i]);
         if (!LX_IS_SINGLE)
             root = NAME(where_above)(square[i], NAME(all)(NAME(least_half)), root, NAME(all)(0));
@@ -249,14 +249,14 @@ LX_LANE void NAME(reflect)(struct NAME(lx_exponent) exponent, const struct NAME(
     LX_WRITTEN_OUT
     for (int i = 0; i < count; i++)
         n_dot_l[i] = NAME(n_dot)(&at[i], &ray[i]);
-    if (model != LX_LAMBERT)
+    if (LX_HAS_HIGHLIGHT(model))
         NAME(shine_of)(exponent, at, ray, n_dot_l, count, model, specular);
     LX_WRITTEN_OUT
     for (int i = 0; i < count; i++) {
         diffuse[i] = NAME(greater)(n_dot_l[i], zero);
-        if (model != LX_LAMBERT && highlight == LX_HIGHLIGHT_COSINE)
+        if (LX_HAS_HIGHLIGHT(model) && LX_FALLS_TO_HORIZON(highlight))
             specular[i] *= diffuse[i];
-        if (model != LX_LAMBERT && highlight == LX_HIGHLIGHT_GATED)
+        if (LX_HAS_HIGHLIGHT(model) && LX_JUMPS_AT_HORIZON(highlight))
             specular[i] = NAME(where_above)(height[i], zero, specular[i], zero);
     }
 }
@@ -329,13 +329,13 @@ LX_LANE void NAME(sum_lights)(const struct NAME(work) * work, size_t start, int 
         }
         if (kind == LX_PROFILED && !NAME(any_above)(most, zero))
             continue; /* no light falls there */
-        for (int i = 0; i < count && highlight == LX_HIGHLIGHT_GATED; i++)
+        for (int i = 0; i < count && LX_JUMPS_AT_HORIZON(highlight); i++)
             height[i] = NAME(height)(light, exact, &at[i], &ray[i]);
         NAME(reflect)(lobe.exponent, at, ray, height, count, model, highlight, diffuse, specular);
         LX_WRITTEN_OUT
         for (int i = 0; i < count; i++) {
             total_diffuse[i] += ray[i].e * diffuse[i];
-            if (model != LX_LAMBERT)
+            if (LX_HAS_HIGHLIGHT(model))
                 total_specular[i] += ray[i].e * specular[i];
         }
     }
@@ -379,22 +379,15 @@ LX_LANE void NAME(by_lobe)(const struct NAME(work) * work, enum lx_kernel_light 
     const enum lx_model model = work->lobe->model;
     const enum lx_highlight highlight = work->lobe->highlight;
 #ifdef LX_FEW_KERNELS
-    NAME(add_lights)(work, kind, model, model == LX_LAMBERT ? LX_HIGHLIGHT_PLAIN : highlight);
+    NAME(add_lights)(work, kind, model, LX_KERNEL_WEIGHT(model, highlight));
 #else
-    if (model == LX_LAMBERT)
-        NAME(add_lights)(work, kind, LX_LAMBERT, LX_HIGHLIGHT_PLAIN);
-    else if (model == LX_BLINN_PHONG && highlight == LX_HIGHLIGHT_PLAIN)
-        NAME(add_lights)(work, kind, LX_BLINN_PHONG, LX_HIGHLIGHT_PLAIN);
-    else if (model == LX_BLINN_PHONG && highlight == LX_HIGHLIGHT_GATED)
-        NAME(add_lights)(work, kind, LX_BLINN_PHONG, LX_HIGHLIGHT_GATED);
-    else if (model == LX_BLINN_PHONG)
-        NAME(add_lights)(work, kind, LX_BLINN_PHONG, LX_HIGHLIGHT_COSINE);
-    else if (highlight == LX_HIGHLIGHT_PLAIN)
-        NAME(add_lights)(work, kind, LX_PHONG, LX_HIGHLIGHT_PLAIN);
-    else if (highlight == LX_HIGHLIGHT_GATED)
-        NAME(add_lights)(work, kind, LX_PHONG, LX_HIGHLIGHT_GATED);
+#define LX_ADD_LIGHTS(one, weight, when)                                                                               \
+    if (when)                                                                                                          \
+        NAME(add_lights)(work, kind, one, weight);                                                                     \
     else
-        NAME(add_lights)(work, kind, LX_PHONG, LX_HIGHLIGHT_COSINE);
+    LX_KERNEL_LOBES(LX_ADD_LIGHTS, model, highlight)
+    return;
+#undef LX_ADD_LIGHTS
 #endif
 }
 

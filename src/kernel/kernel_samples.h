@@ -132,22 +132,15 @@ static void NAME(samples)(const struct NAME(lx_samples) * samples, size_t first,
                           REAL *sum)
 {
 #ifdef LX_FEW_KERNELS
-    NAME(samples_of)(samples, first, count, lobe, block, start, lobe->model,
-                     lobe->model == LX_LAMBERT ? LX_HIGHLIGHT_PLAIN : lobe->highlight, sum);
+    const enum lx_highlight highlight = LX_KERNEL_WEIGHT(lobe->model, lobe->highlight);
+    NAME(samples_of)(samples, first, count, lobe, block, start, lobe->model, highlight, sum);
 #else
-    if (lobe->model == LX_LAMBERT)
-        NAME(samples_of)(samples, first, count, lobe, block, start, LX_LAMBERT, LX_HIGHLIGHT_PLAIN, sum);
-    else if (lobe->model == LX_BLINN_PHONG && lobe->highlight == LX_HIGHLIGHT_PLAIN)
-        NAME(samples_of)(samples, first, count, lobe, block, start, LX_BLINN_PHONG, LX_HIGHLIGHT_PLAIN, sum);
-    else if (lobe->model == LX_BLINN_PHONG && lobe->highlight == LX_HIGHLIGHT_GATED)
-        NAME(samples_of)(samples, first, count, lobe, block, start, LX_BLINN_PHONG, LX_HIGHLIGHT_GATED, sum);
-    else if (lobe->model == LX_BLINN_PHONG)
-        NAME(samples_of)(samples, first, count, lobe, block, start, LX_BLINN_PHONG, LX_HIGHLIGHT_COSINE, sum);
-    else if (lobe->highlight == LX_HIGHLIGHT_PLAIN)
-        NAME(samples_of)(samples, first, count, lobe, block, start, LX_PHONG, LX_HIGHLIGHT_PLAIN, sum);
-    else if (lobe->highlight == LX_HIGHLIGHT_GATED)
-        NAME(samples_of)(samples, first, count, lobe, block, start, LX_PHONG, LX_HIGHLIGHT_GATED, sum);
+#define LX_SUM_SAMPLES(one, weight, when)                                                                              \
+    if (when)                                                                                                          \
+        NAME(samples_of)(samples, first, count, lobe, block, start, one, weight, sum);                                 \
     else
-        NAME(samples_of)(samples, first, count, lobe, block, start, LX_PHONG, LX_HIGHLIGHT_COSINE, sum);
+    LX_KERNEL_LOBES(LX_SUM_SAMPLES, lobe->model, lobe->highlight)
+    return;
+#undef LX_SUM_SAMPLES
 #endif
 }

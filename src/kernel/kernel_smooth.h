@@ -247,7 +247,7 @@ LX_LANE struct bounded_shine bound_phong(const struct lx_vicinity *at, const str
 LX_LANE struct bounded_shine bound_shine(const struct lx_vicinity *vicinity, const struct lx_lobe_double *lobe,
                                          const struct bounded_light *light)
 {
-    return lobe->model == LX_PHONG ? bound_phong(vicinity, lobe, light) : bound_blinn_phong(vicinity, lobe, light);
+    return LX_IS_BY_MIRROR(lobe->model) ? bound_phong(vicinity, lobe, light) : bound_blinn_phong(vicinity, lobe, light);
 }
 
 static void bound_smooth(const struct lx_vicinity *vicinity, const struct lx_smooth_lights *lights, size_t first,
@@ -258,16 +258,16 @@ static void bound_smooth(const struct lx_vicinity *vicinity, const struct lx_smo
         const struct bounded_light light = bound_one(vicinity, lights, i);
         const lanes_double unsure = 1 - light.is_up - light.is_down;
         lanes_double most = lobe->diffuse * light.cosine * (1 - light.is_down);
-        if (lobe->model != LX_LAMBERT) {
+        if (LX_HAS_HIGHLIGHT(lobe->model)) {
             const struct bounded_shine shine = bound_shine(vicinity, lobe, &light);
             lanes_double is_there = 1 - shine.is_dark, doubt = shine.doubt;
-            if (lobe->highlight != LX_HIGHLIGHT_PLAIN) {
+            if (LX_ENDS_AT_HORIZON(lobe->highlight)) {
                 is_there *= 1 - light.is_down;
                 doubt = greater_double(doubt, unsure);
             }
             /* what may not be analytic is as well if it is small: nodes see none of it, or all */
             const lanes_double share = where_above_double(doubt, zero, shine.seen * vicinity->slip, shine.most);
-            const lanes_double cosine = lobe->highlight == LX_HIGHLIGHT_COSINE ? light.cosine : all_double(1);
+            const lanes_double cosine = LX_FALLS_TO_HORIZON(lobe->highlight) ? light.cosine : all_double(1);
             most += where_above_double(is_there, zero, lobe->specular * share * cosine, zero);
         }
         const lanes_double bound = light.e * most;

@@ -1,34 +1,46 @@
 /* SPDX-License-Identifier: MIT */
-/* The lobes' constants and their float64 reference with its error bound. */
+/* The registry of lobes, the constants of a lobe, and what holds for any. */
+#include <math.h>
+
+#include "../base/vector.h"
 #include "lobe.h"
 #include "material.h"
 
-/* c: 1, or what makes a lobe over pi with the cosine reflect exactly ks at normal view. */
-static lx_bounded normalization(const struct lx_material *material)
+#define LX_DECLARE_LOBE(number, lobe, name) extern const struct lx_lobe_kind lobe;
+LX_MODELS(LX_DECLARE_LOBE)
+
+#define LX_LIST_LOBE(number, lobe, name) &lobe,
+const struct lx_lobe_kind *const lx_lobe_kinds[LX_MODEL_COUNT] = {LX_MODELS(LX_LIST_LOBE)};
+
+void lx_lobe_at_set(const double normal[3], const double view[3], struct lx_lobe_at *at)
 {
-    lx_bounded n = lx_exact(material->shininess), two = lx_exact(2);
-    if (!material->normalized)
-        return lx_exact(1);
-    if (material->model == LX_PHONG)
-        return lx_scale(lx_add(n, two), 0.5);
-    lx_bounded above = lx_mul(lx_add(n, two), lx_add(n, lx_exact(4)));
-    lx_bounded below = lx_scale(lx_add(n, lx_rounded(exp2(-material->shininess / 2), 0, 2)), 8);
-    return lx_div(above, below);
+    at->n_dot_v = lx_dot(normal, view);
+    at->normal_error = at->view_error = 0;
+    for (int i = 0; i < 3; i++) {
+        at->normal[i] = normal[i];
+        at->view[i] = view[i];
+        at->mirrored[i] = 2 * at->n_dot_v * normal[i] - view[i];
+    }
 }
 
 struct lx_lobe lx_lobe_prepare(const struct lx_material *material)
 {
-    lx_bounded p = material->over_pi ? lx_rounded(M_1_PI, 0, 1) : lx_exact(1);
-    bool shines = material->model != LX_LAMBERT;
-    lx_bounded specular = lx_mul(lx_exact(material->specular), normalization(material));
-    return (struct lx_lobe){
+    const struct lx_lobe_kind *kind = lx_lobe_kinds[material->model];
+    const lx_bounded p = material->over_pi ? lx_rounded(M_1_PI, 0, 1) : lx_exact(1);
+    const bool is_scaled = material->normalized && kind->normalization;
+    const lx_bounded c = is_scaled ? kind->normalization(material->shininess) : lx_exact(1);
+    const lx_bounded specular = lx_mul(p, lx_mul(lx_exact(material->specular), c));
+    struct lx_lobe lobe = {
         .model = (enum lx_model)material->model,
         .highlight = (enum lx_highlight)material->highlight,
         .diffuse = lx_mul(p, lx_exact(material->diffuse)),
-        .specular = shines ? lx_mul(p, specular) : lx_exact(0),
+        .specular = kind->value ? specular : lx_exact(0),
         .ambient = lx_mul(p, lx_exact(lx_material_ambient(material))),
         .exponent = material->shininess,
     };
+    if (kind->prepare)
+        kind->prepare(material, &lobe);
+    return lobe;
 }
 
 struct lx_lobe lx_lobe_irradiance(void)
@@ -36,19 +48,11 @@ struct lx_lobe lx_lobe_irradiance(void)
     return (struct lx_lobe){.model = LX_LAMBERT, .diffuse = lx_exact(1), .ambient = lx_exact(1)};
 }
 
-/* S^n by the cosine and the squared sine of the angle that S is the cosine of. */
-static lx_bounded lobe_power(const struct lx_lobe *lobe, lx_bounded3 normal, lx_bounded3 view, lx_bounded3 towards)
+enum lx_model lx_lobe_kernel_model(const struct lx_lobe *lobe)
 {
-    if (lobe->model == LX_BLINN_PHONG) {
-        lx_bounded3 half = lx_unit3(lx_add3(towards, view));
-        return lx_cosine_power(lx_dot3(normal, half), lx_square3(lx_cross3(normal, half)), lobe->exponent);
-    }
-    lx_bounded twice = lx_scale(lx_dot3(normal, towards), 2);
-    lx_bounded3 mirrored = lx_sub3(lx_mul3(normal, twice), towards);
-    return lx_cosine_power(lx_dot3(mirrored, view), lx_square3(lx_cross3(mirrored, view)), lobe->exponent);
+    return lx_lobe_shines(lobe) && lx_lobe_kind_of(lobe)->power ? lobe->model : LX_LAMBERT;
 }
 
-/* w, the weight of the highlight */
 static lx_bounded highlight_weight(const struct lx_lobe *lobe, lx_bounded n_dot_l)
 {
     switch (lobe->highlight) {
@@ -59,14 +63,47 @@ static lx_bounded highlight_weight(const struct lx_lobe *lobe, lx_bounded n_dot_
     return lx_exact(1);
 }
 
+double lx_lobe_weight(const struct lx_lobe *lobe, double n_dot_l)
+{
+    return highlight_weight(lobe, lx_exact(n_dot_l)).value;
+}
+
 struct lx_reflection lx_lobe_reflect(const struct lx_lobe *lobe, lx_bounded3 normal, lx_bounded3 view,
                                      lx_bounded3 towards)
 {
-    lx_bounded n_dot_l = lx_dot3(normal, towards);
+    const lx_bounded n_dot_l = lx_dot3(normal, towards);
     struct lx_reflection result = {.cosine = lx_positive(n_dot_l)};
     result.diffuse = lx_mul(lobe->diffuse, result.cosine);
-    if (lobe->specular.value > 0)
-        result.specular =
-            lx_mul(lx_mul(lobe->specular, highlight_weight(lobe, n_dot_l)), lobe_power(lobe, normal, view, towards));
+    if (lx_lobe_shines(lobe))
+        result.specular = lx_mul(lx_mul(lobe->specular, highlight_weight(lobe, n_dot_l)),
+                                 lx_lobe_kind_of(lobe)->value(lobe, normal, view, towards));
     return result;
+}
+
+/* A vector of which each part may be off by so much. */
+static lx_bounded3 bounded(const double a[3], double error)
+{
+    return (lx_bounded3){{a[0], error}, {a[1], error}, {a[2], error}};
+}
+
+double lx_lobe_log(const struct lx_lobe *lobe, const struct lx_lobe_at *at, const double towards[3], double moved,
+                   double *error)
+{
+    const struct lx_lobe_kind *kind = lx_lobe_kind_of(lobe);
+    if (kind->log_value)
+        return kind->log_value(lobe, at, towards, moved, error);
+    const lx_bounded value = kind->value(lobe, bounded(at->normal, at->normal_error), bounded(at->view, at->view_error),
+                                         bounded(towards, moved + DBL_EPSILON));
+    *error = value.value > 0 ? value.error / value.value : 0;
+    return value.value > 0 ? log(value.value) : -HUGE_VAL;
+}
+
+size_t lx_lobe_peaks(const struct lx_lobe *lobe, const struct lx_lobe_at *at, const double a[3], const double b[3],
+                     double tau[LX_MOST_PEAKS])
+{
+    const struct lx_lobe_kind *kind = lx_lobe_kind_of(lobe);
+    if (kind->peaks)
+        return kind->peaks(lobe, at, a, b, tau);
+    tau[0] = atan2(lx_dot(at->mirrored, b), lx_dot(at->mirrored, a));
+    return 1;
 }

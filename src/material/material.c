@@ -4,7 +4,8 @@
 
 #include "material.h"
 
-static const char *const model_names[] = {"blinn-phong", "phong", "lambert", NULL};
+#define LX_NAME_MODEL(number, lobe, name) name,
+static const char *const model_names[] = {LX_MODELS(LX_NAME_MODEL) NULL};
 static const char *const highlight_names[] = {"plain", "gated", "cosine", NULL};
 
 static const struct lx_parameter material_parameters[] = {

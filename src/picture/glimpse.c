@@ -32,7 +32,7 @@ struct work {
     struct lx_skyline skyline;
     struct lx_skyline_polygon pending[MOST_PENDING];
     size_t pending_count;
-    double mirrored[3];                  /* view */
+    struct lx_lobe_at at;
     double face[3];                      /* of a law other than 1/r^2: the normal of the face, to the source, */
     double height_mm;                    /* and how far its plane is */
     const struct lx_skyline_side *curve; /* around the part; NULL: none */
@@ -240,7 +240,7 @@ static double bound_of(const struct work *work, double cosine, double farthest_m
     const double sine = sqrt(fmax(1 - cosine * cosine, 0));
     return work->emitter->radiance.value * work->asked->lobe->specular * law_at(work->emitter, farthest_mm) * 2 * M_PI *
            (1 - cosine) *
-           (cosine > 0 ? lx_glimpse_power(work->asked->lobe, work->mirrored, work->middle, cosine, sine) : 1);
+           (cosine > 0 ? lx_glimpse_power(work->asked->lobe, work->at.mirrored, work->middle, cosine, sine) : 1);
 }
 
 static bool look_at(struct work *work, const struct lx_skyline_polygon *part, struct look *look)
@@ -276,10 +276,11 @@ static bool ends_steeply(const struct work *work, double sine)
 {
     const double SMOOTH = 4; /* an exponent */
     const struct lx_glimpse *asked = work->asked;
-    const double beyond = asked->lobe->model == LX_PHONG
-                              ? lx_dot(work->middle, work->mirrored)
-                              : lx_dot(work->middle, asked->normal) + lx_dot(asked->normal, asked->view);
-    return !asked->is_matte && asked->lobe->exponent.value < SMOOTH && fabs(beyond) <= sine;
+    double limit;
+    if (asked->is_matte || !(asked->lobe->exponent.value < SMOOTH))
+        return false;
+    const double *end = lx_lobe_kinds[asked->lobe->model]->end(&work->at, &limit);
+    return fabs(lx_dot(work->middle, end) - limit) <= sine;
 }
 
 /* Replaces a part by its two halves, cut across the way to its farthest corner; false: there is no room. */
@@ -354,7 +355,7 @@ static bool add_shape(struct work *work, const struct lx_skyline_shape *shape)
     struct lx_skyline_polygon *part = &work->pending[0];
     *part = shape->polygon;
     work->curve = shape->has_curve ? &shape->curve : NULL;
-    if (work->asked->is_matte || work->asked->lobe->highlight != LX_HIGHLIGHT_PLAIN)
+    if (work->asked->is_matte || LX_ENDS_AT_HORIZON(work->asked->lobe->highlight))
         lx_skyline_cut(part, work->asked->normal);
     work->pending_count = part->count > 0;
     return work_off(work);
@@ -411,11 +412,9 @@ bool lx_glimpse_sum(const struct lx_glimpse *glimpse, double *sum)
     work.sum = work.left_out = 0;
     work.node_count = work.pending_count = 0;
     memset(work.face, 0, sizeof work.face);
-    const double facing = lx_dot(glimpse->normal, glimpse->view);
-    for (int k = 0; k < 3; k++) {
-        work.mirrored[k] = 2 * facing * glimpse->normal[k] - glimpse->view[k];
+    lx_lobe_at_set(glimpse->normal, glimpse->view, &work.at);
+    for (int k = 0; k < 3; k++)
         work.center[k] = emitter->center_mm[k] - glimpse->occlusion->place_mm[k];
-    }
     if (!add_source(&work))
         return false;
     *sum = fmax(work.sum, 0);

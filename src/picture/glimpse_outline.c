@@ -32,7 +32,7 @@ struct part {
 struct work {
     const struct lx_glimpse *asked;
     const struct lx_sweep_frame *frame;
-    double mirrored[3];
+    struct lx_lobe_at at;
     double most; /* of the highlight, for a solid angle of 1 and S = 1 */
     double sum, left_out;
     size_t node_count, part_count;
@@ -157,7 +157,7 @@ static bool add_part(struct work *work, const struct part *whole)
         const double sine = fmin(look.reach, 1), cosine = sqrt(1 - sine * sine);
         const double bound =
             work->most * look.area *
-            (sine < 1 ? lx_glimpse_power(work->asked->lobe, work->mirrored, look.middle, cosine, sine) : 1);
+            (sine < 1 ? lx_glimpse_power(work->asked->lobe, work->at.mirrored, look.middle, cosine, sine) : 1);
         if (work->left_out + bound <= LEFT_OUT * work->asked->allowed) {
             work->left_out += bound;
             continue;
@@ -205,17 +205,15 @@ bool lx_glimpse_outline(const struct lx_glimpse *glimpse, const struct lx_asking
     struct work work; /* large: what is not needed stays as it is */
     if (!emitter->facets || emitter->attenuation != LX_INVERSE_SQUARE || !lx_outline_is_alone(occlusion) ||
         glimpse->lobe->exponent.value < SMOOTH ||
-        (glimpse->lobe->highlight != LX_HIGHLIGHT_PLAIN && !lx_outline_add_horizon(occlusion, glimpse->normal)))
+        (LX_ENDS_AT_HORIZON(glimpse->lobe->highlight) && !lx_outline_add_horizon(occlusion, glimpse->normal)))
         return false;
     bool is_good = lx_sweeps_make(emitter, occlusion->place_mm, glimpse->normal, true, &sweeps) == 0 &&
                    lx_outline_lay(occlusion, &sweeps, asking) == 0 && !occlusion->outline->is_broken;
-    const double facing = lx_dot(glimpse->normal, glimpse->view);
     work.asked = glimpse;
     work.most = emitter->radiance.value * glimpse->lobe->specular;
     work.sum = work.left_out = 0;
     work.node_count = work.part_count = 0;
-    for (int k = 0; k < 3; k++)
-        work.mirrored[k] = 2 * facing * glimpse->normal[k] - glimpse->view[k];
+    lx_lobe_at_set(glimpse->normal, glimpse->view, &work.at);
     if (is_good)
         is_good = work.most * (lx_outline_unsure(occlusion->outline) + lx_outline_skipped(occlusion->outline)) <=
                   LEFT_OUT * glimpse->allowed;

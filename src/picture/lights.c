@@ -53,7 +53,7 @@ enum lx_kernel_light lx_light_kind_of(const struct lx_emitter *emitter)
 
 bool lx_has_edges(const struct lx_emitter *emitter, const struct lx_lobe_double *lobe)
 {
-    bool is_gated = lobe->highlight == LX_HIGHLIGHT_GATED && lobe->specular > 0;
+    bool is_gated = LX_JUMPS_AT_HORIZON(lobe->highlight) && lobe->specular > 0;
     return is_gated || (lx_is_point(emitter) && emitter->profile.falloff != LX_NO_CONE);
 }
 

@@ -119,37 +119,21 @@ static double matte_of_all(const struct lit *lit)
                                    matte_tolerance(lit->plan) * lit->known / gain, lit->asking);
 }
 
-/* The angle between two vectors of any lengths. */
-static double angle_between(const double a[3], const double b[3])
-{
-    double cross[3];
-    lx_cross(a, b, cross);
-    return atan2(sqrt(lx_dot(cross, cross)), lx_dot(a, b));
-}
-
 /* How great the highlight may be at most: all of the opening as a point at its nearest, where the lobe is greatest. */
 static double most_of_highlight(const struct lit *lit)
 {
     const struct lx_shell *shell = &lit->planned->shell;
     const struct lx_lobe *lobe = &lit->surface->lobe;
-    double towards[3], half[3], mirrored[3];
-    const double n_dot_v = lx_dot(lit->normal, lit->view);
+    struct lx_lobe_at at;
+    double towards[3];
     for (int k = 0; k < 3; k++)
         towards[k] = shell->center[k] + lit->surface->shape.anchor_mm[k] - lit->place[k];
     const double distance = lx_normalize(towards), nearest = distance - shell->radius_mm;
     if (!(nearest > 0))
         return HUGE_VAL;
     const double spread = asin(shell->radius_mm / distance);
-    for (int k = 0; k < 3; k++) {
-        half[k] = towards[k] + lit->view[k];
-        mirrored[k] = 2 * n_dot_v * lit->normal[k] - lit->view[k];
-    }
-    const double length = sqrt(lx_dot(half, half)); /* the way to H turns by no more than L moves, over its length */
-    const bool is_mirror = lobe->model == LX_PHONG;
-    const double off = is_mirror ? angle_between(mirrored, towards) - spread
-                       : length > spread
-                           ? angle_between(lit->normal, half) - asin(fmin(spread / (length - spread) * 1.01, 1))
-                           : 0;
+    lx_lobe_at_set(lit->normal, lit->view, &at);
+    const double off = lx_power_lobe_of(lobe->model)->least_angle(&at, towards, spread);
     const double cosine = off > 0 ? fmax(cos(fmin(off, M_PI)), 0) : 1;
     const double law = 1 / (shell->law.none + nearest * (shell->law.root + nearest * shell->law.square));
     return shell->radiance * lx_extended_area_mm2(lit->planned->emitter).value * law * lobe->specular.value *
@@ -160,8 +144,7 @@ static double highlight_of(const struct lit *lit, struct lx_occlusion *occlusion
 {
     static const double NEGLIGIBLE = 0.1; /* of the tolerance */
     const double tolerance = lit->plan->tolerance;
-    if (lit->surface->glossy_exact.model == LX_LAMBERT || !(lit->surface->lobe.specular.value > 0) ||
-        most_of_highlight(lit) < NEGLIGIBLE * tolerance * lit->known)
+    if (!lx_lobe_shines(&lit->surface->lobe) || most_of_highlight(lit) < NEGLIGIBLE * tolerance * lit->known)
         return 0;
     const double specular = lx_integrate_seen(lit->planned->emitter, &lit->element, occlusion, false, lit->known,
                                               tolerance / 2, lit->asking)
@@ -187,8 +170,7 @@ static double light_of(const struct lit *lit, size_t i, struct lx_penumbra *penu
 static bool may_arrive(const struct lit *lit)
 {
     const struct lx_shell *shell = &lit->planned->shell;
-    const bool looks_below =
-        lit->surface->glossy_exact.model != LX_LAMBERT && lit->surface->lobe.highlight == LX_HIGHLIGHT_PLAIN;
+    const bool looks_below = lx_lobe_reaches_below(&lit->surface->lobe);
     double away[3];
     for (int k = 0; k < 3; k++)
         away[k] = lit->place[k] - shell->center[k] - lit->surface->shape.anchor_mm[k];

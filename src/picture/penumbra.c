@@ -162,9 +162,7 @@ static struct lx_ball ball_around(const struct lx_block_double *block, size_t fi
 /* Whether highlights reach below the horizon. */
 static bool looks_below(const struct lx_planned_surface *surface)
 {
-    const bool shines =
-        surface->glossy_count > 0 || (surface->opening_count > 0 && surface->glossy_exact.model != LX_LAMBERT);
-    return shines && surface->lobe.highlight == LX_HIGHLIGHT_PLAIN;
+    return (surface->glossy_count > 0 || surface->opening_count > 0) && lx_lobe_reaches_below(&surface->lobe);
 }
 
 /* Gathers what is in the way of a single element. */

@@ -68,6 +68,7 @@ struct lx_planned_surface {
     struct lx_lobe_single glossy_single; /* the lobe's two parts */
     struct lx_lobe_double glossy_exact, matte_exact;
     struct lx_smooth smooth;
+    bool by_reference; /* kernels do not know its lobe: there is nothing of it but what stands before the lights */
 };
 
 struct lx_plan {
@@ -81,8 +82,9 @@ struct lx_plan {
     /* The only surface that the picture may show, if its light takes nothing but its elements in float32 (seen.h);
      * NULL: there is none. */
     const struct lx_planned_surface *alone;
-    bool at_once;   /* it is there, and has few lights of one kind, whose sum is the value */
-    bool in_panels; /* the whole picture is shaded by panels (panels.h), with: */
+    bool asks_reference; /* some surface is summed by the reference */
+    bool at_once;        /* it is there, and has few lights of one kind, whose sum is the value */
+    bool in_panels;      /* the whole picture is shaded by panels (panels.h), with: */
     struct lx_basis bases[LX_BASES], gloss_bases[LX_GLOSS_BASES], table_bases[LX_TABLE_BASES];
     bool has_gloss; /* highlights of extended sources have polynomials of their own */
     luxel_precision precision;

@@ -35,14 +35,14 @@ static const double DIM = 1e-3;
 static void set_lobes(const struct lx_lobe *lobe, struct lx_planned_surface *surface)
 {
     surface->lobe_exact = (struct lx_lobe_double){
-        .model = lobe->specular.value > 0 ? lobe->model : LX_LAMBERT,
+        .model = lx_lobe_kernel_model(lobe),
         .highlight = lobe->highlight,
         .diffuse = lobe->diffuse.value,
         .specular = lobe->specular.value,
         .exponent = lx_exponent_of(lobe->exponent),
     };
     surface->matte_exact = surface->glossy_exact = surface->lobe_exact;
-    surface->matte_exact.model = LX_LAMBERT;
+    surface->matte_exact.model = lx_lobe_kernel_model(&(struct lx_lobe){.model = lobe->model});
     surface->glossy_exact.diffuse = 0;
     surface->limits = lx_lobe_limits_of(&surface->lobe_exact);
     surface->lobe = *lobe;
@@ -78,9 +78,8 @@ static luxel_status plan_rules(struct lx_plan *plan, struct lx_control *control,
 bool lx_is_set_in(const struct lx_planned_surface *surface, const struct lx_emitter *emitter)
 {
     const struct lx_shape *shape = &surface->shape;
-    const bool is_plain = surface->lobe.specular.value > 0 && surface->lobe.highlight == LX_HIGHLIGHT_PLAIN;
     double nearest;
-    return lx_shape_is_flat(shape) && !is_plain &&
+    return lx_shape_is_flat(shape) && !lx_lobe_reaches_below(&surface->lobe) &&
            fabs(lx_emitter_extent(emitter, shape->anchor_mm, shape->axis, &nearest)) <=
                lx_plane_rounding_mm(shape->anchor_mm, lx_distance(lx_emitter_center(emitter), shape->anchor_mm) +
                                                           lx_emitter_radius(emitter));
@@ -112,7 +111,7 @@ static luxel_status plan_shells(struct lx_plan *plan, struct lx_control *control
         planned->emitter = emitter;
         luxel_status status = lx_shell_make(emitter, &surface->shape, &asking, &planned->shell);
         struct lx_sampled *sampled = &surface->glossy[surface->shell_count++];
-        surface->glossy_count += surface->glossy_exact.model != LX_LAMBERT;
+        surface->glossy_count += lx_lobe_shines(&surface->lobe);
         if (status == LUXEL_OK && lx_find_shell_blockers(plan, surface, planned))
             status = LUXEL_ERROR_MEMORY;
         if (status != LUXEL_OK)
@@ -208,6 +207,10 @@ static luxel_status plan_surface(struct lx_plan *plan, struct lx_control *contro
                                  struct lx_planned_surface *surface)
 {
     set_lobes(lobe, surface);
+    surface->by_reference = !lx_lobe_has_kernels(lobe);
+    plan->asks_reference = plan->asks_reference || surface->by_reference;
+    if (surface->by_reference)
+        return LUXEL_OK;
     luxel_status status = plan_lights(plan, control, surface);
     if (status == LUXEL_OK)
         status = plan_shells(plan, control, surface);
@@ -384,7 +387,8 @@ static luxel_status find_maximum(struct lx_plan *plan, struct lx_control *contro
     luxel_status status = sample_maximum(plan, control, every, &maximum);
     plan->tolerance = tolerance;
     plan->light_error = light_error;
-    plan->least_maximum = plan->most_patches > 0 || plan->opening_rules ? (1 - rough) * maximum : maximum;
+    const bool is_rough = plan->most_patches > 0 || plan->opening_rules || plan->asks_reference;
+    plan->least_maximum = is_rough ? (1 - rough) * maximum : maximum;
     plan->least_value = DIM * plan->least_maximum;
     return status;
 }
@@ -409,8 +413,8 @@ static luxel_status plan_accuracy(struct lx_plan *plan, struct lx_control *contr
 {
     size_t every = 1;
     bool fits;
-    const bool is_rough = plan->most_patches > 0 || plan->forest.tree_count > 0 || plan->opening_rules;
-    if (plan->precision == LUXEL_DOUBLE && !is_rough)
+    if (plan->precision == LUXEL_DOUBLE && plan->most_patches == 0 && plan->forest.tree_count == 0 &&
+        !plan->opening_rules && !plan->asks_reference)
         return LUXEL_OK;
     for (size_t s = 0; s < plan->surface_count && plan->most_patches == 0; s++)
         every =
@@ -424,7 +428,7 @@ static luxel_status plan_accuracy(struct lx_plan *plan, struct lx_control *contr
 static bool is_in_single(const struct lx_planned_surface *surface)
 {
     bool all = lx_has_kernels(&surface->shape) && surface->by_law_count == 0 && surface->glossy_count == 0;
-    all = all && surface->opening_count == 0;
+    all = all && surface->opening_count == 0 && !surface->by_reference;
     for (size_t s = 0; all && s < surface->shell_count; s++)
         all = surface->shells[s].shell.edges_single && !surface->shells[s].by_reference &&
               surface->shells[s].blocker_count == 0;
@@ -558,9 +562,8 @@ luxel_status lx_plan_make(const struct lx_prepared *prepared, const struct lx_ke
         status = lx_forest_plant(&prepared->emitters, &control, &plan->forest);
     struct lx_lobe irradiance = lx_lobe_irradiance();
     for (size_t s = 0; s < plan->surface_count && status == LUXEL_OK; s++) {
-        bool is_irradiance = settings->quantity == LUXEL_IRRADIANCE;
-        status =
-            plan_surface(plan, &control, is_irradiance ? &irradiance : &prepared->surfaces[s].lobe, &plan->surfaces[s]);
+        const struct lx_lobe *lobe = settings->quantity == LUXEL_IRRADIANCE ? &irradiance : &prepared->surfaces[s].lobe;
+        status = plan_surface(plan, &control, lobe, &plan->surfaces[s]);
     }
     if (status == LUXEL_OK)
         status = plan_accuracy(plan, &control);

@@ -110,12 +110,10 @@ static bool has_moderate_law(const struct lx_emitter *emitter)
 static double lobe_error(const struct lx_lobe *lobe, double least_half, double off)
 {
     double error = lobe->diffuse.value * (off + 2 * unit);
-    if (!(lobe->specular.value > 0))
+    if (!lx_lobe_shines(lobe))
         return error;
-    double angle = off + 4 * unit;
-    if (lobe->model == LX_BLINN_PHONG)
-        angle = (off + 2 * unit) / least_half + 3 * unit;
-    double weight = lobe->highlight == LX_HIGHLIGHT_COSINE ? off + unit : 0;
+    double angle = lx_power_lobe_of(lobe->model)->angle_error(off, least_half, unit);
+    double weight = LX_FALLS_TO_HORIZON(lobe->highlight) ? off + unit : 0;
     return error + lobe->specular.value * (lx_power_slope(lobe->exponent) * angle + weight + 12 * unit);
 }
 
@@ -154,7 +152,7 @@ double lx_bound_light(const struct lx_prepared *prepared, const struct lx_shape 
         stand.away_mm = distance(emitter->position_mm, shape->anchor_mm);
         stand.nearest_mm = least_distance(shape, from);
     }
-    if (lobe->specular.value > 0 && lobe->model == LX_BLINN_PHONG)
+    if (lx_lobe_shines(lobe) && lx_power_lobe_of(lobe->model)->asks_half)
         stand.least_half = least_half_length(prepared, shape, emitter, stand.away_mm);
     return lx_bound_stand(shape, lobe, emitter, emitter->strength, &stand);
 }

@@ -158,8 +158,7 @@ bool lx_reach_is_plain(const struct lx_prepared *prepared, luxel_quantity quanti
         return !has_ambient;
     for (size_t s = 0; s < prepared->surface_count; s++) {
         const struct lx_lobe *lobe = &prepared->surfaces[s].lobe;
-        if ((has_ambient && lobe->ambient.value > 0) ||
-            (lobe->specular.value > 0 && lobe->highlight == LX_HIGHLIGHT_PLAIN))
+        if ((has_ambient && lobe->ambient.value > 0) || lx_lobe_reaches_below(lobe))
             return false;
     }
     return true;

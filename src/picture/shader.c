@@ -6,6 +6,7 @@
 
 #include "../base/memory.h"
 #include "../world/among.h"
+#include "../world/reference.h"
 #include "openings.h"
 #include "shader_memory.h"
 
@@ -235,6 +236,7 @@ static struct lx_cone cone_around(const struct extent *extent)
 static struct lx_tract find_tract(const struct lx_plan *plan, struct lx_shader_memory *memory, size_t s)
 {
     const struct lx_planned_surface *surface = &plan->surfaces[s];
+    const bool asks_mirrored = LX_IS_BY_MIRROR(surface->limits.lobe.model);
     struct lx_block_double *block = &memory->seen.block;
     struct extent places = EMPTY, normals = EMPTY, views = EMPTY, mirrored = EMPTY;
     struct lx_tract tract = {.count = 0};
@@ -246,7 +248,7 @@ static struct lx_tract find_tract(const struct lx_plan *plan, struct lx_shader_m
         extend(&normals, block->nx, block->ny, block->nz, count);
         extend(&views, block->vx, block->vy, block->vz, count);
         tract.count += count;
-        for (size_t i = 0; surface->limits.lobe.model == LX_PHONG && i < count; i++) {
+        for (size_t i = 0; asks_mirrored && i < count; i++) {
             const double nx = block->nx[i], ny = block->ny[i], nz = block->nz[i];
             const double twice = 2 * (nx * block->vx[i] + ny * block->vy[i] + nz * block->vz[i]);
             const double x = twice * nx - block->vx[i], y = twice * ny - block->vy[i], z = twice * nz - block->vz[i];
@@ -256,7 +258,7 @@ static struct lx_tract find_tract(const struct lx_plan *plan, struct lx_shader_m
     tract.places = ball_around(&places);
     tract.normals = cone_around(&normals);
     tract.views = cone_around(&views);
-    if (surface->limits.lobe.model == LX_PHONG)
+    if (asks_mirrored)
         tract.mirrored = cone_around(&mirrored);
     return tract;
 }
@@ -273,11 +275,44 @@ static const struct lx_cut *find_cut(const struct lx_plan *plan, struct lx_shade
     return lx_cut_make(plan, &plan->surfaces[s], &tract, asking, cut) ? cut : NULL;
 }
 
+/* ---- lobes that kernels do not know ---- */
+
+/* Sums all light over the gathered block, element by element; a light that lies on one gives it nothing. */
+static void light_by_reference(const struct lx_plan *plan, const struct lx_planned_surface *surface,
+                               struct lx_shader_memory *memory, size_t count, const struct lx_asking *asking)
+{
+    const struct lx_block_double *block = &memory->seen.block;
+    const double *anchor = surface->shape.anchor_mm;
+    struct lx_prepared prepared = *plan->prepared;
+    prepared.tolerance = plan->tolerance;
+    plan->kernels->set_all(memory->sum, lx_padded(count), 0);
+    for (size_t i = 0; i < count && (!memory->portion || memory->portion->lights); i++) {
+        const struct lx_element element = {
+            .place_mm =
+                lx_exact3((double[]){anchor[0] + block->px[i], anchor[1] + block->py[i], anchor[2] + block->pz[i]}),
+            .normal = lx_exact3((double[]){block->nx[i], block->ny[i], block->nz[i]}),
+            .view = lx_exact3((double[]){block->vx[i], block->vy[i], block->vz[i]}),
+            .lobe = &surface->lobe,
+            .own = &prepared.surfaces[surface - plan->surfaces],
+        };
+        for (size_t e = 0; e < prepared.emitters.count && lx_asking_goes_on(asking); e++) {
+            struct lx_emitter room;
+            const struct lx_lighting light =
+                lx_light_element(&prepared, &element, lx_emitter_at(&prepared.emitters, e, &room));
+            memory->sum[i] += light.on_element ? 0 : light.diffuse.value + light.specular.value;
+        }
+    }
+}
+
 /* Sums the light that falls on elements of a surface; `cut`: of the clustered points, where there are some. */
 static void light_surface(const struct lx_plan *plan, const struct lx_planned_surface *surface,
                           const struct lx_cut *cut, struct lx_shader_memory *memory, size_t elements,
                           const struct lx_asking *asking)
 {
+    if (surface->by_reference) {
+        light_by_reference(plan, surface, memory, elements, asking);
+        return;
+    }
     light_block(plan, surface, memory, elements, asking);
     if (cut)
         lx_cut_shade(plan, cut, &memory->seen.block, &memory->seen.copy, elements, asking, memory->open, memory->sum);
@@ -329,7 +364,7 @@ size_t lx_shade_row(const struct lx_plan *plan, struct lx_shader_memory *memory,
         const struct lx_cut *cut = NULL;
         if (gathered.count == 0)
             continue;
-        if (plan->forest.tree_count > 0) {
+        if (plan->forest.tree_count > 0 && !plan->surfaces[s].by_reference) {
             bool made;
             cut = find_cut(plan, memory, s, &asking, &made);
             if (!cut)

@@ -24,18 +24,17 @@ void lx_viewers_find(const struct lx_block_double *block, size_t start, const st
                      struct lx_viewers *viewers)
 {
     const double grazing = 0.15; /* lobes of half vectors get narrow towards the rim; below this the cells stay */
-    const double sigma = 1 / sqrt(lx_larger(lobe->exponent.value, 1));
     viewers->block = block;
     viewers->start = start;
     viewers->lobe = lobe;
+    viewers->power = lx_power_lobe_of(lobe->model);
     for (size_t lane = 0; lane < LX_LANES; lane++) {
         size_t i = start + lane;
         double n[3] = {block->nx[i], block->ny[i], block->nz[i]}, v[3] = {block->vx[i], block->vy[i], block->vz[i]};
-        double facing = lx_dot(n, v);
-        viewers->facing[lane] = facing;
-        for (int k = 0; k < 3; k++)
-            viewers->mirrored[lane][k] = 2 * facing * n[k] - v[k];
-        viewers->width[lane] = lobe->model == LX_PHONG ? sigma : lx_smaller(1, 2 * lx_larger(facing, grazing) * sigma);
+        struct lx_lobe_at *at = &viewers->at[lane];
+        lx_lobe_at_set(n, v, at);
+        const double half = 2 * lx_larger(at->n_dot_v, grazing);
+        viewers->width[lane] = lx_smaller(1, viewers->power->width(lobe->exponent.value, half));
     }
 }
 
@@ -57,7 +56,7 @@ static void look(const struct lx_viewers *viewers, const struct lx_patch *patch,
     const struct lx_block_double *block = viewers->block;
     const struct lx_lobe_double *lobe = viewers->lobe;
     const bool is_flat = patch->kind == LX_PATCH_FLAT || patch->kind == LX_PATCH_DISK;
-    const bool by_cosine = lobe->highlight != LX_HIGHLIGHT_PLAIN;
+    const bool by_cosine = LX_ENDS_AT_HORIZON(lobe->highlight);
     double middle[3], radius = 0;
     for (size_t lane = 0; lane < LX_LANES; lane++) {
         const size_t i = viewers->start + lane;
@@ -89,7 +88,7 @@ static double half_length(const struct lx_viewers *viewers, size_t lane, const s
     const struct lx_block_double *block = viewers->block;
     const size_t i = viewers->start + lane;
     const double *l = seen->towards;
-    if (viewers->lobe->model != LX_BLINN_PHONG)
+    if (!viewers->power->asks_half)
         return 1;
     const double half[3] = {l[0] + block->vx[i], l[1] + block->vy[i], l[2] + block->vz[i]};
     return sqrt(lx_dot(half, half)) - seen->size;
@@ -97,19 +96,16 @@ static double half_length(const struct lx_viewers *viewers, size_t lane, const s
 
 /*
  * The largest square of S over the cell's places, for an element.  With A the angle between L and the mirrored view
- * and the cell seen under no more than rho from its middle, it is at most the square of cos(A - rho); the angle
- * between N and H is at least half that of L and the mirrored view.
+ * and the cell seen under no more than rho from its middle, no angle to the mirrored view is less than A - rho.
  */
 static double greatest_square(const struct lx_viewers *viewers, size_t lane, const struct look *seen)
 {
-    const double cosine = lx_smaller(lx_dot(seen->towards, viewers->mirrored[lane]), 1), size = seen->size;
+    const double cosine = lx_smaller(lx_dot(seen->towards, viewers->at[lane].mirrored), 1), size = seen->size;
     if (!(size < 1))
         return 1;
     double around = sqrt(1 - size * size), sine = sqrt(lx_larger(1 - cosine * cosine, 0));
     double nearest = cosine >= around ? 1 : lx_smaller(cosine * around + sine * size, 1);
-    if (viewers->lobe->model == LX_BLINN_PHONG)
-        return (1 + nearest) / 2;
-    return nearest > 0 ? nearest * nearest : 0;
+    return viewers->power->greatest_square(nearest);
 }
 
 /*
@@ -122,14 +118,15 @@ static double doubtful_share(const struct lx_viewers *viewers, size_t lane, cons
 {
     const struct lx_lobe_double *lobe = viewers->lobe;
     const double size = seen->size;
-    const double beyond_end =
-        lobe->model == LX_PHONG ? lx_dot(seen->towards, viewers->mirrored[lane]) : seen->height + viewers->facing[lane];
+    double limit;
+    const double *end = lx_lobe_kinds[lobe->model]->end(&viewers->at[lane], &limit);
+    const double beyond_end = lx_dot(seen->towards, end) - limit;
     const bool is_at_horizon = fabs(seen->height) < size, is_at_end = fabs(beyond_end) < size;
-    if (!(half > 0) || (lobe->highlight == LX_HIGHLIGHT_GATED && is_at_horizon) ||
+    if (!(half > 0) || (LX_JUMPS_AT_HORIZON(lobe->highlight) && is_at_horizon) ||
         (lobe->exponent.value < 1 && is_at_end))
         return CUT_SHARE;
     double share = 0;
-    if (lobe->highlight == LX_HIGHLIGHT_COSINE && is_at_horizon)
+    if (LX_FALLS_TO_HORIZON(lobe->highlight) && is_at_horizon)
         share = SLIVER_SHARE * lx_smaller(seen->height + size, GAP * size);
     if (is_at_end) /* beyond the gap no S is more than this share of the greatest */
         share = lx_larger(share, SLIVER_SHARE * lx_smaller(1, GAP * size / (half * greatest)));

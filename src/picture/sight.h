@@ -6,6 +6,7 @@
 #ifndef LX_PICTURE_SIGHT_H
 #define LX_PICTURE_SIGHT_H
 
+#include "../material/lobe.h"
 #include "patch.h"
 
 /* One source for a lobe. */
@@ -16,14 +17,14 @@ struct lx_sampled {
     bool in_double;
 };
 
-/* A run of LX_LANES elements, and what samples are summed for: a lobe without its diffuse part, or that alone. */
+/* A run of LX_LANES elements, and what samples are summed for: a lobe without its diffuse part. */
 struct lx_viewers {
     const struct lx_block_double *block;
     size_t start;
     const struct lx_lobe_double *lobe;
-    double facing[LX_LANES];      /* N.V */
-    double mirrored[LX_LANES][3]; /* views */
-    double width[LX_LANES];       /* of the lobe, as an angle of L */
+    const struct lx_power_lobe *power; /* of it */
+    struct lx_lobe_at at[LX_LANES];
+    double width[LX_LANES]; /* of the lobe, as an angle of L */
 };
 
 void lx_viewers_find(const struct lx_block_double *block, size_t start, const struct lx_lobe_double *lobe,

@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "../base/number.h"
+#include "../material/lobe.h"
 #include "../surface/mesh_faces.h"
 #include "materials.h"
 #include "object.h"
@@ -73,6 +74,11 @@ static void check_materials(struct lx_walk *walk, const luxel_scene *scene)
     struct lx_scene_material at = {.material = NULL};
     while (lx_next_material(&scene->parameters, &at)) {
         char number[LX_NUMBER_SIZE];
+        if (!lx_lobe_kinds[at.material->model]->is_lambertian) {
+            const struct lx_parameter *model = lx_find_parameter(&lx_material_table, "model");
+            report_material(walk, &at, "model", LX_MSG_REFLECTS_BY_MODEL, lx_chosen(model, at.material));
+            lx_hint(walk->diagnostics, LX_MSG_HINT_LAMBERT, NULL);
+        }
         if (!at.material->over_pi) {
             report_material(walk, &at, "over_pi", LX_MSG_REFLECTS_BY_WEIGHT, NULL);
             lx_hint(walk->diagnostics, LX_MSG_HINT_OVER_PI, NULL);

@@ -153,13 +153,6 @@ struct cone {
 
 static const struct cone UNKNOWN = {{0, 0, 1}, M_PI};
 
-static double angle_between(const double a[3], const double b[3])
-{
-    double across[3];
-    lx_cross(a, b, across);
-    return atan2(sqrt(lx_dot(across, across)), lx_dot(a, b));
-}
-
 /* A cone that holds two. */
 static struct cone joined(const struct cone *a, const struct cone *b)
 {
@@ -172,7 +165,7 @@ static struct cone joined(const struct cone *a, const struct cone *b)
         made.axis[k] = a->axis[k] + b->axis[k];
     if (a->half > M_PI_2 || b->half > M_PI_2 || !(lx_normalize(made.axis) > 0.1))
         return UNKNOWN;
-    made.half = fmax(angle_between(made.axis, a->axis) + a->half, angle_between(made.axis, b->axis) + b->half);
+    made.half = fmax(lx_angle_between(made.axis, a->axis) + a->half, lx_angle_between(made.axis, b->axis) + b->half);
     return made.half < M_PI_2 ? made : UNKNOWN;
 }
 

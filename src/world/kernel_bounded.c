@@ -166,7 +166,7 @@ LX_LANE struct sample sample_point(const struct lx_emitter *emitter, struct boun
 LX_LANE struct bounded lobe_power(const struct lx_lobe *lobe, struct bounded3 normal, struct bounded3 view,
                                   struct bounded3 towards)
 {
-    if (lobe->model == LX_BLINN_PHONG) {
+    if (LX_IS_BY_HALF(lobe->model)) {
         const struct bounded3 half = unit3(plus3(towards, view), NULL);
         return cosine_power(dot3(normal, half), square3(cross3(normal, half)), lobe->exponent);
     }
@@ -177,12 +177,9 @@ LX_LANE struct bounded lobe_power(const struct lx_lobe *lobe, struct bounded3 no
 
 LX_LANE struct bounded highlight_weight(const struct lx_lobe *lobe, struct bounded n_dot_l)
 {
-    switch (lobe->highlight) {
-    case LX_HIGHLIGHT_GATED: return step(n_dot_l, false);
-    case LX_HIGHLIGHT_COSINE: return positive(n_dot_l);
-    case LX_HIGHLIGHT_PLAIN: break;
-    }
-    return exactly(all_double(1));
+    if (LX_JUMPS_AT_HORIZON(lobe->highlight))
+        return step(n_dot_l, false);
+    return LX_FALLS_TO_HORIZON(lobe->highlight) ? positive(n_dot_l) : exactly(all_double(1));
 }
 
 /* N.L; normals along an axis have no errors, and parts that are 0. */

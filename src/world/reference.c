@@ -123,7 +123,7 @@ static struct lx_lighting light_around(const struct lx_prepared *prepared, const
     struct lx_lighting lighting = {.irradiance = lx_exact(0), .specular = lx_exact(0)};
     if (closed)
         lighting.irradiance = lx_extended_irradiance(emitter, element->place_mm, element->normal);
-    if (!closed || lobe->specular.value > 0) {
+    if (!closed || lx_lobe_shines(lobe)) {
         double known = lobe->diffuse.value * lighting.irradiance.value;
         struct lx_cubature integral =
             lx_integrate_seen(emitter, element, occlusion, !closed, known, prepared->tolerance, NULL);
@@ -169,7 +169,7 @@ static struct lx_lighting light_by_extended(const struct lx_prepared *prepared, 
         return (struct lx_lighting){.on_element = true};
     if (!prepared->shadows_extended)
         return light_around(prepared, element, emitter, NULL);
-    const bool above = !(element->lobe->specular.value > 0) || element->lobe->highlight != LX_HIGHLIGHT_PLAIN;
+    const bool above = !lx_lobe_reaches_below(element->lobe);
     struct lx_occlusion occlusion = {.place_mm = {0}};
     struct lx_lighting lighting = {.irradiance = {0, HUGE_VAL}, .diffuse = {0, HUGE_VAL}, .specular = {0, HUGE_VAL}};
     if (!lx_occlusion_make(prepared, element, emitter, above, &occlusion))

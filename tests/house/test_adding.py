@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: MIT
-"""Adds a light and a surface the way the guides in docs/ say, in a copy of the sources, and tries them.
+"""Adds a light, a surface and a lobe the way the guides in docs/ say, in a copy of the sources, and tries them.
 
     test_adding.py SOURCE_FOLDER MESON
 
-The pages' own code blocks are taken: of each the kind's file, the two lines of its registry, and a scene.
+The pages' own code blocks are taken: of each the kind's file, its lines elsewhere, and a scene.
 """
 import re
 import shutil
@@ -12,6 +12,7 @@ import tempfile
 from pathlib import Path
 
 import adding_a_light
+import adding_a_lobe
 import adding_a_surface
 from calling import call
 from tap import Tap
@@ -51,6 +52,7 @@ def main():
             kind, declaration, entry, scene = code_blocks((root / page).read_text())
             add_kind(folder / "luxel" / room, name, before, kind, declaration, entry)
             scenes.append(scene)
+        lobe_scene = adding_a_lobe.add(folder / "luxel", code_blocks((root / adding_a_lobe.PAGE).read_text()))
         # Kernels take the compiler longest: those for every processor do.
         made = call(meson, "setup", folder / "build", folder / "luxel", "-Doptimization=0", "-Dwerror=true",
                     "-Dinstruction_sets=[]")
@@ -60,6 +62,7 @@ def main():
                   made.stdout[-2000:], made.stderr[-2000:]):
             for (*_, attempt), scene in zip(GUIDES, scenes):
                 attempt(tap, folder / "build/cli/luxel", folder, scene)
+            adding_a_lobe.try_lobe(tap, folder / "build/cli/luxel", folder, lobe_scene)
     tap.finish()
 
 

@@ -11,8 +11,10 @@
 
 #include <cmocka.h>
 
+#include "base/vector.h"
 #include "material/lobe.h"
 #include "material/material.h"
+#include "random_scenes.h"
 
 static const double DEGREE = M_PI / 180;
 
@@ -136,13 +138,44 @@ static void normalized(void **unused)
         }
 }
 
+/* What a highlight answers fits its value: its logarithm, where it ends, and how great it may be near a direction. */
+static void answers_fit(void **unused)
+{
+    struct randomness random = {.state = 2026};
+    (void)unused;
+    for (int n = 0; n < 20000; n++) {
+        const struct lx_lobe lobe = {.model = n % 2 ? LX_PHONG : LX_BLINN_PHONG,
+                                     .specular = lx_exact(1),
+                                     .exponent = logarithmic(&random, 0.3, 300)};
+        const struct lx_lobe_kind *kind = lx_lobe_kind_of(&lobe);
+        double normal[3], view[3], towards[3], near[3], error = 0, limit;
+        random_direction(&random, normal);
+        random_direction(&random, view);
+        random_direction(&random, towards);
+        struct lx_lobe_at at;
+        lx_lobe_at_set(normal, view, &at);
+        const lx_bounded value = kind->value(&lobe, lx_exact3(normal), lx_exact3(view), lx_exact3(towards));
+        const double log_value = lx_lobe_log(&lobe, &at, towards, 0, &error), *end = kind->end(&at, &limit);
+        const double beyond = lx_dot(end, towards) - limit, square = exp(2 * log_value / lobe.exponent);
+        if (value.value > 1e-280)
+            assert_true(fabs(exp(log_value) / value.value - 1) <= error + value.error / value.value + 1e-12);
+        assert_true(fabs(beyond) < 1e-9 || (beyond > 0) == (log_value > -HUGE_VAL));
+        assert_true(square <= kind->power->greatest_square(lx_dot(at.mirrored, towards)) + 1e-12);
+        for (int k = 0; k < 3; k++)
+            near[k] = towards[k] + uniform(&random, -0.1, 0.1);
+        lx_normalize(near);
+        const double spread = lx_angle_between(near, towards);
+        assert_true(!(square > 0) || cos(kind->power->least_angle(&at, near, spread)) >= sqrt(square) - 1e-9 ||
+                    kind->power->least_angle(&at, near, spread) < 0);
+        assert_true(lx_lobe_weight(&lobe, -1) == 1);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(formulas),
-        cmocka_unit_test(over_pi),
-        cmocka_unit_test(gates),
-        cmocka_unit_test(normalized),
+        cmocka_unit_test(formulas),   cmocka_unit_test(over_pi),     cmocka_unit_test(gates),
+        cmocka_unit_test(normalized), cmocka_unit_test(answers_fit),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -168,17 +168,17 @@ static struct lx_jet jet_of_highlight(const struct lx_tract *tract, const struct
 {
     const struct lx_lobe_double *lobe = &limits->lobe;
     struct lx_jet jet;
-    if (lobe->highlight != LX_HIGHLIGHT_PLAIN && !(facing.most > 0))
+    if (LX_ENDS_AT_HORIZON(lobe->highlight) && !(facing.most > 0))
         return lx_jet_of_constant(0);
-    if (lobe->model == LX_PHONG) {
+    if (LX_IS_BY_HALF(lobe->model)) {
+        jet = jet_of_half(tract, sight, &limits->power);
+    } else {
         const struct lx_cone mirrored = widened(&tract->mirrored, sight->cosine, sight->sine);
         jet = lx_jet_of_power(&limits->power, cosines_to(&mirrored, sight->towards));
-    } else {
-        jet = jet_of_half(tract, sight, &limits->power);
     }
-    if (lobe->highlight == LX_HIGHLIGHT_COSINE)
+    if (LX_FALLS_TO_HORIZON(lobe->highlight))
         return lx_jet_times(&jet, front);
-    if (lobe->highlight == LX_HIGHLIGHT_GATED && !(facing.least > 0)) {
+    if (LX_JUMPS_AT_HORIZON(lobe->highlight) && !(facing.least > 0)) {
         jet.order = LX_ROUGH;
         jet.least = 0;
     }
@@ -275,7 +275,7 @@ struct lx_share_bound lx_bound_cluster(const struct lx_tract *tract, const doubl
     const struct lx_jet *by = tree->has_axis ? &pattern : NULL;
     if (limits->lobe.diffuse > 0)
         add_part(&front, by, limits->lobe.diffuse, &law, cluster, turn, sight.nearest, &bound);
-    if (limits->lobe.model != LX_LAMBERT) {
+    if (LX_HAS_HIGHLIGHT(limits->lobe.model)) {
         const struct lx_jet highlight = jet_of_highlight(tract, &sight, limits, &front, facing);
         add_part(&highlight, by, limits->lobe.specular, &law, cluster, turn, sight.nearest, &bound);
     }

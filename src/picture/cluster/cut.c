@@ -185,7 +185,7 @@ static double bound_point(const struct lx_cut *cut, const struct lx_tree *tree, 
     double place[3];
     for (int k = 0; k < 3; k++)
         place[k] = place_mm[k] - surface->shape.anchor_mm[k];
-    const struct lx_stand stand = lx_stand_of(&cut->tract, place, surface->limits.lobe.model == LX_BLINN_PHONG);
+    const struct lx_stand stand = lx_stand_of(&cut->tract, place, LX_IS_BY_HALF(surface->limits.lobe.model));
     return lx_bound_stand(&surface->shape, &surface->lobe, &tree->model, strength, &stand);
 }
 

@@ -471,7 +471,7 @@ static bool fit_foot(const struct lx_plan *plan, struct lx_fitting *fitting, con
     const struct lx_lobe_double *lobe = &square->surface->lobe_exact;
     const size_t light = find_only_light(smooth, fitting), lights = smooth->lights.count;
     const double n = lobe->exponent.value;
-    if (light >= lights || lobe->model == LX_LAMBERT || lobe->highlight != LX_HIGHLIGHT_PLAIN ||
+    if (light >= lights || !LX_HAS_HIGHLIGHT(lobe->model) || LX_ENDS_AT_HORIZON(lobe->highlight) ||
         lobe->exponent.whole == 0 || !(least >= DBL_MIN))
         return false;
     const struct lx_foot foot = plan->kernels->bound_foot(&fitting->vicinity, &smooth->lights, light, lobe);
@@ -509,7 +509,7 @@ bool lx_smooth_fit(const struct lx_plan *plan, struct lx_fitting *fitting, struc
     if (!sum_lights(plan, surface, &seen->block, nodes, taken.how, WHOLE, &surface->lobe_exact, asking, &fitting->room,
                     sum))
         return false;
-    if (taken.folded > 0 && surface->glossy_exact.model != LX_LAMBERT &&
+    if (taken.folded > 0 && LX_HAS_HIGHLIGHT(surface->glossy_exact.model) &&
         !sum_lights(plan, surface, &seen->block, nodes, taken.how, FOLDED, &surface->glossy_exact, asking,
                     &fitting->room, sum))
         return false;

@@ -21,16 +21,6 @@ static const size_t MOST_PARTS = 4000000;
 /* Values are relative to the top; where one is found that is higher by this (a logarithm), all begins anew. */
 static const double HIGHEST = 100;
 
-static double square(double a)
-{
-    return a * a;
-}
-
-static double cross_square(const double a[3], const double b[3])
-{
-    return square(a[1] * b[2] - a[2] * b[1]) + square(a[2] * b[0] - a[0] * b[2]) + square(a[0] * b[1] - a[1] * b[0]);
-}
-
 /* ---- the integrand ---- */
 
 /* r^2 a(r), r in metres: the law relative to the inverse square */
@@ -46,28 +36,10 @@ static double law(const struct lx_emitter *emitter, double distance_mm)
     return r * r;
 }
 
-/* The logarithm of S^n towards L, and the relative error that it brings along; -HUGE_VAL where S <= 0. */
+/* The logarithm of the lobe towards L, and the relative error that it brings along; -HUGE_VAL where it is 0. */
 static double lobe_log(const struct lx_problem *problem, const double towards[3], double distance_mm, double *error)
 {
-    double exponent = problem->lobe->exponent, cosine, sine2, scale = 1, half[3];
-    double moved = problem->place_error_mm / distance_mm + problem->view_error + 2 * DBL_EPSILON;
-    if (problem->lobe->model == LX_BLINN_PHONG) {
-        for (int i = 0; i < 3; i++)
-            half[i] = towards[i] + problem->view[i];
-        double length2 = lx_dot_plain(half, half);
-        scale = 2 / sqrt(length2);
-        cosine = lx_dot_plain(problem->normal, half) / sqrt(length2);
-        sine2 = cross_square(problem->normal, half) / length2;
-    } else {
-        cosine = lx_dot_plain(problem->mirrored, towards);
-        sine2 = cross_square(problem->mirrored, towards);
-        moved += problem->normal_error;
-    }
-    if (!(cosine > 0))
-        return -HUGE_VAL;
-    double off = problem->normal_error + moved * scale;
-    *error = exponent * off * fmin(sqrt(sine2) / cosine, 1 / off);
-    return exponent * (sine2 < 0.5 ? log1p(-sine2) / 2 : log(cosine));
+    return lx_lobe_log(problem->lobe, &problem->at, towards, problem->place_error_mm / distance_mm, error);
 }
 
 /*
@@ -100,7 +72,7 @@ static struct lx_point_value value_at(struct lx_problem *problem, double tau)
     for (int i = 0; i < 3; i++)
         towards[i] = problem->arc.direction[i] * cos_tau + problem->sweep->frame.z[i] * sin_tau;
     double distance = lx_sweep_distance(problem->sweep, &problem->arc, cos_tau, sin_tau, &incidence);
-    double cosine = lx_dot_plain(problem->normal, towards), weight = law(problem->emitter, distance) * cos_tau;
+    double cosine = lx_dot_plain(problem->at.normal, towards), weight = law(problem->emitter, distance) * cos_tau;
     double moved = problem->place_error_mm / distance, error = 16 * DBL_EPSILON + 4 * moved;
     const bool is_opening = lx_is_opening(problem->emitter);
     if (moved > 0 && !is_opening)
@@ -108,7 +80,7 @@ static struct lx_point_value value_at(struct lx_problem *problem, double tau)
     double opening = 1, opening_error = 0;
     if (is_opening)
         opening = opening_at(problem, towards, tau, distance, incidence, moved, &opening_error);
-    double log_value = 0, turned = problem->normal_error + moved + DBL_EPSILON;
+    double log_value = 0, turned = problem->at.normal_error + moved + DBL_EPSILON;
     problem->parts++;
     if (problem->lobe) {
         double lobe_error = 0;
@@ -118,12 +90,12 @@ static struct lx_point_value value_at(struct lx_problem *problem, double tau)
         error += lobe_error;
         problem->highest = fmax(problem->highest, log_value);
         weight *= exp(fmin(log_value - problem->top, HIGHEST));
-        if (problem->lobe->highlight == LX_HIGHLIGHT_COSINE)
+        if (LX_FALLS_TO_HORIZON(problem->lobe->highlight))
             error *= fmax(cosine, 0), error += turned;
     } else {
         error = error * fmax(cosine, 0) + turned;
     }
-    bool by_cosine = !problem->lobe || problem->lobe->highlight == LX_HIGHLIGHT_COSINE;
+    bool by_cosine = !problem->lobe || LX_FALLS_TO_HORIZON(problem->lobe->highlight);
     double value = by_cosine ? weight * fmax(cosine, 0) : weight;
     return (struct lx_point_value){.value = value * opening, .error = weight * error * opening + value * opening_error};
 }
@@ -312,57 +284,12 @@ static double arc_target(void *data, const struct lx_integral *integral)
     return lx_goes_on(problem) ? fmax(wanted, integral->inherited) : HUGE_VAL;
 }
 
-/*
- * Newton's method for the place on the arc where N.H is greatest: its square is a^2/(2 + 2b) with a = N.L + N.V and
- * b = V.L, so that 2 (1 + b) a' = a b'.
- */
-static double climb(const struct lx_problem *problem, const struct lx_arc *arc, double tau)
-{
-    enum { STEPS = 6 };
-    const double *pole = problem->sweep->frame.z;
-    double a_cos = lx_dot_plain(problem->normal, arc->direction), a_sin = lx_dot_plain(problem->normal, pole);
-    double b_cos = lx_dot_plain(problem->view, arc->direction), b_sin = lx_dot_plain(problem->view, pole);
-    for (int i = 0; i < STEPS; i++) {
-        double c = cos(tau), s = sin(tau), a1 = a_sin * c - a_cos * s, a2 = -(a_cos * c + a_sin * s);
-        double b1 = b_sin * c - b_cos * s, b2 = -(b_cos * c + b_sin * s), a = problem->n_dot_v - a2, b = 1 - b2;
-        double slope = 2 * b * a2 + a1 * b1 - a * b2;
-        double step = (2 * b * a1 - a * b1) / slope;
-        if (!(slope < 0) || !(fabs(step) < 1))
-            break;
-        tau -= step;
-    }
-    return tau;
-}
-
-/*
- * Where S may have a sharp peak on the arc: of R.V at the place nearest to the mirrored view M.  N.H is the same on
- * both sides of the plane of N and V: its ridge is where the arc crosses that plane.  Near L = -V it changes within
- * the distance from there.
- */
+/* Where the lobe may have peaks on the arc. */
 static size_t find_places(const struct lx_problem *problem, const struct lx_arc *arc, double places[MOST_PLACES])
 {
-    static const double SHARP = 8, NEAR = 0.9;
-    const double *pole = problem->sweep->frame.z, *n = problem->normal, *v = problem->view;
-    size_t count = 0;
     if (!problem->lobe)
         return 0;
-    bool sharp = problem->lobe->exponent > SHARP, half_vector = problem->lobe->model == LX_BLINN_PHONG;
-    double nearest = atan2(lx_dot_plain(problem->mirrored, pole), lx_dot_plain(problem->mirrored, arc->direction));
-    if (half_vector) {
-        double a = -lx_dot_plain(v, arc->direction), b = -lx_dot_plain(v, pole);
-        if (sharp || hypot(a, b) > NEAR)
-            places[count++] = atan2(b, a);
-    }
-    if (!sharp)
-        return count;
-    places[count++] = half_vector ? climb(problem, arc, nearest) : nearest;
-    if (half_vector) {
-        double plane[3] = {n[1] * v[2] - n[2] * v[1], n[2] * v[0] - n[0] * v[2], n[0] * v[1] - n[1] * v[0]};
-        double crossing = atan(-lx_dot_plain(plane, arc->direction) / lx_dot_plain(plane, pole));
-        places[count++] = crossing;
-        places[count++] = climb(problem, arc, crossing);
-    }
-    return count;
+    return lx_lobe_peaks(problem->lobe, &problem->at, arc->direction, problem->sweep->frame.z, places);
 }
 
 static int by_value(const void *a, const void *b)
@@ -439,10 +366,10 @@ static size_t go_to_arc(struct lx_problem *problem, size_t index, double t, bool
 /* The integral of cos(tau) N.L over an interval, N.L = a cos(tau) + b sin(tau). */
 static struct lx_point_value cosine_along(const struct lx_problem *problem, const struct lx_arc_stretch *interval)
 {
-    const double a = lx_dot_plain(problem->normal, problem->arc.direction);
-    const double b = lx_dot_plain(problem->normal, problem->sweep->frame.z);
+    const double a = lx_dot_plain(problem->at.normal, problem->arc.direction);
+    const double b = lx_dot_plain(problem->at.normal, problem->sweep->frame.z);
     const double width = interval->to - interval->from, sum = interval->to + interval->from, sine = sin(width);
-    const double moved = problem->normal_error + problem->place_error_mm / problem->arc.distance_mm;
+    const double moved = problem->at.normal_error + problem->place_error_mm / problem->arc.distance_mm;
     return (struct lx_point_value){
         .value = fmax((a * (width + cos(sum) * sine) + b * sin(sum) * sine) / 2, 0),
         .error = (fabs(a) + fabs(b)) * width * (8 * DBL_EPSILON + 4 * moved) + 4 * DBL_EPSILON * fabs(sum),
@@ -464,7 +391,7 @@ static struct lx_point_value integrate_along(struct lx_problem *problem, size_t 
     if (lx_is_occluded(problem->occlusion))
         panels = (struct lx_panels){problem->panels, 0, problem->panel_count};
     for (size_t i = 0; i < count; i++) {
-        if (intervals[i].eased && problem->lobe && problem->lobe->highlight == LX_HIGHLIGHT_GATED) {
+        if (intervals[i].eased && problem->lobe && LX_JUMPS_AT_HORIZON(problem->lobe->highlight)) {
             double ends = fmax(value_at(problem, intervals[i].from).value, value_at(problem, intervals[i].to).value);
             problem->at_border = fmax(problem->at_border, ends);
         }

@@ -20,7 +20,7 @@
 #include "adaptive.h"
 #include "sweep.h"
 
-enum { MOST_CONDITIONS = 2, MOST_INTERVALS = 2 * MOST_CONDITIONS + 1, MOST_PLACES = 4 };
+enum { MOST_CONDITIONS = 2, MOST_INTERVALS = 2 * MOST_CONDITIONS + 1, MOST_PLACES = LX_MOST_PEAKS };
 
 /* g.L > limit */
 struct lx_condition {
@@ -46,8 +46,8 @@ enum { MOST_LINES = 192 };
 struct lx_problem {
     const struct lx_emitter *emitter;
     const struct lx_lobe *lobe; /* NULL: N.L is integrated, without the lobe */
-    double normal[3], view[3], mirrored[3], n_dot_v;
-    double place_error_mm, normal_error, view_error;
+    struct lx_lobe_at at;
+    double place_error_mm;
     struct lx_condition conditions[MOST_CONDITIONS];
     size_t condition_count;
     const struct lx_sweeps *sweeps;

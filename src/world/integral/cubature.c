@@ -62,7 +62,7 @@ static void marks_of(const struct lx_problem *problem, const struct lx_sweep *sw
         marks[m++] = peak > arc.from && peak < to ? amplitude - limit : fmax(first, last);
         marks[m++] = low > arc.from && low < to ? -amplitude - limit : fmin(first, last);
     }
-    const double *special[LONGITUDES] = {problem->mirrored, problem->view};
+    const double *special[LONGITUDES] = {problem->at.mirrored, problem->at.view};
     for (size_t i = 0; problem->lobe && i < LONGITUDES; i++) {
         const struct lx_sweep_frame *frame = &sweep->frame;
         marks[m++] = lx_dot_plain(arc.direction, frame->x) * lx_dot_plain(special[i], frame->y) -
@@ -356,14 +356,22 @@ static double doubt_brinks(struct lx_problem *problem)
     return doubt;
 }
 
+/* The vector g for which there is nothing where g.L <= *limit; where a lobe has no end the normal, and the horizon. */
+static const double *end_of_lobe(const struct lx_problem *problem, double *limit)
+{
+    const struct lx_lobe_kind *kind = problem->lobe ? lx_lobe_kind_of(problem->lobe) : NULL;
+    *limit = kind && !LX_ENDS_AT_HORIZON(problem->lobe->highlight) ? -2 : 0; /* no g.L is less than that */
+    return kind && kind->end ? kind->end(&problem->at, limit) : problem->at.normal;
+}
+
 /* Integrates the problem over the source as it is seen from a place. */
 static lx_bounded integrate(struct lx_problem *problem, const double place_mm[3])
 {
     struct lx_sweeps sweeps = {0};
     struct lx_panels panels = {0};
     lx_bounded result = {0, HUGE_VAL};
-    const double *across_which =
-        problem->lobe && problem->lobe->model == LX_PHONG ? problem->mirrored : problem->normal;
+    double unused;
+    const double *across_which = end_of_lobe(problem, &unused);
     const bool is_occluded = lx_is_occluded(problem->occlusion);
     const bool has_forms = is_occluded || lx_is_opening(problem->emitter);
     struct lx_integrand integrand = {.at = lx_integrate_arc,
@@ -396,7 +404,7 @@ static lx_bounded integrate(struct lx_problem *problem, const double place_mm[3]
             all = lx_integrate_panels(&integrand, &panels);
         } while (lx_outgrew_top(problem) && !problem->is_stopped);
         /* A border that is moved by an angle takes along a strip of the source. */
-        double moved = problem->normal_error + problem->view_error + 4 * DBL_EPSILON;
+        double moved = problem->at.normal_error + problem->at.view_error + 4 * DBL_EPSILON;
         double strip = 4 * moved * problem->at_border * greatest_angle(problem->emitter, place_mm);
         double scale = exp(problem->top);
         result.value = all.value * scale;
@@ -429,24 +437,21 @@ static void set_condition(struct lx_problem *problem, const double g[3], double 
 /* Where the lobe ends, and where its weight does. */
 static void set_conditions(struct lx_problem *problem)
 {
-    bool front_only = !problem->lobe || problem->lobe->highlight != LX_HIGHLIGHT_PLAIN;
+    const bool front_only = !problem->lobe || LX_ENDS_AT_HORIZON(problem->lobe->highlight);
+    double limit;
+    const double *end = end_of_lobe(problem, &limit);
+    const bool is_by_normal = end == problem->at.normal;
     problem->condition_count = 0;
-    if (problem->lobe && problem->lobe->model == LX_BLINN_PHONG) {
-        double limit = -problem->n_dot_v;
-        set_condition(problem, problem->normal, front_only ? fmax(limit, 0) : limit);
-        return;
-    }
-    if (problem->lobe)
-        set_condition(problem, problem->mirrored, 0);
-    if (front_only)
-        set_condition(problem, problem->normal, 0);
+    set_condition(problem, end, front_only && is_by_normal ? fmax(limit, 0) : limit);
+    if (front_only && !is_by_normal)
+        set_condition(problem, problem->at.normal, 0);
 }
 
 /* What an outline leaves, in closed form if that is good enough. */
 static bool sum_outline(struct lx_problem *problem, lx_bounded *seen)
 {
-    if (!lx_outline_sum(problem->occlusion, problem->emitter, problem->normal, problem->normal_error, problem->asking,
-                        &seen->value, &seen->error))
+    if (!lx_outline_sum(problem->occlusion, problem->emitter, problem->at.normal, problem->at.normal_error,
+                        problem->asking, &seen->value, &seen->error))
         return false;
     problem->parts++;
     return seen->error <= fmax(problem->tolerance, 1e-12) * (seen->value + problem->known) ||
@@ -471,17 +476,15 @@ struct lx_cubature lx_integrate_seen(const struct lx_emitter *emitter, const str
 {
     struct lx_cubature result = {.irradiance = lx_exact(0), .specular = lx_exact(0)};
     const struct lx_lobe *lobe = element->lobe;
-    double radiance = emitter->radiance.value, place[3];
+    double radiance = emitter->radiance.value, place[3], normal[3], view[3];
     struct lx_problem problem = {.emitter = emitter, .tolerance = tolerance, .asking = asking, .occlusion = occlusion};
     values_of(element->place_mm, place);
-    values_of(element->normal, problem.normal);
-    values_of(element->view, problem.view);
-    problem.n_dot_v = lx_dot_plain(problem.normal, problem.view);
-    for (int i = 0; i < 3; i++)
-        problem.mirrored[i] = 2 * problem.n_dot_v * problem.normal[i] - problem.view[i];
+    values_of(element->normal, normal);
+    values_of(element->view, view);
+    lx_lobe_at_set(normal, view, &problem.at);
     problem.place_error_mm = error_of(element->place_mm) + shape_error(emitter, place);
-    problem.normal_error = error_of(element->normal) + (lx_is_disk(emitter) ? error_of(emitter->axis) : 0);
-    problem.view_error = error_of(element->view);
+    problem.at.normal_error = error_of(element->normal) + (lx_is_disk(emitter) ? error_of(emitter->axis) : 0);
+    problem.at.view_error = error_of(element->view);
     if (!(radiance > 0))
         return result;
     if (diffuse) {
@@ -497,7 +500,7 @@ struct lx_cubature lx_integrate_seen(const struct lx_emitter *emitter, const str
         result.parts = problem.parts;
         problem.parts = 0; /* each integral may take all the work that there may be */
     }
-    if (lobe->specular.value > 0) {
+    if (lx_lobe_shines(lobe)) {
         lx_bounded strength = lx_mul(emitter->radiance, lobe->specular);
         problem.lobe = lobe;
         problem.known = known / strength.value;
