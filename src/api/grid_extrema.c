@@ -100,7 +100,7 @@ static void look(const struct search *search, struct node *nodes, unsigned count
     if (!is_any)
         return;
     place_nodes(search, nodes, count, &elements);
-    lx_world_all_light(&search->world, &elements, LX_WANT_IRRADIANCE, &asking, &received);
+    lx_world_light(&search->world, &elements, LX_WANT_IRRADIANCE, &asking, &received);
     for (unsigned i = 0; i < count; i++) {
         nodes[i].value = (lx_bounded){received.irradiance.value[i], received.irradiance.error[i]};
         nodes[i].has_value = nodes[i].has_value && !received.on_element[i] && isfinite(nodes[i].value.value);
@@ -393,45 +393,36 @@ static bool find_peak(const struct search *search, const struct lx_prepared *pre
 
 /* ---- with reflected light ---- */
 
+/* The element of a node that has a value, and that. */
+static bool element_of(const void *data, size_t i, struct lx_element *element, double *direct)
+{
+    const struct search *search = data;
+    struct lx_elements elements;
+    if (!search->nodes[i].has_value)
+        return false;
+    place_nodes(search, &search->nodes[i], 1, &elements);
+    *element = lx_elements_get(search->world.prepared, &elements, 0);
+    *direct = search->nodes[i].value.value;
+    return true;
+}
+
+static void take_reflected(void *data, size_t i, lx_bounded irradiance)
+{
+    struct node *node = &((struct search *)data)->nodes[i];
+    node->value = lx_add(node->value, irradiance);
+}
+
 /* Adds what is reflected to the nodes of the lattice, by the solution that was found for the plane, if there is one. */
-static luxel_status add_reflected(const luxel_scene *scene, const struct lx_session *session, size_t grid,
+static luxel_status add_reflected(const luxel_scene *scene, struct lx_session *session, size_t grid,
                                   struct search *search, luxel_diagnostics *diagnostics)
 {
-    const size_t count = search->count;
     const struct lx_reflected_key key = lx_reflected_key_of_plane(session, grid);
-    struct lx_radiosity *kept = session->reflected ? NULL : lx_reflected_of_plane(scene, session, grid);
-    struct lx_reflected_place *places = lx_new_array(count, sizeof *places);
-    lx_bounded *irradiance = lx_new_array(count, sizeof *irradiance);
-    luxel_status status = places && irradiance ? LUXEL_OK : lx_out_of_memory(diagnostics);
-    size_t made = 0;
-    for (size_t i = 0; i < count && status == LUXEL_OK; i++) {
-        struct lx_elements elements;
-        if (!search->nodes[i].has_value)
-            continue;
-        place_nodes(search, &search->nodes[i], 1, &elements);
-        const struct lx_element element = lx_elements_get(search->world.prepared, &elements, 0);
-        places[made].receiver = lx_receiver_of(search->world.prepared, &element);
-        places[made++].direct = search->nodes[i].value.value;
-    }
-    const struct lx_reflecting reflecting = {.picture = session->reflected,
-                                             .prepared = search->world.prepared,
-                                             .kernels = search->world.kernels,
-                                             .settings = &session->settings,
-                                             .control = search->control,
-                                             .places = places,
-                                             .count = made,
-                                             .irradiance = irradiance,
-                                             .slot = lx_scene_reflected_on_plane(scene),
-                                             .key = &key};
-    if (status == LUXEL_OK && made > 0)
-        status = kept ? lx_ask_places(&reflecting, kept, diagnostics) : lx_reflect_places(&reflecting, diagnostics);
-    for (size_t i = 0, next = 0; i < count && status == LUXEL_OK; i++)
-        if (search->nodes[i].has_value)
-            search->nodes[i].value = lx_add(search->nodes[i].value, irradiance[next++]);
-    lx_reflected_free(kept);
-    free(places);
-    free(irradiance);
-    return status;
+    const struct lx_reflecting reflecting = {
+        search->control, search->count, element_of, take_reflected, search, lx_scene_reflected_on_plane(scene), &key};
+    const bool is_shared = session->world.reflected != NULL;
+    if (!is_shared)
+        session->world.reflected = lx_reflected_of_plane(scene, session, grid);
+    return lx_reflect_places(session, &reflecting, !is_shared && session->world.reflected, diagnostics);
 }
 
 /* The node of the lattice that is furthest that way, the first in row order of equal ones. */
@@ -446,9 +437,8 @@ static luxel_grid_peak furthest_node(const struct search *search, double sign)
 
 /* ---- the plane ---- */
 
-static luxel_status run(const luxel_scene *scene, const struct lx_session *session, size_t i,
-                        const struct lx_grid *grid, struct search *search, luxel_diagnostics *diagnostics,
-                        luxel_grid_extrema *extrema)
+static luxel_status run(const luxel_scene *scene, struct lx_session *session, size_t i, const struct lx_grid *grid,
+                        struct search *search, luxel_diagnostics *diagnostics, luxel_grid_extrema *extrema)
 {
     const bool reflects = lx_wants_reflections(session->prepared.scene);
     search->cells = lx_cells_of(grid);
@@ -487,7 +477,7 @@ luxel_status luxel_find_grid_extrema(const luxel_scene *scene, const luxel_setti
     if (status == LUXEL_OK && !grid)
         status = LUXEL_ERROR_ARGUMENT;
     if (status == LUXEL_OK) {
-        search.world.kernels = lx_element_kernels_of(session.kernels);
+        search.world.kernels = session.world.kernels;
         search.hasty = session.prepared;
         if (!lx_wants_reflections(session.prepared.scene)) /* else nothing is asked again */
             search.hasty.tolerance = fmax(session.prepared.tolerance, WHILE_SEARCHING);

@@ -10,6 +10,7 @@
 
 struct lx_measuring {
     struct lx_world world;
+    const luxel_settings *settings;
     struct lx_control *control;
     unsigned threads;
     struct lx_lobe lobe;
