@@ -183,6 +183,7 @@ struct probing {
     const luxel_place *places;
     struct probes *probes;
     struct lx_control *control;
+    bool shows_pixels; /* the pixels' values are told as well */
 };
 
 static void copy3(double to[3], lx_bounded3 from)
@@ -308,7 +309,7 @@ static luxel_status reflect_picture(const struct probing *probing, size_t count,
 {
     bool is_wanted = probing->session->settings.share_reflected;
     for (size_t i = 0; i < count && !is_wanted; i++)
-        is_wanted = probing->probes->list[i].on_surface && probing->probes->list[i].has_pixel;
+        is_wanted = probing->shows_pixels && probing->probes->list[i].on_surface && probing->probes->list[i].has_pixel;
     if (!is_wanted)
         return LUXEL_OK;
     const luxel_status status = lx_reflect_picture(probing->scene, probing->session, diagnostics);
@@ -328,7 +329,7 @@ static luxel_status compute(struct probing *probing, struct lx_control *control,
     if (!lx_rows_run_part(control, lx_thread_count(probing->session->settings.threads, places / 4 + 1), &values))
         return LUXEL_CANCELLED;
     luxel_status status = reflect_picture(probing, count, diagnostics);
-    if (status == LUXEL_OK) {
+    if (status == LUXEL_OK && probing->shows_pixels) {
         status = lx_probe_pixels(probing->session, control, list, count);
         if (status == LUXEL_ERROR_MEMORY)
             lx_out_of_memory(diagnostics);
@@ -361,17 +362,34 @@ static luxel_status check_places(const struct lx_scene_parameters *scene, const 
     return LUXEL_OK;
 }
 
-/* No place needs no world, and free elements need no picture, which take long where surfaces are many. */
-static luxel_status open(const luxel_scene *scene, const luxel_settings *settings, const luxel_place *places,
-                         size_t count, luxel_diagnostics *diagnostics, struct lx_session *session)
+/* Whether some of the places are seen on the screen, and whether their pixels' values are told. */
+static bool is_any_seen(const luxel_place *places, size_t count)
 {
-    bool sees = false;
-    for (size_t i = 0; i < count && !sees; i++)
-        sees = !places[i].is_element;
-    if (sees)
-        return lx_session_open(scene, settings, diagnostics, session);
-    return count > 0 ? lx_session_open_world(scene, settings, diagnostics, session)
-                     : lx_session_begin(scene, settings, diagnostics, session);
+    for (size_t i = 0; i < count; i++)
+        if (!places[i].is_element)
+            return true;
+    return false;
+}
+
+static bool are_pixels_wanted(const luxel_scene *scene, const luxel_settings *settings)
+{
+    return !(settings && settings->skip_reflected_pixels && !settings->share_reflected && scene &&
+             luxel_scene_is_committed(scene) && lx_wants_reflections(lx_scene_parameters(scene)));
+}
+
+/* No place needs no world, and values of pixels alone need the plan of a picture, which takes long where surfaces are
+ * many. */
+static luxel_status open(struct probing *probing, const luxel_settings *settings, size_t count,
+                         luxel_diagnostics *diagnostics)
+{
+    const luxel_scene *scene = probing->scene;
+    const bool sees = is_any_seen(probing->places, count);
+    probing->shows_pixels = sees && are_pixels_wanted(scene, settings);
+    if (probing->shows_pixels)
+        return lx_session_open(scene, settings, diagnostics, probing->session);
+    const luxel_status status = count > 0 ? lx_session_open_world(scene, settings, diagnostics, probing->session)
+                                          : lx_session_begin(scene, settings, diagnostics, probing->session);
+    return status == LUXEL_OK && sees ? luxel_scene_check_view(scene, diagnostics) : status;
 }
 
 luxel_status luxel_probe_many(const luxel_scene *scene, const luxel_settings *settings, const luxel_place *places,
@@ -385,7 +403,7 @@ luxel_status luxel_probe_many(const luxel_scene *scene, const luxel_settings *se
                   LX_ARGS(probes ? "places" : "probes"));
         return LUXEL_ERROR_ARGUMENT;
     }
-    luxel_status status = open(scene, settings, places, count, diagnostics, &session);
+    luxel_status status = open(&probing, settings, count, diagnostics);
     if (status == LUXEL_OK)
         status = check_places(lx_scene_parameters(scene), places, count, diagnostics);
     if (status == LUXEL_OK)
