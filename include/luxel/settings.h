@@ -66,8 +66,8 @@ typedef struct luxel_settings {
  * evaluators take it in any case, and their values are the same either way.
  *
  * A probe on the screen tells the picture's value at its pixel, which takes the picture's solution beside its own, and
- * mostly longer than that.  With skip_reflected_pixels it does without where surfaces reflect light, unless one solution
- * serves all, and takes as long as a free element at that place.
+ * mostly longer than that.  With skip_reflected_pixels it does without where surfaces reflect light, unless one
+ * solution serves all, and takes as long as a free element at that place.
  *
  * A committed scene keeps the last solution of its picture, and so do its copies until they are changed.  Whoever asks
  * first, in any thread, makes it; two that ask before it is there both make it, so do ask one after the other.

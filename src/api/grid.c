@@ -98,11 +98,11 @@ static void measure_cells(void *data, unsigned worker, bool is_caller, unsigned 
         if (count == 0)
             continue;
         make_elements(measuring, these, count, &elements);
-        lx_world_light(&measuring->world, &elements, LX_WANT_IRRADIANCE, &asking, &received);
+        lx_world_light(&measuring->world, &elements, lx_wanted_of_plane(&measuring->world), &asking, &received);
         for (unsigned i = 0; i < count; i++) {
             if (received.on_element[i])
                 continue;
-            const lx_bounded irradiance = {received.irradiance.value[i], received.irradiance.error[i]};
+            const lx_bounded irradiance = lx_received_on_plane(&measuring->world, &received, i);
             measuring->mask[these[i]] = 1;
             measuring->values[these[i]] = irradiance.value;
             measuring->errors[these[i]] = lx_told_error(irradiance);
@@ -361,6 +361,7 @@ static luxel_status reflect(struct lx_session *session, struct lx_measuring *mea
                                              measuring->slot,
                                              &key};
     const luxel_status status = lx_reflect_places(session, &reflecting, false, diagnostics);
+    measuring->world.reflected = session->world.reflected; /* what is measured from now on has it */
     grid->has_reflected = true;
     if (grid->measured > 0)
         grid->reflected_average /= (double)grid->measured;
@@ -377,11 +378,10 @@ static luxel_status run(struct lx_session *session, struct lx_measuring *measuri
     measuring->threads = lx_thread_count(settings->threads, control.rows / 4 + 1);
     if (!lx_measure_lattice(measuring, false))
         return LUXEL_CANCELLED;
-    const bool reflects = lx_wants_reflections(measuring->world.prepared->scene);
     gather(measuring);
     judge(measuring, settings->tolerance > 0);
     grid->reflected_reached = true;
-    if (reflects) {
+    if (lx_wants_reflections(measuring->world.prepared->scene)) {
         const luxel_status status = reflect(session, measuring, diagnostics);
         if (status != LUXEL_OK)
             return status;
@@ -394,7 +394,7 @@ static luxel_status run(struct lx_session *session, struct lx_measuring *measuri
         lx_hint(diagnostics, LX_MSG_LOWER_STRENGTHS, NULL);
         return LUXEL_ERROR_RANGE;
     }
-    if (!reflects && !measuring->values_alone) { /* what these know is the direct light */
+    if (!measuring->values_alone) {
         lx_integrate_plane(measuring);
         lx_judge_sampling(measuring);
     }
@@ -432,6 +432,7 @@ luxel_status lx_measure_cells(const luxel_scene *scene, const luxel_settings *se
         status = LUXEL_ERROR_ARGUMENT;
     if (status == LUXEL_OK) {
         measuring.world = session.world;
+        measuring.world.reflected = NULL;
         measuring.settings = &session.settings;
         measuring.slot = lx_scene_reflected_on_plane(scene);
         measuring.number = i;

@@ -19,7 +19,7 @@
 #include "../world/bodies.h"
 #include "../world/evaluate.h"
 #include "../world/world.h"
-#include "grid.h"
+#include "grid_measuring.h"
 #include "reflecting.h"
 #include "refuse.h"
 #include "session.h"
@@ -100,9 +100,9 @@ static void look(const struct search *search, struct node *nodes, unsigned count
     if (!is_any)
         return;
     place_nodes(search, nodes, count, &elements);
-    lx_world_light(&search->world, &elements, LX_WANT_IRRADIANCE, &asking, &received);
+    lx_world_light(&search->world, &elements, lx_wanted_of_plane(&search->world), &asking, &received);
     for (unsigned i = 0; i < count; i++) {
-        nodes[i].value = (lx_bounded){received.irradiance.value[i], received.irradiance.error[i]};
+        nodes[i].value = lx_received_on_plane(&search->world, &received, i);
         nodes[i].has_value = nodes[i].has_value && !received.on_element[i] && isfinite(nodes[i].value.value);
     }
 }
@@ -425,16 +425,6 @@ static luxel_status add_reflected(const luxel_scene *scene, struct lx_session *s
     return lx_reflect_places(session, &reflecting, !is_shared && session->world.reflected, diagnostics);
 }
 
-/* The node of the lattice that is furthest that way, the first in row order of equal ones. */
-static luxel_grid_peak furthest_node(const struct search *search, double sign)
-{
-    const struct node *best = search->nodes;
-    for (size_t i = 1; i < search->count; i++)
-        if (is_beyond(&search->nodes[i], best, sign))
-            best = &search->nodes[i];
-    return peak_of(search, best);
-}
-
 /* ---- the plane ---- */
 
 static luxel_status run(const luxel_scene *scene, struct lx_session *session, size_t i, const struct lx_grid *grid,
@@ -443,7 +433,7 @@ static luxel_status run(const luxel_scene *scene, struct lx_session *session, si
     const bool reflects = lx_wants_reflections(session->prepared.scene);
     search->cells = lx_cells_of(grid);
     search->is_costly = reflects || lx_world_batch(&search->world) < LX_BATCH;
-    if (make_lattice(search) || (!reflects && add_leads(search)) ||
+    if (make_lattice(search) || add_leads(search) ||
         lx_bodies_find(&session->prepared, &search->cells, &search->bodies))
         return lx_out_of_memory(diagnostics);
     struct lx_control control = {.rows = (unsigned)search->count,
@@ -453,15 +443,13 @@ static luxel_status run(const luxel_scene *scene, struct lx_session *session, si
     search->threads = session->settings.threads;
     if (!look_at_all(search, control.rows, true))
         return LUXEL_CANCELLED;
-    if (reflects) {
-        const luxel_status status = add_reflected(scene, session, i, search, diagnostics);
-        if (status != LUXEL_OK)
-            return status;
-        extrema->maximum = furthest_node(search, 1);
-        extrema->minimum = furthest_node(search, -1);
-    } else if ((!find_peak(search, &session->prepared, 1, &extrema->maximum) ||
-                !find_peak(search, &session->prepared, -1, &extrema->minimum)) &&
-               !atomic_load(&control.stop))
+    const luxel_status status = reflects ? add_reflected(scene, session, i, search, diagnostics) : LUXEL_OK;
+    if (status != LUXEL_OK)
+        return status;
+    search->world.reflected = session->world.reflected; /* places that are looked at from now on have it */
+    if ((!find_peak(search, &session->prepared, 1, &extrema->maximum) ||
+         !find_peak(search, &session->prepared, -1, &extrema->minimum)) &&
+        !atomic_load(&control.stop))
         return lx_out_of_memory(diagnostics);
     return atomic_load(&control.stop) ? LUXEL_CANCELLED : LUXEL_OK;
 }
@@ -478,6 +466,7 @@ luxel_status luxel_find_grid_extrema(const luxel_scene *scene, const luxel_setti
         status = LUXEL_ERROR_ARGUMENT;
     if (status == LUXEL_OK) {
         search.world.kernels = session.world.kernels;
+        search.world.reflect = session.world.reflect;
         search.hasty = session.prepared;
         if (!lx_wants_reflections(session.prepared.scene)) /* else nothing is asked again */
             search.hasty.tolerance = fmax(session.prepared.tolerance, WHILE_SEARCHING);

@@ -24,6 +24,20 @@ struct lx_measuring {
     size_t number;             /* of the grid */
 };
 
+/* What is asked of a world for the light on a plane, direct light alone as long as nothing is known to be reflected;
+ * and what number i of the answer comes to. */
+static inline enum lx_wanted lx_wanted_of_plane(const struct lx_world *world)
+{
+    return world->reflected ? (enum lx_wanted)(LX_WANT_IRRADIANCE | LX_WANT_REFLECTED) : LX_WANT_IRRADIANCE;
+}
+
+static inline lx_bounded lx_received_on_plane(const struct lx_world *world, const struct lx_received *received,
+                                              size_t i)
+{
+    const lx_bounded direct = lx_column_get(&received->irradiance, i);
+    return world->reflected ? lx_add(direct, lx_column_get(&received->reflected, i)) : direct;
+}
+
 /* Measures all cells of its lattice, by the pool; false: it was cancelled. */
 bool lx_measure_lattice(struct lx_measuring *measuring, bool counts_itself);
 

@@ -39,8 +39,8 @@ struct lx_element lx_free_element_at(const struct lx_prepared *prepared, const l
 /* What is seen through a point of the screen; false: nothing. */
 bool lx_evaluator_sees(const struct luxel_evaluator *evaluator, double x_mm, double y_mm, struct lx_element *element);
 
-/* Values of the elements of a batch, and their shares of each light, side by side (NULL: not wanted): those of element i
- * stand at place of[i]. */
+/* Values of the elements of a batch, and their shares of each light, side by side (NULL: not wanted): those of element
+ * i stand at place of[i]. */
 void lx_evaluate_elements(const struct luxel_evaluator *evaluator, const struct lx_elements *elements,
                           const struct lx_asking *asking, const size_t *of, luxel_value *values, double *shares);
 
