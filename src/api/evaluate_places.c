@@ -181,8 +181,6 @@ luxel_status luxel_evaluate_places(const luxel_evaluator *evaluator, const luxel
                               .values = values,
                               .shares = shares,
                               .lights = luxel_evaluator_light_count(evaluator)};
-    if (shares)
-        memset(shares, 0, count * work.lights * sizeof *shares);
     while (count > 0) {
         const size_t now = count < MOST_AT_A_TIME ? count : MOST_AT_A_TIME;
         if (!evaluate_part(&work, (unsigned)now))

@@ -61,15 +61,6 @@ struct search {
     size_t count;
 };
 
-static void place_of(const struct search *search, const double at[2], double place_mm[3])
-{
-    const lx_bounded3 across = lx_wide3_direction(search->cells.pose.across);
-    const lx_bounded3 up = lx_wide3_direction(search->cells.pose.upward);
-    place_mm[0] = search->cells.center_mm[0] + at[0] * across.x.value + at[1] * up.x.value;
-    place_mm[1] = search->cells.center_mm[1] + at[0] * across.y.value + at[1] * up.y.value;
-    place_mm[2] = search->cells.center_mm[2] + at[0] * across.z.value + at[1] * up.z.value;
-}
-
 /* The elements of some nodes, at most a batch of them. */
 static void place_nodes(const struct search *search, const struct node *nodes, unsigned count,
                         struct lx_elements *elements)
@@ -77,7 +68,7 @@ static void place_nodes(const struct search *search, const struct node *nodes, u
     lx_elements_begin(elements, &search->lobe, true);
     for (unsigned i = 0; i < count; i++) {
         double place_mm[3];
-        place_of(search, nodes[i].at, place_mm);
+        lx_place_on_cells(&search->cells, nodes[i].at, place_mm);
         lx_elements_append_place(elements, lx_exact3(place_mm), search->cells.normal, NULL);
     }
     lx_elements_end(elements);
@@ -93,7 +84,7 @@ static void look(const struct search *search, struct node *nodes, unsigned count
     bool is_any = false;
     for (unsigned i = 0; i < count; i++) {
         double place_mm[3];
-        place_of(search, nodes[i].at, place_mm);
+        lx_place_on_cells(&search->cells, nodes[i].at, place_mm);
         nodes[i].has_value = !lx_body_around(&search->bodies, place_mm);
         is_any = is_any || nodes[i].has_value;
     }
@@ -366,7 +357,7 @@ static luxel_grid_peak peak_of(const struct search *search, const struct node *n
         return peak;
     peak.value = node->value.value;
     peak.error = lx_told_error(node->value);
-    place_of(search, node->at, peak.position_mm);
+    lx_place_on_cells(&search->cells, node->at, peak.position_mm);
     memcpy(peak.on_plane_mm, node->at, sizeof peak.on_plane_mm);
     return peak;
 }

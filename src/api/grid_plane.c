@@ -47,14 +47,11 @@ static struct lx_point_value reflected_at(void *data, size_t interval, double u)
     struct reflection *reflection = data;
     const struct lx_measuring *measuring = reflection->measuring;
     const struct lx_cells *cells = &measuring->made->cells;
-    const lx_bounded3 across = lx_wide3_direction(cells->pose.across), up = lx_wide3_direction(cells->pose.upward);
-    const double x = u * cells->size_mm[0], y = reflection->v * cells->size_mm[1];
-    const double place_mm[3] = {cells->center_mm[0] + x * across.x.value + y * up.x.value,
-                                cells->center_mm[1] + x * across.y.value + y * up.y.value,
-                                cells->center_mm[2] + x * across.z.value + y * up.z.value};
+    double place_mm[3];
     struct lx_elements elements;
     struct lx_received received;
     (void)interval;
+    lx_place_on_cells(cells, (const double[]){u * cells->size_mm[0], reflection->v * cells->size_mm[1]}, place_mm);
     lx_elements_begin(&elements, &measuring->lobe, true);
     lx_elements_append_place(&elements, lx_exact3(place_mm), cells->normal, NULL);
     lx_elements_end(&elements);

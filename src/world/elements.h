@@ -53,8 +53,8 @@ struct lx_elements {
 /*
  * A batch begins, gets elements and ends: then it goes on to whole vectors.  Elements are appended as the reference
  * made them, those that are free lit as only the reference knows, or as places whose normals, not yet of unit length,
- * and views, unless they are NULL, come with them (lx_world_settle() completes those), or from another batch of the same
- * lobe.
+ * and views, unless they are NULL, come with them (lx_world_settle() completes those), or from another batch of the
+ * same lobe.
  */
 void lx_elements_begin(struct lx_elements *elements, const struct lx_lobe *lobe, bool are_free);
 void lx_elements_append(const struct lx_prepared *prepared, struct lx_elements *elements,

@@ -9,9 +9,9 @@
 #include <stdint.h>
 #include <string.h>
 
-#include "../kernel/kernel_law.h"
 #include "../surface/beside.h"
 #include "kernel_elements.h"
+#include "../kernel/kernel_law.h"
 
 #include "../kernel/lanes_double.h"
 
