@@ -86,8 +86,10 @@ static int write_point(struct json *json, const struct options *options, const s
 {
     luxel_probe *probe = NULL;
     luxel_alternatives *alternatives = NULL;
-    luxel_status status =
-        luxel_probe_screen(loaded->scene, &options->settings, point[0], point[1], loaded->diagnostics, &probe);
+    luxel_settings settings = options->settings;
+
+    settings.skip_reflected_pixels = true;
+    luxel_status status = luxel_probe_screen(loaded->scene, &settings, point[0], point[1], loaded->diagnostics, &probe);
 
     if (status == LUXEL_OK)
         status = luxel_find_alternatives(loaded->scene, &options->settings, point[0], point[1], loaded->diagnostics,

@@ -354,8 +354,6 @@ static void print_statistics(const luxel_grid *grid, const luxel_grid_extrema *e
     }
     if (grid->has_sampling_error)
         add_sampling(table, grid);
-    if (grid->has_reflected)
-        text_table_line(table, _("reflected light: extrema of centres, sides and corners of cells; no mean, flux"));
     text_table_print(table, stdout, 2);
 }
 

@@ -199,7 +199,8 @@ static void print(const struct result *result, const struct loaded *loaded)
 static int probe(const struct options *options, const struct loaded *loaded)
 {
     struct result result;
-    int code = result_probe(options, loaded->scene, loaded->diagnostics, &result);
+    const bool shows_pixels = options->json || probe_table_is_json(options);
+    int code = result_probe(options, loaded->scene, shows_pixels, loaded->diagnostics, &result);
 
     if (code == EXIT_DONE || code == EXIT_TOLERANCE) {
         const int file_code = probe_table_write(&result);
@@ -229,6 +230,8 @@ const struct command command_probe = {
                       "that lies on a surface, to 1e-9 of its size, belongs to it; elsewhere it has the material of "
                       "surfaces[0], unless --material names another. It is seen as the scene says, unless --view gives "
                       "a direction, and every surface that stands in the way of a source shades it. "
+                      "Where surfaces reflect light, the picture's value at the pixel of a point is told in JSON "
+                      "alone: it takes a solution for all of the picture. "
                       "Each FILE of -o appears whole or not at all: .csv is a table, .npy the values alone "
                       "(float64, NaN where there is none), .json what --json prints."),
     .examples = "luxel probe my.yaml -p 0,0 -p -150,0 --json\n"

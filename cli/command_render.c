@@ -150,7 +150,7 @@ static int render(const struct options *options, const struct loaded *loaded)
 {
     luxel_statistics statistics;
     struct result result;
-    int code = result_probe(options, loaded->scene, loaded->diagnostics, &result), write_code;
+    int code = result_probe(options, loaded->scene, true, loaded->diagnostics, &result), write_code;
 
     if (code == EXIT_DONE || code == EXIT_TOLERANCE) {
         write_code = compute(options, loaded, &statistics);

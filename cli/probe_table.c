@@ -35,6 +35,14 @@ luxel_status probe_table_check_name(const char *path, luxel_diagnostics *diagnos
     return luxel_check_ending(path, endings, ENDINGS, diagnostics);
 }
 
+bool probe_table_is_json(const struct options *options)
+{
+    for (size_t i = 0; i < options->output_count; i++)
+        if (ending_of(options->outputs[i]) == ENDING_JSON)
+            return true;
+    return false;
+}
+
 static void write_numbers_if(struct csv *csv, bool exist, const double *numbers, size_t count)
 {
     for (size_t i = 0; i < count; i++)

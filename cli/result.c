@@ -11,21 +11,22 @@
 #include "work.h"
 
 /* The library's part of it, which Ctrl-C ends. */
-static int probe_places(const struct options *options, const struct places *places, luxel_diagnostics *diagnostics,
-                        struct result *result)
+static int probe_places(const struct options *options, const struct places *places, bool shows_pixels,
+                        luxel_diagnostics *diagnostics, struct result *result)
 {
     struct work work;
     luxel_status status;
 
     work_begin(&work, options);
+    work.settings.skip_reflected_pixels = !shows_pixels;
     status = luxel_probe_many(result->scene, &work.settings, places->list, places->count, diagnostics, &result->probes);
     if (status == LUXEL_OK)
         result->count = places->count;
     return work_end(&work, status, diagnostics);
 }
 
-int result_probe(const struct options *options, const luxel_scene *scene, luxel_diagnostics *diagnostics,
-                 struct result *result)
+int result_probe(const struct options *options, const luxel_scene *scene, bool shows_pixels,
+                 luxel_diagnostics *diagnostics, struct result *result)
 {
     struct places places;
     size_t missed = 0;
@@ -34,7 +35,7 @@ int result_probe(const struct options *options, const luxel_scene *scene, luxel_
     *result = (struct result){.scene = scene, .options = options};
     code = places_collect(options, scene, diagnostics, &places);
     if (code == EXIT_DONE)
-        code = probe_places(options, &places, diagnostics, result);
+        code = probe_places(options, &places, shows_pixels, diagnostics, result);
     places_clear(&places);
     if (code != EXIT_DONE)
         return code;

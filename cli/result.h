@@ -22,10 +22,10 @@ struct result {
 /*
  * Probes the places of -p, --at and --points or, where there are none, the scene's own points, all in one go.  Returns
  * an enum exit_code; errors are printed here.  EXIT_TOLERANCE goes with a complete result.  result_clear() is due in
- * every case.
+ * every case.  Where surfaces reflect light the values of pixels take long, and are left out unless they are shown.
  */
-int result_probe(const struct options *options, const luxel_scene *scene, luxel_diagnostics *diagnostics,
-                 struct result *result);
+int result_probe(const struct options *options, const luxel_scene *scene, bool shows_pixels,
+                 luxel_diagnostics *diagnostics, struct result *result);
 void result_clear(struct result *result);
 
 /* Writes the conventions of what a result was made of as a member of an object. */

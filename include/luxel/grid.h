@@ -130,9 +130,8 @@ typedef struct luxel_grid_extrema {
  * grid.  They are looked for at the centres, sides and corners of all cells and, where no light takes integrals, at
  * some thousand places, and refined from there; so neither is less extreme than that of the grid's values, and no bound
  * is known of what is narrower than the places lie apart.  Where light jumps, at the edge of a shadow say, the place is
- * as near as the steps lead.  With light that surfaces reflect to each other they are the greatest and the least value
- * at the centres, sides and corners of the cells, not refined; what luxel_measure() has found for the plane is used, if
- * it was the last one, and else found anew, so that the numbers may differ within their errors.
+ * as near as the steps lead.  Of light that surfaces reflect to each other what luxel_measure() has found for the plane
+ * is used, if it was the last one, and else found anew, so that the numbers may differ within their errors.
  * The same numbers for any number of threads.  Errors as luxel_measure().
  */
 LUXEL_API luxel_status luxel_find_grid_extrema(const luxel_scene *scene, const luxel_settings *settings, size_t i,

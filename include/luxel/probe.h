@@ -67,7 +67,7 @@ typedef struct luxel_probe {
     double reflected_value;      /* what that adds to the value */
     double reflected_error;      /* bounds the error of what it adds */
     bool reflected_reached;      /* whether reflected_error <= reflected_error * |value|; see luxel_settings */
-    bool has_pixel_value;        /* false where there is no pixel, or it has no value */
+    bool has_pixel_value;        /* false where there is no pixel, or no value of it, or it is skipped: see settings */
     double pixel_value;          /* the picture's value at the pixel */
     double position_mm[3];       /* the element's place, where on_surface */
     double normal[3];            /* the element's unit normal, where on_surface */

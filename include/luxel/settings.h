@@ -50,7 +50,8 @@ typedef struct luxel_settings {
     unsigned stride;             /* 1 (0 too): every pixel; n, to 65536: each n-th column and row: see luxel_render() */
     bool minimum_reached; /* false; true: statistics tell the least value where light arrives, see luxel_statistics */
     bool share_reflected; /* false; true: one solution of reflected light serves all that is asked, see below */
-    luxel_progress progress; /* NULL: none */
+    bool skip_reflected_pixels; /* false; true: probes tell no pixel_value where that takes a solution of its own */
+    luxel_progress progress;    /* NULL: none */
     void *progress_data;     /* handed to `progress`; NULL */
     const size_t *lights;    /* NULL: the enabled ones give light; else those of this group, by index, and no others */
     size_t light_count;      /* of the group: 0, and all is dark */
@@ -63,6 +64,10 @@ typedef struct luxel_settings {
  * the same quantity, tolerance, reflected_error, instruction set and lights, serves probes, grids, glare and the
  * balance as well, which tell the bounds that it has where they ask, and whether those are reached.  Pictures and
  * evaluators take it in any case, and their values are the same either way.
+ *
+ * A probe on the screen tells the picture's value at its pixel, which takes the picture's solution beside its own, and
+ * mostly longer than that.  With skip_reflected_pixels it does without where surfaces reflect light, unless one
+ * solution serves all, and takes as long as a free element at that place.
  *
  * A committed scene keeps the last solution of its picture, and so do its copies until they are changed.  Whoever asks
  * first, in any thread, makes it; two that ask before it is there both make it, so do ask one after the other.

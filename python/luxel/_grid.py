@@ -92,8 +92,7 @@ class Grid:
 
         They are found with the settings that the grid was measured with, in its scene as it was then; neither is less
         extreme than `maximum` and `minimum`, which are those of the cells.  What is narrower than the places that are
-        looked at lie apart may be missed.  With reflected light they are the greatest and the least value at the
-        centres, sides and corners of the cells.  Raises LuxelError.
+        looked at lie apart may be missed.  Raises LuxelError.
         """
         scene, index, how = self._again
         found = _luxel.grid_extrema(scene._handle, index, how[:-1] + (progress,))

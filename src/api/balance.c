@@ -112,7 +112,7 @@ static void report_error(const luxel_balance *balance, const struct lx_radiosity
 static luxel_status tell(const struct lx_session *session, const struct lx_reflected_wish *wish,
                          luxel_diagnostics *diagnostics, luxel_balance **made)
 {
-    const struct lx_radiosity *reflected = session->reflected;
+    const struct lx_radiosity *reflected = session->world.reflected;
     luxel_balance *balance = lx_new_array(1, sizeof *balance);
     if (!balance)
         return LUXEL_ERROR_MEMORY;
@@ -145,19 +145,19 @@ static luxel_status find(const luxel_scene *scene, struct lx_session *session, l
     struct lx_control control = {.rows = 1, .progress = settings->progress, .data = settings->progress_data};
     const struct lx_reflected_wish wish = {
         .prepared = &session->prepared,
-        .kernels = lx_element_kernels_of(session->kernels),
+        .kernels = session->world.kernels,
         .error = lx_pictured_error_of(settings),
         .threads = lx_thread_count(settings->threads, MOST_WORTH),
         .control = &control,
     };
     luxel_status status = lx_reflect_shared(scene, session, diagnostics);
-    if (!session->reflected)
-        session->reflected = lx_reflected_of_picture(scene, session);
-    const bool is_enough =
-        session->reflected && (settings->share_reflected || lx_reflected_is_reached(session->reflected, &wish));
+    if (!session->world.reflected)
+        session->world.reflected = lx_reflected_of_picture(scene, session);
+    const bool is_enough = session->world.reflected &&
+                           (settings->share_reflected || lx_reflected_is_reached(session->world.reflected, &wish));
     if (status == LUXEL_OK && !is_enough) {
-        lx_reflected_free(session->reflected);
-        status = lx_reflected_make(&wish, &session->reflected);
+        lx_reflected_free(session->world.reflected);
+        status = lx_reflected_make(&wish, &session->world.reflected);
     }
     if (status == LUXEL_OK)
         status = tell(session, &wish, diagnostics, made);

@@ -13,7 +13,6 @@ static const size_t MOST_AT_A_TIME = (size_t)1 << 30;
 
 struct evaluating {
     const luxel_evaluator *evaluator;
-    struct lx_world world;
     struct lx_control *control;
     const luxel_place *places;
     luxel_value *values;
@@ -34,76 +33,20 @@ static double *shares_of(const struct evaluating *work, size_t place)
     return work->shares ? work->shares + place * work->lights : NULL;
 }
 
-/* The places' shares of one light. */
-static void tell_shares(const struct batch *batch, size_t light, const struct lx_column *value)
-{
-    for (size_t i = 0; batch->work->shares && i < batch->elements.count; i++)
-        shares_of(batch->work, batch->of[i])[light] = value->value[i];
-}
-
-static void tell_value(const struct batch *batch, size_t i, const luxel_value *found)
-{
-    const struct evaluating *work = batch->work;
-    work->values[batch->of[i]] = *found;
-    if (!found->has_value && work->shares)
-        memset(shares_of(work, batch->of[i]), 0, work->lights * sizeof *work->shares);
-}
-
-/* The direct light of an element with what surfaces reflect to it. */
-static lx_bounded with_reflected(const struct batch *batch, size_t i, lx_bounded direct)
-{
-    const luxel_evaluator *evaluator = batch->work->evaluator;
-    if (!evaluator->reflected_at)
-        return direct;
-    const struct lx_element element = lx_elements_get(batch->work->world.prepared, &batch->elements, i);
-    return lx_add(direct, lx_reflected_value(batch->elements.lobe, evaluator->settings.quantity,
-                                             evaluator->reflected_at(evaluator, &element)));
-}
-
-/* Sums the lights of a batch. */
+/* Sums the lights of a batch; what lies on no surface has the material of one that its place names. */
 static void light_batch(const struct batch *batch)
 {
     const struct evaluating *work = batch->work;
-    const struct lx_elements *elements = &batch->elements;
-    const struct lx_prepared *prepared = work->world.prepared;
-    const enum lx_wanted wanted =
-        work->evaluator->settings.quantity == LUXEL_IRRADIANCE ? LX_WANT_IRRADIANCE : LX_WANT_BRIGHTNESS;
-    struct lx_received received;
-    struct lx_column value, total = {.value = {0}};
-    bool has_value[LX_BATCH];
-    memset(has_value, 1, sizeof has_value);
-    for (size_t next = 0; next < prepared->emitters.count && lx_asking_goes_on(batch->asking);) {
-        struct lx_emitter room;
-        const size_t light = lx_emitter_at(&prepared->emitters, next, &room)->light;
-        lx_world_light(&work->world, elements, wanted, batch->asking, &next, &received);
-        work->world.kernels->sum(&received, wanted, elements->count, &value, &total);
-        for (size_t i = 0; i < elements->count; i++)
-            has_value[i] = has_value[i] && !received.on_element[i];
-        tell_shares(batch, light, &value);
-    }
-    for (size_t i = 0; i < elements->count; i++) {
-        const luxel_place *place = &work->places[batch->of[i]];
-        const lx_bounded sum = with_reflected(batch, i, (lx_bounded){total.value[i], total.error[i]});
-        const struct lx_prepared_surface *own = elements->own[i] > 0 ? &prepared->surfaces[elements->own[i] - 1] : NULL;
-        luxel_value found = {
-            .on_surface = true,
-            .surface = own ? own->authored : place->surface,
-            .part = own ? own->part : 0,
-            .position_mm = {elements->place_mm.x.value[i], elements->place_mm.y.value[i],
-                            elements->place_mm.z.value[i]},
-            .normal = {elements->normal.x.value[i], elements->normal.y.value[i], elements->normal.z.value[i]},
-            .has_value = has_value[i],
-            .value = has_value[i] ? sum.value : 0,
-            .error = has_value[i] ? lx_told_error(sum) : 0,
-        };
-        tell_value(batch, i, &found);
-    }
+    lx_evaluate_elements(work->evaluator, &batch->elements, batch->asking, batch->of, work->values, work->shares);
+    for (size_t i = 0; i < batch->elements.count; i++)
+        if (batch->elements.own[i] == 0)
+            work->values[batch->of[i]].surface = work->places[batch->of[i]].surface;
 }
 
 static const struct lx_lobe *lobe_of(const struct batch *batch, size_t i)
 {
     const uint32_t own = batch->elements.own[i];
-    const struct lx_prepared *prepared = batch->work->world.prepared;
+    const struct lx_prepared *prepared = batch->work->evaluator->world.prepared;
     return own > 0 ? &prepared->surfaces[own - 1].lobe
                    : &prepared->authored[batch->work->places[batch->of[i]].surface].lobe;
 }
@@ -147,7 +90,8 @@ static void light_elements(struct batch *batch)
 /* Whether a place is a free element like another that begins a batch. */
 static bool is_alike(const struct evaluating *work, const luxel_place *place, const luxel_place *first)
 {
-    return place->is_element && lx_is_place(place) && place->surface < lx_material_count(work->world.prepared->scene) &&
+    return place->is_element && lx_is_place(place) &&
+           place->surface < lx_material_count(work->evaluator->world.prepared->scene) &&
            place->has_view == first->has_view;
 }
 
@@ -167,7 +111,7 @@ static size_t evaluate_alike(const struct evaluating *work, const struct lx_aski
                                  at->has_view ? at->view : NULL);
     }
     lx_elements_end(&batch.elements);
-    lx_world_settle(&work->world, &(struct lx_settling){.has_views = place->has_view}, &batch.elements);
+    lx_world_settle(&work->evaluator->world, &(struct lx_settling){.has_views = place->has_view}, &batch.elements);
     light_elements(&batch);
     return next;
 }
@@ -185,7 +129,7 @@ static size_t evaluate_seen(const struct evaluating *work, const struct lx_askin
         struct lx_element element;
         if (lx_is_place(at) && lx_evaluator_sees(work->evaluator, at->screen_mm[0], at->screen_mm[1], &element)) {
             batch.of[batch.elements.count] = next;
-            lx_elements_append(work->world.prepared, &batch.elements, &element);
+            lx_elements_append(work->evaluator->world.prepared, &batch.elements, &element);
             continue;
         }
         work->values[next] = (luxel_value){.on_surface = false};
@@ -221,7 +165,7 @@ static bool evaluate_part(struct evaluating *work, unsigned count)
 {
     const luxel_settings *settings = &work->evaluator->settings;
     struct lx_control control = {.rows = count, .progress = settings->progress, .data = settings->progress_data};
-    const unsigned batch = lx_world_batch(&work->world);
+    const unsigned batch = lx_world_batch(&work->evaluator->world);
     const struct lx_rows_part part = {.last = count, .tile_rows = batch, .work = evaluate, .data = work};
     work->control = &control;
     return lx_rows_run_part(&control, lx_thread_count(settings->threads, count / batch + 1), &part);
@@ -233,13 +177,10 @@ luxel_status luxel_evaluate_places(const luxel_evaluator *evaluator, const luxel
     if (!evaluator || (count > 0 && (!places || !values)))
         return LUXEL_ERROR_ARGUMENT;
     struct evaluating work = {.evaluator = evaluator,
-                              .world = {&evaluator->prepared, lx_element_kernels_of(evaluator->kernels)},
                               .places = places,
                               .values = values,
                               .shares = shares,
                               .lights = luxel_evaluator_light_count(evaluator)};
-    if (shares)
-        memset(shares, 0, count * work.lights * sizeof *shares);
     while (count > 0) {
         const size_t now = count < MOST_AT_A_TIME ? count : MOST_AT_A_TIME;
         if (!evaluate_part(&work, (unsigned)now))

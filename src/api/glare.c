@@ -97,13 +97,13 @@ static bool open_eye(const struct lx_observer *observer, const luxel_sight *sigh
 
 /* A rating in the making. */
 struct rating {
-    const struct lx_session *session;
+    struct lx_session *session;
     struct lx_prepared open; /* the scene without shadows */
     struct eye eye;
     luxel_glare *glare;
-    lx_bounded sum;     /* of L^2 w / p^2 */
-    lx_bounded ambient; /* irradiance of the eye by lights that are part of the background */
-    lx_bounded *shares; /* of the sources */
+    lx_bounded sum;                /* of L^2 w / p^2 */
+    lx_bounded ambient, reflected; /* irradiance of the eye: by lights that are part of the background, by surfaces */
+    lx_bounded *shares;            /* of the sources */
 };
 
 static lx_bounded plain(double value)
@@ -111,18 +111,25 @@ static lx_bounded plain(double value)
     return (lx_bounded){value, PLAIN * fabs(value)};
 }
 
-/* The irradiance of an element at the eye by one light; moves `next`.  False: the light lies on the eye. */
-static bool light_eye(const struct lx_prepared *prepared, const struct eye *eye, const double normal[3], size_t light,
-                      size_t *next, lx_bounded *irradiance)
+/* An element at the eye. */
+static struct lx_element element_at(const struct lx_prepared *prepared, const struct eye *eye, const double normal[3])
 {
     luxel_place place = {.is_element = true};
-    struct lx_share share;
     memcpy(place.position_mm, eye->place_mm, sizeof place.position_mm);
     memcpy(place.normal, normal, sizeof place.normal);
-    const struct lx_element element = lx_free_element_at(prepared, &place);
-    const bool is_apart = lx_light_share(prepared, &element, light, next, &share);
-    *irradiance = is_apart ? share.irradiance : lx_exact(0);
-    return is_apart;
+    return lx_free_element_at(prepared, &place);
+}
+
+/* The irradiance of an element at the eye by one light, 0 where that lies on the eye; moves `next`. */
+static lx_bounded light_eye(const struct lx_world *world, const struct eye *eye, const double normal[3], size_t light,
+                            size_t *next)
+{
+    const struct lx_element element = element_at(world->prepared, eye, normal);
+    struct lx_elements elements;
+    struct lx_received received;
+    lx_elements_of_one(world->prepared, &element, &elements);
+    lx_world_light_of(world, &elements, light, LX_WANT_IRRADIANCE, NULL, next, &received);
+    return received.on_element[0] ? lx_exact(0) : lx_column_get(&received.irradiance, 0);
 }
 
 /* The numbers of a source that has an area in the field of view, and its share of the sum. */
@@ -152,7 +159,7 @@ static luxel_status rate_light(struct rating *rating, size_t light, size_t *next
     const struct lx_prepared *prepared = &rating->session->prepared;
     const struct eye *eye = &rating->eye;
     struct lx_light_seen seen;
-    lx_bounded open, shadowed;
+    const struct lx_world without_shadows = {.prepared = &rating->open, .kernels = rating->session->world.kernels};
     size_t again = *next;
     if (!lx_see_light(&prepared->scene->lights.items[light], eye->place_mm, &seen))
         return LUXEL_ERROR_MEMORY;
@@ -162,8 +169,8 @@ static luxel_status rate_light(struct rating *rating, size_t light, size_t *next
                                  ? lx_position_index(lx_dot(seen.towards, eye->ahead), lx_dot(seen.towards, eye->aside),
                                                      lx_dot(seen.towards, eye->above))
                                  : (double)NAN;
-    light_eye(&rating->open, eye, normal, light, &again, &open);
-    light_eye(prepared, eye, normal, light, next, &shadowed);
+    const lx_bounded open = light_eye(&without_shadows, eye, normal, light, &again);
+    const lx_bounded shadowed = light_eye(&rating->session->world, eye, normal, light, next);
     if (seen.is_uniform) {
         source->reason = LUXEL_GLARE_BACKGROUND;
         rating->ambient = lx_add(rating->ambient, shadowed);
@@ -206,26 +213,20 @@ static luxel_status rate_lights(struct rating *rating)
 
 /* ---- the background ---- */
 
-static luxel_status reflect(const struct rating *rating, luxel_diagnostics *diagnostics, lx_bounded *irradiance)
+/* The eye as an element that looks ahead, and what falls on it directly of the background. */
+static bool ask_eye(const void *data, size_t i, struct lx_element *element, double *direct)
 {
-    const struct lx_session *session = rating->session;
-    struct lx_control control = {
-        .rows = 1, .progress = session->settings.progress, .data = session->settings.progress_data};
-    luxel_place place = {.is_element = true};
-    memcpy(place.position_mm, rating->eye.place_mm, sizeof place.position_mm);
-    memcpy(place.normal, rating->eye.ahead, sizeof place.normal);
-    const struct lx_element element = lx_free_element_at(&session->prepared, &place);
-    const struct lx_reflected_place asked = {.receiver = lx_receiver_of(&session->prepared, &element),
-                                             .direct = rating->ambient.value};
-    const struct lx_reflecting reflecting = {.picture = session->reflected,
-                                             .prepared = &session->prepared,
-                                             .kernels = lx_element_kernels_of(session->kernels),
-                                             .settings = &session->settings,
-                                             .control = &control,
-                                             .places = &asked,
-                                             .count = 1,
-                                             .irradiance = irradiance};
-    return lx_reflect_places(&reflecting, diagnostics);
+    const struct rating *rating = data;
+    (void)i;
+    *element = element_at(&rating->session->prepared, &rating->eye, rating->eye.ahead);
+    *direct = rating->ambient.value;
+    return true;
+}
+
+static void take_reflected(void *data, size_t i, lx_bounded irradiance)
+{
+    (void)i;
+    ((struct rating *)data)->reflected = irradiance;
 }
 
 /* UGR and its bound: between the least sum over the greatest background and the other way round. */
@@ -249,17 +250,16 @@ static void conclude(const struct rating *rating, lx_bounded background)
 
 static luxel_status rate(struct rating *rating, luxel_diagnostics *diagnostics)
 {
-    const struct lx_session *session = rating->session;
-    lx_bounded reflected = lx_exact(0);
+    const luxel_settings *settings = &rating->session->settings;
+    struct lx_control control = {.rows = 1, .progress = settings->progress, .data = settings->progress_data};
+    const struct lx_reflecting reflecting = {&control, 1, ask_eye, take_reflected, rating, NULL, NULL};
     luxel_status status = rate_lights(rating);
-    rating->glare->reached = true;
-    if (status == LUXEL_OK && lx_wants_reflections(session->prepared.scene)) {
-        status = reflect(rating, diagnostics, &reflected);
-        rating->glare->reached = reflected.error <= lx_reflected_error_of(&session->settings) *
-                                                        fabs(reflected.value + rating->ambient.value);
-    }
+    if (status == LUXEL_OK && lx_wants_reflections(rating->session->prepared.scene))
+        status = lx_reflect_places(rating->session, &reflecting, false, diagnostics);
+    const lx_bounded background = lx_add(rating->reflected, rating->ambient);
+    rating->glare->reached = rating->reflected.error <= lx_reflected_error_of(settings) * fabs(background.value);
     if (status == LUXEL_OK)
-        conclude(rating, lx_div(lx_add(reflected, rating->ambient), plain(M_PI)));
+        conclude(rating, lx_div(background, plain(M_PI)));
     return status == LUXEL_ERROR_MEMORY ? lx_out_of_memory(diagnostics) : status;
 }
 
@@ -267,7 +267,7 @@ luxel_status luxel_rate_glare(const luxel_scene *scene, const luxel_settings *se
                               luxel_diagnostics *diagnostics, luxel_glare **glare)
 {
     struct lx_session session;
-    struct rating rating = {.session = &session, .sum = lx_exact(0), .ambient = lx_exact(0)};
+    struct rating rating = {.session = &session, .sum = lx_exact(0), .ambient = lx_exact(0), .reflected = lx_exact(0)};
     if (!sight || !glare) {
         lx_report(diagnostics, LUXEL_SEVERITY_ERROR, NULL, LX_MSG_MISSING_ARGUMENT, LX_ARGS(glare ? "sight" : "glare"));
         return LUXEL_ERROR_ARGUMENT;

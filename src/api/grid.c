@@ -98,11 +98,11 @@ static void measure_cells(void *data, unsigned worker, bool is_caller, unsigned 
         if (count == 0)
             continue;
         make_elements(measuring, these, count, &elements);
-        lx_world_all_light(&measuring->world, &elements, LX_WANT_IRRADIANCE, &asking, &received);
+        lx_world_light(&measuring->world, &elements, lx_wanted_of_plane(&measuring->world), &asking, &received);
         for (unsigned i = 0; i < count; i++) {
             if (received.on_element[i])
                 continue;
-            const lx_bounded irradiance = {received.irradiance.value[i], received.irradiance.error[i]};
+            const lx_bounded irradiance = lx_received_on_plane(&measuring->world, &received, i);
             measuring->mask[these[i]] = 1;
             measuring->values[these[i]] = irradiance.value;
             measuring->errors[these[i]] = lx_told_error(irradiance);
@@ -130,7 +130,7 @@ static size_t light_on(const struct lx_measuring *measuring, size_t cell)
         struct lx_emitter room;
         const size_t light = lx_emitter_at(&measuring->world.prepared->emitters, next, &room)->light;
         struct lx_received received;
-        lx_world_light(&measuring->world, &elements, LX_WANT_IRRADIANCE, NULL, &next, &received);
+        lx_world_light_of(&measuring->world, &elements, light, LX_WANT_IRRADIANCE, NULL, &next, &received);
         if (received.on_element[0])
             return light;
     }
@@ -318,77 +318,53 @@ static luxel_status new_grid(const struct lx_session *session, const struct lx_g
 
 /* ---- reflected light ---- */
 
-/* The cells that have values, as places that receive light; returns how many. */
-static size_t make_places(const struct lx_measuring *measuring, struct lx_reflected_place *places)
+/* The element of a cell that has a value, and that. */
+static bool element_of(const void *data, size_t cell, struct lx_element *element, double *direct)
 {
-    const luxel_grid *grid = &measuring->made->grid;
-    size_t made = 0;
-    for (unsigned cell = 0; cell < grid->columns * grid->rows; cell++) {
-        struct lx_elements elements;
-        if (!measuring->mask[cell])
-            continue;
-        make_elements(measuring, &cell, 1, &elements);
-        const struct lx_element element = lx_elements_get(measuring->world.prepared, &elements, 0);
-        places[made].receiver = lx_receiver_of(measuring->world.prepared, &element);
-        places[made++].direct = measuring->values[cell];
-    }
-    return made;
+    const struct lx_measuring *measuring = data;
+    struct lx_elements elements;
+    if (!measuring->mask[cell])
+        return false;
+    make_elements(measuring, &(unsigned){(unsigned)cell}, 1, &elements);
+    *element = lx_elements_get(measuring->world.prepared, &elements, 0);
+    *direct = measuring->values[cell];
+    return true;
 }
 
-/* Adds what is reflected to the cells that have values. */
-static void add_reflected(const struct lx_measuring *measuring, const luxel_settings *settings,
-                          const lx_bounded *irradiance)
+/* Adds what is reflected to a cell. */
+static void take_reflected(void *data, size_t cell, lx_bounded light)
+{
+    struct lx_measuring *measuring = data;
+    luxel_grid *grid = &measuring->made->grid;
+    const lx_bounded total = lx_add((lx_bounded){measuring->values[cell], measuring->errors[cell]}, light);
+    const double error = lx_told_error(light), allowed = lx_reflected_error_of(measuring->settings) * total.value;
+    grid->reflected_average += light.value;
+    grid->reflected_error = fmax(grid->reflected_error, error);
+    grid->reflected_reached = grid->reflected_reached && error <= fmax(allowed, DBL_MIN);
+    measuring->values[cell] = total.value;
+    measuring->errors[cell] = lx_told_error(total);
+}
+
+static luxel_status reflect(struct lx_session *session, struct lx_measuring *measuring, luxel_diagnostics *diagnostics)
 {
     luxel_grid *grid = &measuring->made->grid;
-    size_t made = 0;
+    const struct lx_reflected_key key = lx_reflected_key_of_plane(session, measuring->number);
+    const struct lx_reflecting reflecting = {measuring->control,
+                                             (size_t)grid->columns * grid->rows,
+                                             element_of,
+                                             take_reflected,
+                                             measuring,
+                                             measuring->slot,
+                                             &key};
+    const luxel_status status = lx_reflect_places(session, &reflecting, false, diagnostics);
+    measuring->world.reflected = session->world.reflected; /* what is measured from now on has it */
     grid->has_reflected = true;
-    for (size_t cell = 0; cell < (size_t)grid->columns * grid->rows; cell++) {
-        if (!measuring->mask[cell])
-            continue;
-        const lx_bounded light = irradiance[made++];
-        const lx_bounded total = lx_add((lx_bounded){measuring->values[cell], measuring->errors[cell]}, light);
-        grid->reflected_average += light.value;
-        grid->reflected_error = fmax(grid->reflected_error, lx_told_error(light));
-        measuring->values[cell] = total.value;
-        measuring->errors[cell] = lx_told_error(total);
-        if (!(lx_told_error(light) <= fmax(lx_reflected_error_of(settings) * total.value, DBL_MIN)))
-            grid->reflected_reached = false;
-    }
-    if (made > 0)
-        grid->reflected_average /= (double)made;
-}
-
-static luxel_status reflect(const struct lx_session *session, const struct lx_measuring *measuring,
-                            luxel_diagnostics *diagnostics)
-{
-    const size_t cells = (size_t)measuring->made->grid.columns * measuring->made->grid.rows;
-    struct lx_reflected_place *places = lx_new_array(cells, sizeof *places);
-    lx_bounded *irradiance = lx_new_array(cells, sizeof *irradiance);
-    luxel_status status = places && irradiance ? LUXEL_OK : lx_out_of_memory(diagnostics);
-    const size_t count = status == LUXEL_OK ? make_places(measuring, places) : 0;
-    if (count > 0) {
-        const struct lx_reflected_key key = lx_reflected_key_of_plane(session, measuring->number);
-        const struct lx_reflecting reflecting = {.picture = session->reflected,
-                                                 .slot = measuring->slot,
-                                                 .key = &key,
-                                                 .prepared = measuring->world.prepared,
-                                                 .kernels = measuring->world.kernels,
-                                                 .settings = &session->settings,
-                                                 .control = measuring->control,
-                                                 .places = places,
-                                                 .count = count,
-                                                 .irradiance = irradiance};
-        status = lx_reflect_places(&reflecting, diagnostics);
-    }
-    if (status == LUXEL_OK)
-        add_reflected(measuring, &session->settings, irradiance);
-    free(places);
-    free(irradiance);
+    if (grid->measured > 0)
+        grid->reflected_average /= (double)grid->measured;
     return status;
 }
 
-static luxel_status run(const struct lx_session *session, struct lx_measuring *measuring,
-                        luxel_diagnostics *diagnostics)
+static luxel_status run(struct lx_session *session, struct lx_measuring *measuring, luxel_diagnostics *diagnostics)
 {
     luxel_grid *grid = &measuring->made->grid;
     const luxel_settings *settings = &session->settings;
@@ -398,11 +374,10 @@ static luxel_status run(const struct lx_session *session, struct lx_measuring *m
     measuring->threads = lx_thread_count(settings->threads, control.rows / 4 + 1);
     if (!lx_measure_lattice(measuring, false))
         return LUXEL_CANCELLED;
-    const bool reflects = lx_wants_reflections(measuring->world.prepared->scene);
     gather(measuring);
     judge(measuring, settings->tolerance > 0);
     grid->reflected_reached = true;
-    if (reflects) {
+    if (lx_wants_reflections(measuring->world.prepared->scene)) {
         const luxel_status status = reflect(session, measuring, diagnostics);
         if (status != LUXEL_OK)
             return status;
@@ -415,7 +390,7 @@ static luxel_status run(const struct lx_session *session, struct lx_measuring *m
         lx_hint(diagnostics, LX_MSG_LOWER_STRENGTHS, NULL);
         return LUXEL_ERROR_RANGE;
     }
-    if (!reflects && !measuring->values_alone) { /* what these know is the direct light */
+    if (!measuring->values_alone) {
         lx_integrate_plane(measuring);
         lx_judge_sampling(measuring);
     }
@@ -445,15 +420,16 @@ luxel_status lx_measure_cells(const luxel_scene *scene, const luxel_settings *se
                               luxel_diagnostics *diagnostics, luxel_grid **grid)
 {
     struct lx_session session;
-    struct lx_measuring measuring = {
-        .world.prepared = &session.prepared, .lobe = lx_lobe_irradiance(), .values_alone = n != NULL};
+    struct lx_measuring measuring = {.lobe = lx_lobe_irradiance(), .values_alone = n != NULL};
     struct lx_grid wanted;
     luxel_status status = lx_session_open_world(scene, settings, diagnostics, &session);
     const struct lx_grid *asked = status == LUXEL_OK ? lx_asked_grid(scene, i, grid, "grid", diagnostics) : NULL;
     if (status == LUXEL_OK && !asked)
         status = LUXEL_ERROR_ARGUMENT;
     if (status == LUXEL_OK) {
-        measuring.world.kernels = lx_element_kernels_of(session.kernels);
+        measuring.world = session.world;
+        measuring.world.reflected = NULL;
+        measuring.settings = &session.settings;
         measuring.slot = lx_scene_reflected_on_plane(scene);
         measuring.number = i;
         wanted = *asked;

@@ -19,7 +19,7 @@
 #include "../world/bodies.h"
 #include "../world/evaluate.h"
 #include "../world/world.h"
-#include "grid.h"
+#include "grid_measuring.h"
 #include "reflecting.h"
 #include "refuse.h"
 #include "session.h"
@@ -61,15 +61,6 @@ struct search {
     size_t count;
 };
 
-static void place_of(const struct search *search, const double at[2], double place_mm[3])
-{
-    const lx_bounded3 across = lx_wide3_direction(search->cells.pose.across);
-    const lx_bounded3 up = lx_wide3_direction(search->cells.pose.upward);
-    place_mm[0] = search->cells.center_mm[0] + at[0] * across.x.value + at[1] * up.x.value;
-    place_mm[1] = search->cells.center_mm[1] + at[0] * across.y.value + at[1] * up.y.value;
-    place_mm[2] = search->cells.center_mm[2] + at[0] * across.z.value + at[1] * up.z.value;
-}
-
 /* The elements of some nodes, at most a batch of them. */
 static void place_nodes(const struct search *search, const struct node *nodes, unsigned count,
                         struct lx_elements *elements)
@@ -77,7 +68,7 @@ static void place_nodes(const struct search *search, const struct node *nodes, u
     lx_elements_begin(elements, &search->lobe, true);
     for (unsigned i = 0; i < count; i++) {
         double place_mm[3];
-        place_of(search, nodes[i].at, place_mm);
+        lx_place_on_cells(&search->cells, nodes[i].at, place_mm);
         lx_elements_append_place(elements, lx_exact3(place_mm), search->cells.normal, NULL);
     }
     lx_elements_end(elements);
@@ -93,16 +84,16 @@ static void look(const struct search *search, struct node *nodes, unsigned count
     bool is_any = false;
     for (unsigned i = 0; i < count; i++) {
         double place_mm[3];
-        place_of(search, nodes[i].at, place_mm);
+        lx_place_on_cells(&search->cells, nodes[i].at, place_mm);
         nodes[i].has_value = !lx_body_around(&search->bodies, place_mm);
         is_any = is_any || nodes[i].has_value;
     }
     if (!is_any)
         return;
     place_nodes(search, nodes, count, &elements);
-    lx_world_all_light(&search->world, &elements, LX_WANT_IRRADIANCE, &asking, &received);
+    lx_world_light(&search->world, &elements, lx_wanted_of_plane(&search->world), &asking, &received);
     for (unsigned i = 0; i < count; i++) {
-        nodes[i].value = (lx_bounded){received.irradiance.value[i], received.irradiance.error[i]};
+        nodes[i].value = lx_received_on_plane(&search->world, &received, i);
         nodes[i].has_value = nodes[i].has_value && !received.on_element[i] && isfinite(nodes[i].value.value);
     }
 }
@@ -366,7 +357,7 @@ static luxel_grid_peak peak_of(const struct search *search, const struct node *n
         return peak;
     peak.value = node->value.value;
     peak.error = lx_told_error(node->value);
-    place_of(search, node->at, peak.position_mm);
+    lx_place_on_cells(&search->cells, node->at, peak.position_mm);
     memcpy(peak.on_plane_mm, node->at, sizeof peak.on_plane_mm);
     return peak;
 }
@@ -393,67 +384,47 @@ static bool find_peak(const struct search *search, const struct lx_prepared *pre
 
 /* ---- with reflected light ---- */
 
-/* Adds what is reflected to the nodes of the lattice, by the solution that was found for the plane, if there is one. */
-static luxel_status add_reflected(const luxel_scene *scene, const struct lx_session *session, size_t grid,
-                                  struct search *search, luxel_diagnostics *diagnostics)
+/* The element of a node that has a value, and that. */
+static bool element_of(const void *data, size_t i, struct lx_element *element, double *direct)
 {
-    const size_t count = search->count;
-    const struct lx_reflected_key key = lx_reflected_key_of_plane(session, grid);
-    struct lx_radiosity *kept = session->reflected ? NULL : lx_reflected_of_plane(scene, session, grid);
-    struct lx_reflected_place *places = lx_new_array(count, sizeof *places);
-    lx_bounded *irradiance = lx_new_array(count, sizeof *irradiance);
-    luxel_status status = places && irradiance ? LUXEL_OK : lx_out_of_memory(diagnostics);
-    size_t made = 0;
-    for (size_t i = 0; i < count && status == LUXEL_OK; i++) {
-        struct lx_elements elements;
-        if (!search->nodes[i].has_value)
-            continue;
-        place_nodes(search, &search->nodes[i], 1, &elements);
-        const struct lx_element element = lx_elements_get(search->world.prepared, &elements, 0);
-        places[made].receiver = lx_receiver_of(search->world.prepared, &element);
-        places[made++].direct = search->nodes[i].value.value;
-    }
-    const struct lx_reflecting reflecting = {.picture = session->reflected,
-                                             .prepared = search->world.prepared,
-                                             .kernels = search->world.kernels,
-                                             .settings = &session->settings,
-                                             .control = search->control,
-                                             .places = places,
-                                             .count = made,
-                                             .irradiance = irradiance,
-                                             .slot = lx_scene_reflected_on_plane(scene),
-                                             .key = &key};
-    if (status == LUXEL_OK && made > 0)
-        status = kept ? lx_ask_places(&reflecting, kept, diagnostics) : lx_reflect_places(&reflecting, diagnostics);
-    for (size_t i = 0, next = 0; i < count && status == LUXEL_OK; i++)
-        if (search->nodes[i].has_value)
-            search->nodes[i].value = lx_add(search->nodes[i].value, irradiance[next++]);
-    lx_reflected_free(kept);
-    free(places);
-    free(irradiance);
-    return status;
+    const struct search *search = data;
+    struct lx_elements elements;
+    if (!search->nodes[i].has_value)
+        return false;
+    place_nodes(search, &search->nodes[i], 1, &elements);
+    *element = lx_elements_get(search->world.prepared, &elements, 0);
+    *direct = search->nodes[i].value.value;
+    return true;
 }
 
-/* The node of the lattice that is furthest that way, the first in row order of equal ones. */
-static luxel_grid_peak furthest_node(const struct search *search, double sign)
+static void take_reflected(void *data, size_t i, lx_bounded irradiance)
 {
-    const struct node *best = search->nodes;
-    for (size_t i = 1; i < search->count; i++)
-        if (is_beyond(&search->nodes[i], best, sign))
-            best = &search->nodes[i];
-    return peak_of(search, best);
+    struct node *node = &((struct search *)data)->nodes[i];
+    node->value = lx_add(node->value, irradiance);
+}
+
+/* Adds what is reflected to the nodes of the lattice, by the solution that was found for the plane, if there is one. */
+static luxel_status add_reflected(const luxel_scene *scene, struct lx_session *session, size_t grid,
+                                  struct search *search, luxel_diagnostics *diagnostics)
+{
+    const struct lx_reflected_key key = lx_reflected_key_of_plane(session, grid);
+    const struct lx_reflecting reflecting = {
+        search->control, search->count, element_of, take_reflected, search, lx_scene_reflected_on_plane(scene), &key};
+    const bool is_shared = session->world.reflected != NULL;
+    if (!is_shared)
+        session->world.reflected = lx_reflected_of_plane(scene, session, grid);
+    return lx_reflect_places(session, &reflecting, !is_shared && session->world.reflected, diagnostics);
 }
 
 /* ---- the plane ---- */
 
-static luxel_status run(const luxel_scene *scene, const struct lx_session *session, size_t i,
-                        const struct lx_grid *grid, struct search *search, luxel_diagnostics *diagnostics,
-                        luxel_grid_extrema *extrema)
+static luxel_status run(const luxel_scene *scene, struct lx_session *session, size_t i, const struct lx_grid *grid,
+                        struct search *search, luxel_diagnostics *diagnostics, luxel_grid_extrema *extrema)
 {
     const bool reflects = lx_wants_reflections(session->prepared.scene);
     search->cells = lx_cells_of(grid);
     search->is_costly = reflects || lx_world_batch(&search->world) < LX_BATCH;
-    if (make_lattice(search) || (!reflects && add_leads(search)) ||
+    if (make_lattice(search) || add_leads(search) ||
         lx_bodies_find(&session->prepared, &search->cells, &search->bodies))
         return lx_out_of_memory(diagnostics);
     struct lx_control control = {.rows = (unsigned)search->count,
@@ -463,15 +434,13 @@ static luxel_status run(const luxel_scene *scene, const struct lx_session *sessi
     search->threads = session->settings.threads;
     if (!look_at_all(search, control.rows, true))
         return LUXEL_CANCELLED;
-    if (reflects) {
-        const luxel_status status = add_reflected(scene, session, i, search, diagnostics);
-        if (status != LUXEL_OK)
-            return status;
-        extrema->maximum = furthest_node(search, 1);
-        extrema->minimum = furthest_node(search, -1);
-    } else if ((!find_peak(search, &session->prepared, 1, &extrema->maximum) ||
-                !find_peak(search, &session->prepared, -1, &extrema->minimum)) &&
-               !atomic_load(&control.stop))
+    const luxel_status status = reflects ? add_reflected(scene, session, i, search, diagnostics) : LUXEL_OK;
+    if (status != LUXEL_OK)
+        return status;
+    search->world.reflected = session->world.reflected; /* places that are looked at from now on have it */
+    if ((!find_peak(search, &session->prepared, 1, &extrema->maximum) ||
+         !find_peak(search, &session->prepared, -1, &extrema->minimum)) &&
+        !atomic_load(&control.stop))
         return lx_out_of_memory(diagnostics);
     return atomic_load(&control.stop) ? LUXEL_CANCELLED : LUXEL_OK;
 }
@@ -487,7 +456,8 @@ luxel_status luxel_find_grid_extrema(const luxel_scene *scene, const luxel_setti
     if (status == LUXEL_OK && !grid)
         status = LUXEL_ERROR_ARGUMENT;
     if (status == LUXEL_OK) {
-        search.world.kernels = lx_element_kernels_of(session.kernels);
+        search.world.kernels = session.world.kernels;
+        search.world.reflect = session.world.reflect;
         search.hasty = session.prepared;
         if (!lx_wants_reflections(session.prepared.scene)) /* else nothing is asked again */
             search.hasty.tolerance = fmax(session.prepared.tolerance, WHILE_SEARCHING);

@@ -10,6 +10,7 @@
 
 struct lx_measuring {
     struct lx_world world;
+    const luxel_settings *settings;
     struct lx_control *control;
     unsigned threads;
     struct lx_lobe lobe;
@@ -22,6 +23,20 @@ struct lx_measuring {
     struct lx_kept_slot *slot; /* for what is reflected to the plane; NULL: it is not kept */
     size_t number;             /* of the grid */
 };
+
+/* What is asked of a world for the light on a plane, direct light alone as long as nothing is known to be reflected;
+ * and what number i of the answer comes to. */
+static inline enum lx_wanted lx_wanted_of_plane(const struct lx_world *world)
+{
+    return world->reflected ? (enum lx_wanted)(LX_WANT_IRRADIANCE | LX_WANT_REFLECTED) : LX_WANT_IRRADIANCE;
+}
+
+static inline lx_bounded lx_received_on_plane(const struct lx_world *world, const struct lx_received *received,
+                                              size_t i)
+{
+    const lx_bounded direct = lx_column_get(&received->irradiance, i);
+    return world->reflected ? lx_add(direct, lx_column_get(&received->reflected, i)) : direct;
+}
 
 /* Measures all cells of its lattice, by the pool; false: it was cancelled. */
 bool lx_measure_lattice(struct lx_measuring *measuring, bool counts_itself);

@@ -11,7 +11,9 @@
 #include "../flux/flux.h"
 #include "../light/solid/extended.h"
 #include "../world/evaluate.h"
+#include "../world/integral/adaptive.h"
 #include "grid_measuring.h"
+#include "reflecting.h"
 
 /* From this share of the mean on the sampling error is said to be one. */
 static const double COARSE = 0.01;
@@ -25,6 +27,86 @@ static bool has_openings(const struct lx_emitters *emitters)
     return false;
 }
 
+/* ---- what is reflected ---- */
+
+/* The integral of reflected light over the plane, along lines and across them: places that are asked, at most, panels
+ * of a line and of the lines, and the share of the bound wanted of values that the rules may add. */
+enum { MOST_PLACES = 1500, MOST_PANELS = 16 };
+static const double RULES_SHARE = 0.25;
+
+struct reflection {
+    const struct lx_measuring *measuring;
+    const struct lx_asking *asking;
+    double target; /* of the mean */
+    double v;      /* of the line */
+    size_t asked;
+};
+
+static struct lx_point_value reflected_at(void *data, size_t interval, double u)
+{
+    struct reflection *reflection = data;
+    const struct lx_measuring *measuring = reflection->measuring;
+    const struct lx_cells *cells = &measuring->made->cells;
+    double place_mm[3];
+    struct lx_elements elements;
+    struct lx_received received;
+    (void)interval;
+    lx_place_on_cells(cells, (const double[]){u * cells->size_mm[0], reflection->v * cells->size_mm[1]}, place_mm);
+    lx_elements_begin(&elements, &measuring->lobe, true);
+    lx_elements_append_place(&elements, lx_exact3(place_mm), cells->normal, NULL);
+    lx_elements_end(&elements);
+    lx_world_settle(&measuring->world, &(struct lx_settling){.has_normals = true}, &elements);
+    lx_world_light(&measuring->world, &elements, LX_WANT_REFLECTED, reflection->asking, &received);
+    reflection->asked++;
+    const lx_bounded light = lx_column_get(&received.reflected, 0);
+    return (struct lx_point_value){.value = fmax(light.value, 0), .error = light.error};
+}
+
+static double target(void *data, const struct lx_integral *integral)
+{
+    const struct reflection *reflection = data;
+    (void)integral;
+    return reflection->asked < MOST_PLACES && lx_asking_goes_on(reflection->asking) ? reflection->target : HUGE_VAL;
+}
+
+/* The mean along a line, twice as exact as that of the lines is wanted. */
+static double target_of_line(void *data, const struct lx_integral *integral)
+{
+    return target(data, integral) / 2;
+}
+
+static struct lx_integral integrate(struct lx_integrand *integrand)
+{
+    struct lx_panel items[MOST_PANELS] = {{.from = -0.5, .to = 0.5}};
+    struct lx_panels panels = {.items = items, .count = 1, .capacity = MOST_PANELS};
+    integrand->is_coarse = true;
+    return lx_integrate_panels(integrand, &panels);
+}
+
+static struct lx_point_value along_line(void *data, size_t interval, double v)
+{
+    struct reflection *reflection = data;
+    struct lx_integrand integrand = {.at = reflected_at, .target = target_of_line, .data = data};
+    (void)interval;
+    reflection->v = v;
+    const struct lx_integral line = integrate(&integrand);
+    return (struct lx_point_value){.value = line.value, .error = line.error + line.inherited};
+}
+
+/* The mean of what is reflected to the plane. */
+static lx_bounded reflected_mean(const struct lx_measuring *measuring, const struct lx_asking *asking)
+{
+    struct reflection reflection = {.measuring = measuring,
+                                    .asking = asking,
+                                    .target = RULES_SHARE * lx_reflected_error_of(measuring->settings) *
+                                              measuring->made->grid.average};
+    struct lx_integrand integrand = {.at = along_line, .target = target, .data = &reflection};
+    const struct lx_integral mean = integrate(&integrand);
+    return (lx_bounded){mean.value, mean.error + mean.inherited};
+}
+
+/* ---- the whole light ---- */
+
 void lx_integrate_plane(const struct lx_measuring *measuring)
 {
     luxel_grid *grid = &measuring->made->grid;
@@ -33,11 +115,12 @@ void lx_integrate_plane(const struct lx_measuring *measuring)
     if ((!photometric && !radiometric) || grid->measured + grid->enclosed != (size_t)grid->columns * grid->rows ||
         has_openings(&measuring->world.prepared->emitters))
         return;
-    const struct lx_flux flux =
-        lx_plane_flux(measuring->world.prepared, &measuring->made->cells, grid->average, &asking);
-    lx_bounded area =
+    struct lx_flux flux = lx_plane_flux(measuring->world.prepared, &measuring->made->cells, grid->average, &asking);
+    const lx_bounded area =
         lx_mul(lx_div(lx_exact(grid->size_mm[0]), lx_exact(1000)), lx_div(lx_exact(grid->size_mm[1]), lx_exact(1000)));
-    lx_bounded mean = lx_div(flux.value, area);
+    if (flux.is_known && measuring->world.reflected)
+        flux.value = lx_add(flux.value, lx_mul(reflected_mean(measuring, &asking), area));
+    const lx_bounded mean = lx_div(flux.value, area);
     grid->has_mean = flux.is_known && isfinite(mean.value) && isfinite(mean.error);
     if (!grid->has_mean)
         return;

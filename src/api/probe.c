@@ -117,25 +117,20 @@ static luxel_status new_probes(const struct lx_scene_parameters *scene, const bo
 static const double NOTHING = 1e-20;
 
 /* What would arrive if nothing stood in the way. */
-static double unhidden(const struct lx_session *session, const struct lx_element *element)
+static double unhidden(const struct lx_session *session, const struct lx_elements *element)
 {
     struct lx_prepared bare = session->prepared;
-    double sum = 0;
+    const struct lx_world open = {.prepared = &bare, .kernels = session->world.kernels};
+    struct lx_received received;
     bare.shadows = bare.shadows_on_free = bare.shadows_extended = false;
-    for (size_t next = 0; next < bare.emitters.count;) {
-        struct lx_emitter room;
-        struct lx_share share;
-        if (!lx_light_share(&bare, element, lx_emitter_at(&bare.emitters, next, &room)->light, &next, &share))
-            return 0;
-        sum += lx_share_value(&share, session->settings.quantity).value;
-    }
-    return sum;
+    lx_world_light(&open, element, lx_wanted_for(session->settings.quantity), NULL, &received);
+    return received.on_element[0] ? 0 : lx_received_value(&received, session->settings.quantity, 0).value;
 }
 
 /* An explicit tolerance is checked, the default one where there are integrals.  Closed forms are as exact as the scene
  * is to float64, which just within a cone's edge or where light sets is less, relative to a value near 0.  A value that
  * its error does not tell from 0, behind what hides all, is judged by what is hidden. */
-static bool is_reached(const struct lx_session *session, const struct lx_element *element, const luxel_probe *probe)
+static bool is_reached(const struct lx_session *session, const struct lx_elements *element, const luxel_probe *probe)
 {
     const struct lx_prepared *prepared = &session->prepared;
     bool integrated = false;
@@ -151,31 +146,34 @@ static bool is_reached(const struct lx_session *session, const struct lx_element
 }
 
 /* Adds up the emitters, light by light; stops at one that lies on the element. */
-static void sum_lights(const struct lx_session *session, const struct lx_element *element, luxel_probe *probe)
+static void sum_lights(const struct lx_session *session, const struct lx_element *asked, luxel_probe *probe)
 {
-    const struct lx_prepared *prepared = &session->prepared;
+    const enum lx_wanted both = (enum lx_wanted)(LX_WANT_IRRADIANCE | LX_WANT_BRIGHTNESS);
+    struct lx_elements element;
     lx_bounded total = lx_exact(0);
     size_t next = 0;
+    lx_elements_of_one(&session->prepared, asked, &element);
     for (size_t s = 0; s < probe->share_count; s++) {
         luxel_light_share *share = &probe->shares[s];
-        struct lx_share light;
-        if (!lx_light_share(prepared, element, share->light, &next, &light)) {
+        struct lx_received light;
+        lx_world_light_of(&session->world, &element, share->light, both, NULL, &next, &light);
+        if (light.on_element[0]) {
             probe->source_on_element = true;
             probe->blocking_light = share->light;
             return;
         }
-        lx_bounded value = lx_share_value(&light, session->settings.quantity);
-        share->parts = light.parts;
-        share->irradiance = light.irradiance.value;
-        share->diffuse = light.diffuse.value;
-        share->specular = light.specular.value;
+        const lx_bounded value = lx_received_value(&light, session->settings.quantity, 0);
+        share->parts = light.parts[0];
+        share->irradiance = light.irradiance.value[0];
+        share->diffuse = light.diffuse.value[0];
+        share->specular = light.specular.value[0];
         share->error = lx_told_error(value);
         total = lx_add(total, value);
     }
     probe->has_value = true;
     probe->value = total.value;
     probe->error = lx_told_error(total);
-    probe->tolerance_reached = is_reached(session, element, probe);
+    probe->tolerance_reached = is_reached(session, &element, probe);
 }
 
 /* The work on all places. */
@@ -185,6 +183,7 @@ struct probing {
     const luxel_place *places;
     struct probes *probes;
     struct lx_control *control;
+    bool shows_pixels; /* the pixels' values are told as well */
 };
 
 static void copy3(double to[3], lx_bounded3 from)
@@ -266,71 +265,43 @@ static luxel_status check_values(const luxel_probe *probes, size_t count, luxel_
 
 /* ---- reflected light ---- */
 
-/* The element of a probe that has a value. */
-static struct lx_element element_of(const struct lx_prepared *prepared, const luxel_place *place)
+/* The element of a probe that has a value, and its direct irradiance, or what would give as much. */
+static bool element_of(const void *data, size_t i, struct lx_element *element, double *direct)
 {
-    struct lx_element element;
+    const struct probing *probing = data;
+    const struct lx_session *session = probing->session;
+    const luxel_place *place = &probing->places[i];
+    const luxel_probe *probe = &probing->probes->list[i];
+    if (!probe->has_value)
+        return false;
     if (place->is_element)
-        return lx_free_element_at(prepared, place);
-    lx_element_seen(prepared, place->screen_mm[0], place->screen_mm[1], &element);
-    return element;
+        *element = lx_free_element_at(&session->prepared, place);
+    else
+        lx_element_seen(&session->prepared, place->screen_mm[0], place->screen_mm[1], element);
+    const double share = lx_reflected_value(element->lobe, session->settings.quantity, lx_exact(1)).value;
+    *direct = share > 0 ? probe->value / share : HUGE_VAL;
+    return true;
 }
 
-/* Adds what is reflected to the probes that have values. */
-static void add_reflected(const struct probing *probing, const lx_bounded *irradiance, size_t count)
+/* Adds what is reflected to a probe. */
+static void take_reflected(void *data, size_t i, lx_bounded irradiance)
 {
-    const struct lx_session *session = probing->session;
-    for (size_t i = 0, made = 0; i < count; i++) {
-        luxel_probe *probe = &probing->probes->list[i];
-        if (!probe->has_value)
-            continue;
-        const struct lx_element element = element_of(&session->prepared, &probing->places[i]);
-        const lx_bounded value = lx_reflected_value(element.lobe, session->settings.quantity, irradiance[made]);
-        const lx_bounded total = lx_add((lx_bounded){probe->value, probe->error}, value);
-        probe->has_reflected = true;
-        probe->reflected_irradiance = irradiance[made++].value;
-        probe->reflected_value = value.value;
-        probe->reflected_error = lx_told_error(value);
-        probe->value = total.value;
-        probe->error = lx_told_error(total);
-        probe->reflected_reached =
-            probe->reflected_error <= fmax(lx_reflected_error_of(&session->settings) * fabs(probe->value), DBL_MIN);
-    }
-}
-
-/* Solves for all probes that have values. */
-static luxel_status reflect(const struct probing *probing, size_t count, luxel_diagnostics *diagnostics)
-{
-    const struct lx_session *session = probing->session;
-    struct lx_reflected_place *places = lx_new_array(count, sizeof *places);
-    lx_bounded *irradiance = lx_new_array(count, sizeof *irradiance);
-    size_t made = 0;
-    luxel_status status = places && irradiance ? LUXEL_OK : lx_out_of_memory(diagnostics);
-    for (size_t i = 0; i < count && status == LUXEL_OK; i++) {
-        const luxel_probe *probe = &probing->probes->list[i];
-        if (!probe->has_value)
-            continue;
-        const struct lx_element element = element_of(&session->prepared, &probing->places[i]);
-        const double share = lx_reflected_value(element.lobe, session->settings.quantity, lx_exact(1)).value;
-        places[made].receiver = lx_receiver_of(&session->prepared, &element);
-        places[made++].direct = share > 0 ? probe->value / share : HUGE_VAL;
-    }
-    if (status == LUXEL_OK && made > 0) {
-        const struct lx_reflecting reflecting = {.picture = session->reflected,
-                                                 .prepared = &session->prepared,
-                                                 .kernels = lx_element_kernels_of(session->kernels),
-                                                 .settings = &session->settings,
-                                                 .control = probing->control,
-                                                 .places = places,
-                                                 .count = made,
-                                                 .irradiance = irradiance};
-        status = lx_reflect_places(&reflecting, diagnostics);
-    }
-    if (status == LUXEL_OK)
-        add_reflected(probing, irradiance, count);
-    free(places);
-    free(irradiance);
-    return status;
+    const struct probing *probing = data;
+    const luxel_settings *settings = &probing->session->settings;
+    struct lx_element element;
+    luxel_probe *probe = &probing->probes->list[i];
+    double direct;
+    element_of(probing, i, &element, &direct);
+    const lx_bounded value = lx_reflected_value(element.lobe, settings->quantity, irradiance);
+    const lx_bounded total = lx_add((lx_bounded){probe->value, probe->error}, value);
+    probe->has_reflected = true;
+    probe->reflected_irradiance = irradiance.value;
+    probe->reflected_value = value.value;
+    probe->reflected_error = lx_told_error(value);
+    probe->value = total.value;
+    probe->error = lx_told_error(total);
+    probe->reflected_reached =
+        probe->reflected_error <= fmax(lx_reflected_error_of(settings) * fabs(probe->value), DBL_MIN);
 }
 
 /* Finds what surfaces reflect in the picture, if some probe has a pixel there, or it is to serve all. */
@@ -338,7 +309,7 @@ static luxel_status reflect_picture(const struct probing *probing, size_t count,
 {
     bool is_wanted = probing->session->settings.share_reflected;
     for (size_t i = 0; i < count && !is_wanted; i++)
-        is_wanted = probing->probes->list[i].on_surface && probing->probes->list[i].has_pixel;
+        is_wanted = probing->shows_pixels && probing->probes->list[i].on_surface && probing->probes->list[i].has_pixel;
     if (!is_wanted)
         return LUXEL_OK;
     const luxel_status status = lx_reflect_picture(probing->scene, probing->session, diagnostics);
@@ -358,13 +329,16 @@ static luxel_status compute(struct probing *probing, struct lx_control *control,
     if (!lx_rows_run_part(control, lx_thread_count(probing->session->settings.threads, places / 4 + 1), &values))
         return LUXEL_CANCELLED;
     luxel_status status = reflect_picture(probing, count, diagnostics);
-    if (status == LUXEL_OK) {
+    if (status == LUXEL_OK && probing->shows_pixels) {
         status = lx_probe_pixels(probing->session, control, list, count);
         if (status == LUXEL_ERROR_MEMORY)
             lx_out_of_memory(diagnostics);
     }
     if (status == LUXEL_OK && lx_wants_reflections(probing->session->prepared.scene))
-        status = reflect(probing, count, diagnostics);
+        status = lx_reflect_places(
+            probing->session,
+            &(struct lx_reflecting){probing->control, count, element_of, take_reflected, probing, NULL, NULL}, false,
+            diagnostics);
     return status == LUXEL_OK ? check_values(list, count, diagnostics) : status;
 }
 
@@ -388,17 +362,34 @@ static luxel_status check_places(const struct lx_scene_parameters *scene, const 
     return LUXEL_OK;
 }
 
-/* No place needs no world, and free elements need no picture, which take long where surfaces are many. */
-static luxel_status open(const luxel_scene *scene, const luxel_settings *settings, const luxel_place *places,
-                         size_t count, luxel_diagnostics *diagnostics, struct lx_session *session)
+/* Whether some of the places are seen on the screen, and whether their pixels' values are told. */
+static bool is_any_seen(const luxel_place *places, size_t count)
 {
-    bool sees = false;
-    for (size_t i = 0; i < count && !sees; i++)
-        sees = !places[i].is_element;
-    if (sees)
-        return lx_session_open(scene, settings, diagnostics, session);
-    return count > 0 ? lx_session_open_world(scene, settings, diagnostics, session)
-                     : lx_session_begin(scene, settings, diagnostics, session);
+    for (size_t i = 0; i < count; i++)
+        if (!places[i].is_element)
+            return true;
+    return false;
+}
+
+static bool are_pixels_wanted(const luxel_scene *scene, const luxel_settings *settings)
+{
+    return !(settings && settings->skip_reflected_pixels && !settings->share_reflected && scene &&
+             luxel_scene_is_committed(scene) && lx_wants_reflections(lx_scene_parameters(scene)));
+}
+
+/* No place needs no world, and values of pixels alone need the plan of a picture, which takes long where surfaces are
+ * many. */
+static luxel_status open(struct probing *probing, const luxel_settings *settings, size_t count,
+                         luxel_diagnostics *diagnostics)
+{
+    const luxel_scene *scene = probing->scene;
+    const bool sees = is_any_seen(probing->places, count);
+    probing->shows_pixels = sees && are_pixels_wanted(scene, settings);
+    if (probing->shows_pixels)
+        return lx_session_open(scene, settings, diagnostics, probing->session);
+    const luxel_status status = count > 0 ? lx_session_open_world(scene, settings, diagnostics, probing->session)
+                                          : lx_session_begin(scene, settings, diagnostics, probing->session);
+    return status == LUXEL_OK && sees ? luxel_scene_check_view(scene, diagnostics) : status;
 }
 
 luxel_status luxel_probe_many(const luxel_scene *scene, const luxel_settings *settings, const luxel_place *places,
@@ -412,7 +403,7 @@ luxel_status luxel_probe_many(const luxel_scene *scene, const luxel_settings *se
                   LX_ARGS(probes ? "places" : "probes"));
         return LUXEL_ERROR_ARGUMENT;
     }
-    luxel_status status = open(scene, settings, places, count, diagnostics, &session);
+    luxel_status status = open(&probing, settings, count, diagnostics);
     if (status == LUXEL_OK)
         status = check_places(lx_scene_parameters(scene), places, count, diagnostics);
     if (status == LUXEL_OK)

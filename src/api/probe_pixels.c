@@ -214,7 +214,7 @@ luxel_status lx_probe_pixels(const struct lx_session *session, struct lx_control
         else if (atomic_load(&pixels.failed))
             status = LUXEL_ERROR_MEMORY;
     }
-    if (status == LUXEL_OK && session->reflected)
+    if (status == LUXEL_OK && session->world.reflected)
         status = reflect(&pixels, pixels.first[tiles]);
     for (unsigned i = 0; pixels.scratch && i < threads; i++) {
         lx_panels_memory_free(pixels.scratch[i].panels);

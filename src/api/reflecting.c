@@ -2,6 +2,7 @@
 /* Solving for places, and asking at each of them. */
 #include "reflecting.h"
 
+#include <math.h>
 #include <stdlib.h>
 
 #include "../base/diagnostics.h"
@@ -38,67 +39,129 @@ void lx_hint_overlap(const struct lx_radiosity *reflected, const struct lx_prepa
     lx_hint(diagnostics, LX_MSG_HINT_ONE_PLANE, LX_ARGS(first, second));
 }
 
+/* ---- the world's question ---- */
+
+/* On surfaces by the tiles, where that is enough, elsewhere by an integral over all faces. */
+static lx_bounded reflected_to(const struct lx_world *world, const struct lx_element *element, struct lx_veils *veils)
+{
+    const struct lx_receiver receiver = lx_receiver_of(world->prepared, element);
+    size_t near = 0;
+    if (world->by_tiles && element->own && !receiver.is_turned)
+        return lx_reflected_on(world->reflected, world->prepared, receiver.own, receiver.place_mm, receiver.normal,
+                               &near);
+    return lx_reflected_at(world->reflected, world->prepared, &receiver, veils);
+}
+
+void lx_reflect_elements(const struct lx_world *world, const struct lx_elements *elements,
+                         const struct lx_asking *asking, struct lx_received *received)
+{
+    struct lx_veils veils = {0};
+    for (size_t i = 0; i < elements->count && lx_asking_goes_on(asking); i++) {
+        const struct lx_element element = lx_elements_get(world->prepared, elements, i);
+        const lx_bounded light = reflected_to(world, &element, &veils);
+        received->reflected.value[i] = light.value;
+        received->reflected.error[i] = veils.failed ? HUGE_VAL : light.error;
+    }
+    lx_veils_clear(&veils);
+}
+
+/* ---- solving for places ---- */
+
 /* Places that are asked, in parallel. */
 struct asking {
-    const struct lx_reflecting *reflecting;
-    const struct lx_radiosity *reflected;
+    const struct lx_session *session;
+    struct lx_control *control;
+    size_t count;
+    struct lx_reflected_place *places;
+    size_t *of;             /* which elements they are */
+    lx_bounded *irradiance; /* found there */
     struct lx_veils *veils; /* of each worker */
 };
 
 static void ask_places(void *data, unsigned worker, bool is_caller, unsigned first, unsigned last)
 {
     const struct asking *asking = data;
-    for (unsigned i = first; i < last && lx_control_goes_on(asking->reflecting->control, is_caller); i++)
-        asking->reflecting->irradiance[i] =
-            lx_reflected_at(asking->reflected, asking->reflecting->prepared, &asking->reflecting->places[i].receiver,
-                            &asking->veils[worker]);
+    const struct lx_world *world = &asking->session->world;
+    for (unsigned i = first; i < last && lx_control_goes_on(asking->control, is_caller); i++)
+        asking->irradiance[i] =
+            lx_reflected_at(world->reflected, world->prepared, &asking->places[i].receiver, &asking->veils[worker]);
 }
 
-static luxel_status ask(const struct lx_reflecting *reflecting, const struct lx_radiosity *reflected, unsigned threads)
+static luxel_status ask(struct asking *asking, unsigned threads)
 {
-    struct asking asking = {reflecting, reflected, lx_new_array(threads, sizeof *asking.veils)};
+    asking->veils = lx_new_array(threads, sizeof *asking->veils);
     const struct lx_rows_part part = {
-        .last = (unsigned)reflecting->count, .counts_itself = true, .work = ask_places, .data = &asking};
-    luxel_status status = !asking.veils                                            ? LUXEL_ERROR_MEMORY
-                          : !lx_rows_run_part(reflecting->control, threads, &part) ? LUXEL_CANCELLED
-                                                                                   : LUXEL_OK;
-    for (unsigned w = 0; asking.veils && w < threads; w++) {
-        status = status == LUXEL_OK && asking.veils[w].failed ? LUXEL_ERROR_MEMORY : status;
-        lx_veils_clear(&asking.veils[w]);
+        .last = (unsigned)asking->count, .counts_itself = true, .work = ask_places, .data = asking};
+    luxel_status status = !asking->veils                                       ? LUXEL_ERROR_MEMORY
+                          : !lx_rows_run_part(asking->control, threads, &part) ? LUXEL_CANCELLED
+                                                                               : LUXEL_OK;
+    for (unsigned w = 0; asking->veils && w < threads; w++) {
+        status = status == LUXEL_OK && asking->veils[w].failed ? LUXEL_ERROR_MEMORY : status;
+        lx_veils_clear(&asking->veils[w]);
     }
-    free(asking.veils);
+    free(asking->veils);
     return status;
 }
 
-luxel_status lx_ask_places(const struct lx_reflecting *reflecting, const struct lx_radiosity *reflected,
-                           luxel_diagnostics *diagnostics)
+static luxel_status find_places(const struct lx_reflecting *reflecting, struct asking *asking)
 {
-    const luxel_status status = ask(reflecting, reflected, lx_thread_count(reflecting->settings->threads, MOST_WORTH));
-    return status == LUXEL_ERROR_MEMORY ? lx_out_of_memory(diagnostics) : status;
+    const size_t count = reflecting->count;
+    asking->places = lx_new_array(count, sizeof *asking->places);
+    asking->of = lx_new_array(count, sizeof *asking->of);
+    asking->irradiance = lx_new_array(count, sizeof *asking->irradiance);
+    if (!asking->places || !asking->of || !asking->irradiance)
+        return LUXEL_ERROR_MEMORY;
+    for (size_t i = 0; i < count; i++) {
+        struct lx_element element;
+        struct lx_reflected_place *place = &asking->places[asking->count];
+        if (!reflecting->element(reflecting->data, i, &element, &place->direct))
+            continue;
+        place->receiver = lx_receiver_of(&asking->session->prepared, &element);
+        asking->of[asking->count++] = i;
+    }
+    return LUXEL_OK;
 }
 
-luxel_status lx_reflect_places(const struct lx_reflecting *reflecting, luxel_diagnostics *diagnostics)
+/* Finds a solution that is exact enough at the places. */
+static luxel_status solve(struct lx_session *session, const struct lx_reflecting *reflecting,
+                          const struct asking *asking, unsigned threads)
 {
-    const unsigned threads = lx_thread_count(reflecting->settings->threads, MOST_WORTH);
+    struct lx_world *world = &session->world;
     const struct lx_reflected_wish wish = {
-        .prepared = reflecting->prepared,
-        .kernels = reflecting->kernels,
-        .error = lx_reflected_error_of(reflecting->settings),
-        .places = reflecting->places,
-        .place_count = reflecting->count,
+        .prepared = world->prepared,
+        .kernels = world->kernels,
+        .error = lx_reflected_error_of(&session->settings),
+        .places = asking->places,
+        .place_count = asking->count,
         .key = reflecting->key ? *reflecting->key : (struct lx_reflected_key){0},
         .threads = threads,
         .control = reflecting->control,
     };
-    struct lx_radiosity *reflected = NULL;
-    const struct lx_radiosity *picture = reflecting->picture;
-    if (picture && !reflecting->settings->share_reflected && !lx_reflected_is_reached(picture, &wish))
-        picture = NULL;
-    luxel_status status = picture ? LUXEL_OK : lx_reflected_make(&wish, &reflected);
-    if (status == LUXEL_OK)
-        status = ask(reflecting, picture ? picture : reflected, threads);
-    if (status == LUXEL_OK && reflected && reflecting->slot)
-        lx_kept_slot_put(reflecting->slot, lx_reflected_kept(reflected));
-    lx_reflected_free(reflected);
+    struct lx_radiosity *made = NULL;
+    if (world->reflected && (session->settings.share_reflected || lx_reflected_is_reached(world->reflected, &wish)))
+        return LUXEL_OK;
+    const luxel_status status = lx_reflected_make(&wish, &made);
+    lx_reflected_free(world->reflected);
+    world->reflected = made;
+    if (made && reflecting->slot)
+        lx_kept_slot_put(reflecting->slot, lx_reflected_kept(made));
+    return status;
+}
+
+luxel_status lx_reflect_places(struct lx_session *session, const struct lx_reflecting *reflecting, bool is_known,
+                               luxel_diagnostics *diagnostics)
+{
+    const unsigned threads = lx_thread_count(session->settings.threads, MOST_WORTH);
+    struct asking asking = {.session = session, .control = reflecting->control};
+    luxel_status status = find_places(reflecting, &asking);
+    if (status == LUXEL_OK && asking.count > 0 && !is_known)
+        status = solve(session, reflecting, &asking, threads);
+    if (status == LUXEL_OK && asking.count > 0)
+        status = ask(&asking, threads);
+    for (size_t i = 0; i < asking.count && status == LUXEL_OK; i++)
+        reflecting->take(reflecting->data, asking.of[i], asking.irradiance[i]);
+    free(asking.places);
+    free(asking.of);
+    free(asking.irradiance);
     return status == LUXEL_ERROR_MEMORY ? lx_out_of_memory(diagnostics) : status;
 }

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Reflected light for whoever asks for values at places: solved once for all of them. */
+/* Reflected light for whoever asks for light at places: solved once for all of them. */
 #ifndef LX_API_REFLECTING_H
 #define LX_API_REFLECTING_H
 
@@ -16,27 +16,31 @@ double lx_pictured_error_of(const luxel_settings *settings);
 void lx_hint_overlap(const struct lx_radiosity *reflected, const struct lx_prepared *prepared,
                      luxel_diagnostics *diagnostics);
 
-/*
- * What is reflected to places, of which `reached` tells whether its error is as small as the settings ask for.  Solves
- * for them, and asks at each, in parallel.  LUXEL_OK, LUXEL_CANCELLED, LUXEL_ERROR_MEMORY, which is reported.
- */
+/* Elements that somebody has the direct light of, and asks what is reflected to. */
 struct lx_reflecting {
-    const struct lx_radiosity *picture; /* found for the picture, taken if it is shared or exact enough; NULL: none */
-    const struct lx_prepared *prepared;
-    const struct lx_element_kernels *kernels;
-    const luxel_settings *settings;
     struct lx_control *control;
-    const struct lx_reflected_place *places;
     size_t count;
-    lx_bounded *irradiance;             /* of each place: set here */
-    struct lx_kept_slot *slot;          /* where the solution is left for whoever asks next; NULL: nowhere */
-    const struct lx_reflected_key *key; /* and with what it was made */
+    /* Element i and the direct irradiance there; false: nothing is asked of it. */
+    bool (*element)(const void *data, size_t i, struct lx_element *element, double *direct);
+    /* Takes the irradiance that is reflected to it; called in their order. */
+    void (*take)(void *data, size_t i, lx_bounded irradiance);
+    void *data;
+    /* They lie in the plane of a grid: where the solution is left for whoever asks next, and with what it was made. */
+    struct lx_kept_slot *slot;
+    const struct lx_reflected_key *key;
 };
-luxel_status lx_reflect_places(const struct lx_reflecting *reflecting, luxel_diagnostics *diagnostics);
 
-/* Asks at places what a solution that was found tells, however large the errors are. */
-luxel_status lx_ask_places(const struct lx_reflecting *reflecting, const struct lx_radiosity *reflected,
-                           luxel_diagnostics *diagnostics);
+/*
+ * Finds what is reflected to elements, which the session's world knows from then on: solves for them, unless what it
+ * knows is to serve all or is exact enough, or `is_known` says that it was found for the same, and asks at each, in
+ * parallel.  LUXEL_OK, LUXEL_CANCELLED, LUXEL_ERROR_MEMORY, which is reported.
+ */
+luxel_status lx_reflect_places(struct lx_session *session, const struct lx_reflecting *reflecting, bool is_known,
+                               luxel_diagnostics *diagnostics);
+
+/* What the session's worlds tell reflected light by. */
+void lx_reflect_elements(const struct lx_world *world, const struct lx_elements *elements,
+                         const struct lx_asking *asking, struct lx_received *received);
 
 /* The key of a solution for the plane of the i-th grid, and the solution that the scene keeps, to be released; NULL:
  * none. */
@@ -44,8 +48,8 @@ struct lx_reflected_key lx_reflected_key_of_plane(const struct lx_session *sessi
 struct lx_radiosity *lx_reflected_of_plane(const luxel_scene *scene, const struct lx_session *session, size_t i);
 
 /*
- * Finds what surfaces reflect in the session's picture, if the scene wants light to be reflected: session->reflected,
- * from the scene where it was found before, whose next user finds it there.  LUXEL_OK, LUXEL_CANCELLED,
+ * Finds what surfaces reflect in the session's picture, if the scene wants light to be reflected, for its world; from
+ * the scene where it was found before, whose next user finds it there.  LUXEL_OK, LUXEL_CANCELLED,
  * LUXEL_ERROR_MEMORY, which is reported.
  */
 luxel_status lx_reflect_picture(const luxel_scene *scene, struct lx_session *session, luxel_diagnostics *diagnostics);

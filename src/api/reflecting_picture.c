@@ -87,7 +87,8 @@ static luxel_status solve(const struct lx_session *session, const struct lx_refl
     const unsigned *resolution = session->prepared.scene->screen.resolution;
     struct looking looking = {
         .session = session,
-        .evaluator = {.settings = session->settings, .kernels = session->kernels, .prepared = session->prepared},
+        .evaluator = {.settings = session->settings,
+                      .world = {.prepared = &session->prepared, .kernels = session->world.kernels}},
         .control = control,
         .columns = samples_of(resolution[0]),
         .rows = samples_of(resolution[1]),
@@ -102,7 +103,7 @@ static luxel_status solve(const struct lx_session *session, const struct lx_refl
     if (status == LUXEL_OK) {
         const struct lx_reflected_wish wish = {
             .prepared = &session->prepared,
-            .kernels = lx_element_kernels_of(session->kernels),
+            .kernels = session->world.kernels,
             .error = key->error,
             .spots = looking.spots,
             .spot_count = pack(looking.spots, count),
@@ -165,13 +166,13 @@ luxel_status lx_reflect_picture(const luxel_scene *scene, struct lx_session *ses
     struct lx_kept_slot *slot = lx_scene_reflected(scene);
     const struct lx_reflected_key key = key_of(session);
     struct lx_control control = {.rows = 1, .progress = settings->progress, .data = settings->progress_data};
-    session->reflected = find_kept(slot, &key);
-    if (session->reflected)
+    session->world.reflected = find_kept(slot, &key);
+    if (session->world.reflected)
         return LUXEL_OK;
-    const luxel_status status = solve(session, &key, &control, &session->reflected);
+    const luxel_status status = solve(session, &key, &control, &session->world.reflected);
     session->done = control.before;
     if (status == LUXEL_OK && slot)
-        lx_kept_slot_put(slot, lx_reflected_kept(session->reflected));
+        lx_kept_slot_put(slot, lx_reflected_kept(session->world.reflected));
     return status == LUXEL_ERROR_MEMORY ? lx_out_of_memory(diagnostics) : status;
 }
 
@@ -243,7 +244,8 @@ static double reflect_block(const struct lx_session *session, struct lx_seen *se
             if (!row->mask[pixel])
                 continue;
             element_of(session, &seen->block, s, k, place, normal);
-            const lx_bounded light = lx_reflected_on(session->reflected, &session->prepared, s, place, normal, &near);
+            const lx_bounded light =
+                lx_reflected_on(session->world.reflected, &session->prepared, s, place, normal, &near);
             add(session, row, pixel, share * light.value);
             error = fmax(error, share * light.error);
         }

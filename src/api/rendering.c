@@ -243,9 +243,9 @@ static luxel_status hold(struct lx_rendering *rendering, unsigned height)
         struct lx_held *held = &rendering->held[i];
         held->strip.rows = height;
         held->rows = lx_new_array(height, sizeof *held->rows);
-        if (rendering->session->reflected)
+        if (rendering->session->world.reflected)
             held->reflected_errors = lx_new_array(height, sizeof *held->reflected_errors);
-        complete = complete && held->rows && (held->reflected_errors || !rendering->session->reflected) &&
+        complete = complete && held->rows && (held->reflected_errors || !rendering->session->world.reflected) &&
                    lx_strip_allocate(field, &held->strip) == 0;
     }
     return complete ? LUXEL_OK : too_large(size, needed, needed < available ? 0 : available, rendering->diagnostics);
@@ -311,7 +311,7 @@ static void finish_statistics(struct lx_rendering *rendering)
     *statistics = lx_tally_finish(&rendering->tally);
     if (rendering->reaching.is_plain)
         statistics->minimum_reached = statistics->minimum;
-    if (!rendering->session->reflected)
+    if (!rendering->session->world.reflected)
         return;
     const double maximum = statistics->maximum.exists ? statistics->maximum.value : 0;
     statistics->has_reflected = true;
@@ -322,7 +322,7 @@ static void finish_statistics(struct lx_rendering *rendering)
     char error[LX_NUMBER_SIZE];
     lx_report(rendering->diagnostics, LUXEL_SEVERITY_ADVICE, NULL, LX_MSG_REFLECTED_ERROR,
               LX_ARGS(lx_write_digits(statistics->reflected_error, 2, error)));
-    lx_hint_overlap(rendering->session->reflected, &rendering->session->prepared, rendering->diagnostics);
+    lx_hint_overlap(rendering->session->world.reflected, &rendering->session->prepared, rendering->diagnostics);
 }
 
 /* Takes the rows that are finished into the statistics and hands them on. */

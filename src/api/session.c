@@ -9,6 +9,7 @@
 #include "../base/number.h"
 #include "../picture/plan_make.h"
 #include "../scene/scene.h"
+#include "reflecting.h"
 #include "refuse.h"
 #include "session.h"
 
@@ -146,6 +147,9 @@ luxel_status lx_session_begin(const luxel_scene *scene, const luxel_settings *se
 
 static luxel_status prepare(const luxel_scene *scene, luxel_diagnostics *diagnostics, struct lx_session *session)
 {
+    session->world = (struct lx_world){.prepared = &session->prepared,
+                                       .kernels = lx_element_kernels_of(session->kernels),
+                                       .reflect = lx_reflect_elements};
     return lx_session_prepare(scene, &session->settings, diagnostics, &session->prepared);
 }
 
@@ -174,7 +178,7 @@ luxel_status lx_session_open(const luxel_scene *scene, const luxel_settings *set
 
 void lx_session_clear(struct lx_session *session)
 {
-    lx_reflected_free(session->reflected);
+    lx_reflected_free(session->world.reflected);
     lx_plan_clear(&session->plan);
     lx_prepared_clear(&session->prepared);
 }

@@ -15,10 +15,9 @@ struct lx_session {
     luxel_settings settings;
     const struct lx_kernels *kernels;
     struct lx_prepared prepared;
+    struct lx_world world; /* of it; with what surfaces reflect, once somebody has found that */
     struct lx_plan plan;
-    struct lx_radiosity
-        *reflected; /* what surfaces reflect in the picture; NULL: they do not, or it is not known yet */
-    double done;    /* share of the whole work that finding it was */
+    double done; /* share of the whole work that finding it was */
 };
 
 /* The scene is committed and the settings (NULL: the defaults) in their ranges; they are copied. */

@@ -258,6 +258,7 @@ luxel_status lx_choices_find(const luxel_scene *scene, const luxel_settings *set
         choices->settings = *settings;
     else
         luxel_settings_init(&choices->settings);
+    choices->settings.skip_reflected_pixels = true;
     const struct lx_scene_parameters *parameters = lx_scene_parameters(choices->scene);
     if (lx_wants_reflections(parameters) && find_bounces(&parameters->reflections, choices) < 0)
         return lx_out_of_memory(diagnostics);

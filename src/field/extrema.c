@@ -386,7 +386,7 @@ static luxel_status hunt_for(const luxel_evaluator *evaluator, const luxel_field
     hunt.bare.shadows = hunt.bare.shadows && !hunt.knows_lights; /* penumbrae stay */
     *peak = (luxel_peak){.exists = false};
     hunt.short_of_memory = !make_gates(&hunt);
-    if (evaluator->reflected_at || !are_walkable(hunt.prepared))
+    if (evaluator->world.reflected || !are_walkable(hunt.prepared))
         lx_hunt_plainly(&hunt, field, peak);
     else if (!hunt.short_of_memory && lx_hunt_seeds(&hunt, field, &seeds))
         search(&hunt, &seeds, peak);

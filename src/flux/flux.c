@@ -25,6 +25,9 @@ static const double PLACES = 1e-11;
 /* The work that may be done, in shares of a point source at an element that has to ask surfaces; a polygon takes so
  * many of them, a round source and a polyhedron more, and those of which surfaces may hide a part most. */
 static const double MOST_WORK = 4e5, POINT_WORK = 0.25, POLYGON_WORK = 10, ROUND_WORK = 20, HIDDEN_WORK = 100;
+/* Behind penumbrae the share of an emitter's work that goes into rules, and what lattices differ by is taken for. */
+static const double RULES_SHARE = 0.5, LATTICE_CAUTION = 2;
+enum { LEAST_LATTICE = 9 };
 
 /* The plane in float64: what directions lack to their wide numbers counts as their error. */
 struct plane {
@@ -39,6 +42,7 @@ struct hunt {
     struct lx_lobe lobe;
     bool *aside;           /* which surfaces lie behind the plane or in it */
     double work, scale;    /* what was done; an irradiance that is usual on the plane */
+    double limit;          /* up to where rules may go on */
     bool touches, stopped; /* a source lies on an element; nobody waits any more, or memory ran out */
 };
 
@@ -209,7 +213,7 @@ static struct lx_point_value light_at(struct task *task, double u, double v)
 static double target(void *data, const struct lx_integral *integral)
 {
     const struct hunt *hunt = ((const struct task *)data)->hunt;
-    if (hunt->stopped || hunt->touches || hunt->work > MOST_WORK)
+    if (hunt->stopped || hunt->touches || hunt->work > hunt->limit)
         return HUGE_VAL;
     return TOLERANCE * fmax(integral->value, hunt->scale);
 }
@@ -356,6 +360,46 @@ static bool integrate(struct task *task, lx_bounded *mean)
     return is_room;
 }
 
+/* The mean of the places in the middle of n times n cells. */
+static lx_bounded mean_of_lattice(struct task *task, unsigned n)
+{
+    lx_bounded mean = lx_exact(0);
+    for (unsigned i = 0; i < n * n && !task->hunt->stopped; i++) {
+        const struct lx_point_value light = light_at(task, (i % n + 0.5) / n - 0.5, ((double)(i / n) + 0.5) / n - 0.5);
+        mean.value += light.value / ((double)n * n);
+        mean.error += light.error / ((double)n * n);
+    }
+    return mean;
+}
+
+/*
+ * The mean over the plane of a source of some size of which surfaces hide parts.  Each line crosses kinks where parts
+ * begin to be hidden, and nobody knows where; rules that look for each of them spend the work on their first lines.  So
+ * where they do not come to an end three lattices that share no places tell the mean, and by what they differ how far
+ * that may be off: the error of one of n times n falls like 1 / n^2 or, where light jumps, 1 / n.
+ */
+static bool integrate_penumbrae(struct task *task, size_t emitters, lx_bounded *mean)
+{
+    struct hunt *hunt = task->hunt;
+    const double share = (MOST_WORK - hunt->work) / (double)emitters, end = hunt->work + share;
+    hunt->limit = hunt->work + RULES_SHARE * share;
+    if (!integrate(task, mean))
+        return false;
+    if (hunt->work <= hunt->limit || hunt->stopped)
+        return true;
+    const double places = fmax(end - hunt->work, share / 4) / task->work;
+    const unsigned n = (unsigned)sqrt(places / 1.6) | 1; /* odd ones, of which few have a centre in common */
+    if (n < LEAST_LATTICE)
+        return true;
+    const lx_bounded fine = mean_of_lattice(task, n), middle = mean_of_lattice(task, (n * 5 / 8) | 1),
+                     coarse = mean_of_lattice(task, (n * 3 / 8) | 1);
+    const double off = fmax(fabs(fine.value - middle.value), fabs(fine.value - coarse.value) / 2);
+    const double error = fine.error + LATTICE_CAUTION * off;
+    if (error < mean->error)
+        *mean = (lx_bounded){fine.value, error};
+    return !hunt->stopped;
+}
+
 static double work_of(const struct lx_emitter *emitter, bool asks_surfaces)
 {
     if (!lx_is_extended(emitter))
@@ -365,8 +409,8 @@ static double work_of(const struct lx_emitter *emitter, bool asks_surfaces)
     return emitter->facets && emitter->facets->face_count == 1 ? POLYGON_WORK : ROUND_WORK;
 }
 
-/* The flux of an emitter by its integral. */
-static lx_bounded integral_of(struct hunt *hunt, const struct lx_emitter *emitter, bool casts)
+/* The flux of an emitter by its integral; as many are still to come, it among them. */
+static lx_bounded integral_of(struct hunt *hunt, const struct lx_emitter *emitter, bool casts, size_t emitters)
 {
     const struct lx_flux_asked asked = {.prepared = hunt->prepared,
                                         .plane = hunt->plane.cells,
@@ -387,7 +431,10 @@ static lx_bounded integral_of(struct hunt *hunt, const struct lx_emitter *emitte
         if (!asks_surfaces)
             task.asked.shadows_on_free = task.asked.shadows_extended = false;
         note_feet(&task, emitter);
-        hunt->stopped = !integrate(&task, &mean) || hunt->stopped;
+        hunt->limit = MOST_WORK;
+        const bool is_whole = asks_surfaces && lx_is_extended(emitter) ? integrate_penumbrae(&task, emitters, &mean)
+                                                                       : integrate(&task, &mean);
+        hunt->stopped = !is_whole || hunt->stopped;
     } else
         hunt->stopped = true;
     lx_edges_clear(&task.edges);
@@ -397,24 +444,24 @@ static lx_bounded integral_of(struct hunt *hunt, const struct lx_emitter *emitte
 
 /* ---- the whole ---- */
 
-static lx_bounded open_flux(struct hunt *hunt, const struct lx_emitter *emitter)
+static lx_bounded open_flux(struct hunt *hunt, const struct lx_emitter *emitter, size_t emitters)
 {
     lx_bounded flux;
-    return in_closed_form(&hunt->plane, emitter, &flux) ? flux : integral_of(hunt, emitter, false);
+    return in_closed_form(&hunt->plane, emitter, &flux) ? flux : integral_of(hunt, emitter, false, emitters);
 }
 
 /* The flux of an emitter: between 0 and what it would be without anything in the way, whatever an integral over many
  * shadows is off. */
-static lx_bounded flux_of(struct hunt *hunt, const struct lx_emitter *emitter)
+static lx_bounded flux_of(struct hunt *hunt, const struct lx_emitter *emitter, size_t emitters)
 {
     if (is_behind(&hunt->plane, emitter))
         return lx_exact(0);
     if (!may_be_hidden(hunt, emitter))
-        return open_flux(hunt, emitter);
-    lx_bounded flux = integral_of(hunt, emitter, true);
+        return open_flux(hunt, emitter, emitters);
+    lx_bounded flux = integral_of(hunt, emitter, true, emitters);
     if (flux.error <= flux.value)
         return flux;
-    const lx_bounded open = open_flux(hunt, emitter);
+    const lx_bounded open = open_flux(hunt, emitter, emitters);
     const double most = open.value + open.error;
     if (!(flux.value <= most))
         flux.value = most;
@@ -443,7 +490,7 @@ struct lx_flux lx_plane_flux(const struct lx_prepared *prepared, const struct lx
     for (size_t i = 0; i < emitters->count && !hunt.stopped; i++) {
         struct lx_emitter room;
         hunt.stopped = !lx_asking_at_step(asking, i, 64);
-        flux.value = lx_add(flux.value, flux_of(&hunt, lx_emitter_at(emitters, i, &room)));
+        flux.value = lx_add(flux.value, flux_of(&hunt, lx_emitter_at(emitters, i, &room), emitters->count - i));
     }
     flux.is_known = !hunt.touches && !hunt.stopped;
     free(hunt.aside);

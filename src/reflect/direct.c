@@ -23,14 +23,14 @@ enum { OUTLINES_EACH = 4 };
 double lx_direct_open_flux(const struct lx_sampling_direct *sampling, const struct lx_asking *asking,
                            const struct lx_tile_cell *cell)
 {
-    const struct lx_world open = {sampling->open, sampling->world.kernels};
+    const struct lx_world open = {.prepared = sampling->open, .kernels = sampling->world.kernels};
     struct lx_elements elements;
     struct lx_received received;
     lx_elements_begin(&elements, &sampling->lobe, true);
     lx_elements_append_place(&elements, lx_exact3(cell->center_mm), lx_exact3(cell->normal[0]), NULL);
     lx_elements_end(&elements);
     lx_world_settle(&open, &(struct lx_settling){.has_normals = false}, &elements);
-    lx_world_all_light(&open, &elements, LX_WANT_IRRADIANCE, asking, &received);
+    lx_world_light(&open, &elements, LX_WANT_IRRADIANCE, asking, &received);
     lx_effort_take(asking->effort, EMITTER_EFFORT * open.prepared->emitters.count);
     return received.on_element[0] ? 0 : lx_cell_area(cell) * received.irradiance.value[0];
 }
@@ -47,7 +47,7 @@ static int sample_cell(const struct lx_sampling_direct *sampling, const struct l
         lx_elements_append_place(&elements, lx_exact3(cell->place_mm[i]), lx_exact3(cell->normal[i]), NULL);
     lx_elements_end(&elements);
     lx_world_settle(&sampling->world, &(struct lx_settling){.has_normals = false}, &elements);
-    lx_world_all_light(&sampling->world, &elements, LX_WANT_IRRADIANCE, asking, &received);
+    lx_world_light(&sampling->world, &elements, LX_WANT_IRRADIANCE, asking, &received);
     size_t parts = 0;
     for (int i = 0; i < LX_RULE_NODES; i++)
         parts += (size_t)received.parts[i];

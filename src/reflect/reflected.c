@@ -342,7 +342,7 @@ luxel_status lx_reflected_make(const struct lx_reflected_wish *wish, struct lx_r
         .prepared = wish->prepared,
         .sampled = *wish->prepared,
         .error = wish->error,
-        .sampling = {.world = {NULL, wish->kernels},
+        .sampling = {.world = {.kernels = wish->kernels},
                      .lobe = lx_lobe_irradiance(),
                      .least_flux = HUGE_VAL,
                      .fold_flux = HUGE_VAL,

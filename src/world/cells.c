@@ -74,6 +74,14 @@ static void find_sides(const struct lx_cells *cells, unsigned sides[3])
     sides[2] = sides_of(across->z, upward->z);
 }
 
+void lx_place_on_cells(const struct lx_cells *cells, const double at_mm[2], double place_mm[3])
+{
+    const lx_bounded3 across = lx_wide3_direction(cells->pose.across), up = lx_wide3_direction(cells->pose.upward);
+    place_mm[0] = cells->center_mm[0] + at_mm[0] * across.x.value + at_mm[1] * up.x.value;
+    place_mm[1] = cells->center_mm[1] + at_mm[0] * across.y.value + at_mm[1] * up.y.value;
+    place_mm[2] = cells->center_mm[2] + at_mm[0] * across.z.value + at_mm[1] * up.z.value;
+}
+
 lx_bounded3 lx_cell_place(const struct lx_cells *cells, unsigned column, unsigned row)
 {
     const lx_wide3 first = way_to(cells, 0, column), second = way_to(cells, 1, row);

@@ -23,6 +23,9 @@ struct lx_cells lx_cells_of(const struct lx_grid *grid);
 /* The centre of a cell. */
 lx_bounded3 lx_cell_place(const struct lx_cells *cells, unsigned column, unsigned row);
 
+/* The place of the plane that is so far from its middle, across and upward, in float64. */
+void lx_place_on_cells(const struct lx_cells *cells, const double at_mm[2], double place_mm[3]);
+
 /* The ways from the middle to one column or row, by coordinates, and where they lead by themselves. */
 struct lx_lattice_line {
     lx_wide way[3];

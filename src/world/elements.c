@@ -3,6 +3,7 @@
 #include "elements.h"
 
 #include <math.h>
+#include <string.h>
 
 static void set(struct lx_column *column, size_t i, lx_bounded number)
 {
@@ -17,14 +18,21 @@ static void set3(struct lx_columns3 *columns, size_t i, lx_bounded3 vector)
     set(&columns->z, i, vector.z);
 }
 
-static lx_bounded get(const struct lx_column *column, size_t i)
+void lx_column_clear(struct lx_column *column, size_t count)
+{
+    const size_t whole = (count + LX_VECTOR - 1) / LX_VECTOR * LX_VECTOR;
+    memset(column->value, 0, whole * sizeof *column->value);
+    memset(column->error, 0, whole * sizeof *column->error);
+}
+
+lx_bounded lx_column_get(const struct lx_column *column, size_t i)
 {
     return (lx_bounded){column->value[i], column->error[i]};
 }
 
 lx_bounded3 lx_columns_get(const struct lx_columns3 *columns, size_t i)
 {
-    return (lx_bounded3){get(&columns->x, i), get(&columns->y, i), get(&columns->z, i)};
+    return (lx_bounded3){lx_column_get(&columns->x, i), lx_column_get(&columns->y, i), lx_column_get(&columns->z, i)};
 }
 
 void lx_elements_begin(struct lx_elements *elements, const struct lx_lobe *lobe, bool are_free)
@@ -52,6 +60,8 @@ void lx_elements_append(const struct lx_prepared *prepared, struct lx_elements *
     set3(&elements->normal, i, element->normal);
     set3(&elements->view, i, element->view);
     elements->own[i] = element->own ? (uint32_t)(element->own - prepared->surfaces) + 1 : 0;
+    elements->asks[i] = element->own && element->is_free;
+    elements->has_sides = elements->has_sides || elements->asks[i];
 }
 
 void lx_elements_append_place(struct lx_elements *elements, lx_bounded3 place_mm, lx_bounded3 normal,
@@ -129,6 +139,14 @@ void lx_elements_end(struct lx_elements *elements)
                                       normal->y.error[i] == 0 && normal->z.error[i] == 0;
     for (size_t i = elements->count; i > 0 && i % LX_VECTOR != 0; i++)
         copy_element(elements, i, elements, elements->count - 1);
+}
+
+void lx_elements_of_one(const struct lx_prepared *prepared, const struct lx_element *element,
+                        struct lx_elements *elements)
+{
+    lx_elements_begin(elements, element->lobe, element->is_free);
+    lx_elements_append(prepared, elements, element);
+    lx_elements_end(elements);
 }
 
 struct lx_element lx_elements_get(const struct lx_prepared *prepared, const struct lx_elements *elements, size_t i)

@@ -52,8 +52,9 @@ struct lx_elements {
 
 /*
  * A batch begins, gets elements and ends: then it goes on to whole vectors.  Elements are appended as the reference
- * made them, or as places whose normals, not yet of unit length, and views, unless they are NULL, come with them
- * (lx_world_settle() completes those), or from another batch of the same lobe.
+ * made them, those that are free lit as only the reference knows, or as places whose normals, not yet of unit length,
+ * and views, unless they are NULL, come with them (lx_world_settle() completes those), or from another batch of the
+ * same lobe.
  */
 void lx_elements_begin(struct lx_elements *elements, const struct lx_lobe *lobe, bool are_free);
 void lx_elements_append(const struct lx_prepared *prepared, struct lx_elements *elements,
@@ -63,15 +64,22 @@ void lx_elements_append_place(struct lx_elements *elements, lx_bounded3 place_mm
 void lx_elements_copy(struct lx_elements *to, const struct lx_elements *from, size_t k);
 void lx_elements_end(struct lx_elements *elements);
 
-/* Element i of a batch on its own, and a vector of it. */
+/* A batch of one element that the reference made. */
+void lx_elements_of_one(const struct lx_prepared *prepared, const struct lx_element *element,
+                        struct lx_elements *elements);
+
+/* Element i of a batch on its own, and a number and a vector of it. */
 struct lx_element lx_elements_get(const struct lx_prepared *prepared, const struct lx_elements *elements, size_t i);
+void lx_column_clear(struct lx_column *column, size_t count); /* whole vectors that hold so many numbers */
+lx_bounded lx_column_get(const struct lx_column *column, size_t i);
 lx_bounded3 lx_columns_get(const struct lx_columns3 *columns, size_t i);
 
-/* The light that a batch receives from some emitters. */
+/* The light that a batch receives, from some emitters and from surfaces. */
 struct lx_received {
     struct lx_column irradiance, diffuse, specular;
-    size_t parts[LX_BATCH];    /* as in struct lx_lighting */
-    bool on_element[LX_BATCH]; /* one of the emitters lies on the element: there is no value */
+    struct lx_column reflected; /* irradiance by what surfaces send to each other */
+    size_t parts[LX_BATCH];     /* as in struct lx_lighting */
+    bool on_element[LX_BATCH];  /* one of the emitters lies on the element: there is no value */
 };
 
 #endif

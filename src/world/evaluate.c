@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Summing the lights' shares at an element. */
+/* Summing the lights' shares at elements. */
 #include "evaluate.h"
 
 #include <math.h>
@@ -7,29 +7,11 @@
 
 #include "../surface/surface.h"
 
-bool lx_light_share(const struct lx_prepared *prepared, const struct lx_element *element, size_t light, size_t *next,
-                    struct lx_share *share)
+lx_bounded lx_received_value(const struct lx_received *received, luxel_quantity quantity, size_t i)
 {
-    *share = (struct lx_share){.irradiance = lx_exact(0), .diffuse = lx_exact(0), .specular = lx_exact(0)};
-    for (; *next < prepared->emitters.count; ++*next) {
-        struct lx_emitter room;
-        const struct lx_emitter *emitter = lx_emitter_at(&prepared->emitters, *next, &room);
-        if (emitter->light != light)
-            break;
-        struct lx_lighting lighting = lx_light_element(prepared, element, emitter);
-        if (lighting.on_element)
-            return false;
-        share->parts += lighting.parts;
-        share->irradiance = lx_add(share->irradiance, lighting.irradiance);
-        share->diffuse = lx_add(share->diffuse, lighting.diffuse);
-        share->specular = lx_add(share->specular, lighting.specular);
-    }
-    return true;
-}
-
-lx_bounded lx_share_value(const struct lx_share *share, luxel_quantity quantity)
-{
-    return quantity == LUXEL_IRRADIANCE ? share->irradiance : lx_add(share->diffuse, share->specular);
+    return quantity == LUXEL_IRRADIANCE
+               ? lx_column_get(&received->irradiance, i)
+               : lx_add(lx_column_get(&received->diffuse, i), lx_column_get(&received->specular, i));
 }
 
 lx_bounded lx_reflected_value(const struct lx_lobe *lobe, luxel_quantity quantity, lx_bounded irradiance)
@@ -42,11 +24,11 @@ double lx_told_error(lx_bounded number)
     return number.error >= 0 ? number.error : HUGE_VAL;
 }
 
-static void copy3(double to[3], const lx_bounded3 *from)
+static void copy3(double to[3], lx_bounded3 from)
 {
-    to[0] = from->x.value;
-    to[1] = from->y.value;
-    to[2] = from->z.value;
+    to[0] = from.x.value;
+    to[1] = from.y.value;
+    to[2] = from.z.value;
 }
 
 /* The place of an element, without its value. */
@@ -57,41 +39,75 @@ static luxel_value place_of(const struct lx_element *element)
         place.surface = element->own->authored;
         place.part = element->own->part;
     }
-    copy3(place.position_mm, &element->place_mm);
-    copy3(place.normal, &element->normal);
+    copy3(place.position_mm, element->place_mm);
+    copy3(place.normal, element->normal);
     return place;
+}
+
+/* Sums the lights of elements; those that a light lies on lose their value. */
+static void sum_lights(const struct luxel_evaluator *evaluator, const struct lx_elements *elements,
+                       const struct lx_asking *asking, const size_t *of, double *shares, bool has_value[LX_BATCH],
+                       struct lx_column *total)
+{
+    const struct lx_emitters *emitters = &evaluator->world.prepared->emitters;
+    const enum lx_wanted wanted = lx_wanted_for(evaluator->settings.quantity);
+    const size_t lights = evaluator->world.prepared->scene->lights.count;
+    for (size_t next = 0; next < emitters->count && lx_asking_goes_on(asking);) {
+        struct lx_emitter room;
+        struct lx_received received;
+        struct lx_column value;
+        const size_t light = lx_emitter_at(emitters, next, &room)->light;
+        lx_world_light_of(&evaluator->world, elements, light, wanted, asking, &next, &received);
+        evaluator->world.kernels->sum(&received, wanted, elements->count, &value, total);
+        for (size_t i = 0; i < elements->count; i++) {
+            has_value[i] = has_value[i] && !received.on_element[i];
+            if (shares)
+                shares[of[i] * lights + light] = value.value[i];
+        }
+    }
+}
+
+void lx_evaluate_elements(const struct luxel_evaluator *evaluator, const struct lx_elements *elements,
+                          const struct lx_asking *asking, const size_t *of, luxel_value *values, double *shares)
+{
+    const struct lx_world *world = &evaluator->world;
+    const size_t lights = world->prepared->scene->lights.count;
+    struct lx_column total;
+    struct lx_received received;
+    bool has_value[LX_BATCH];
+    lx_column_clear(&total, elements->count);
+    for (size_t i = 0; i < elements->count; i++) {
+        has_value[i] = true;
+        if (shares)
+            memset(shares + of[i] * lights, 0, lights * sizeof *shares);
+    }
+    sum_lights(evaluator, elements, asking, of, shares, has_value, &total);
+    if (world->reflected)
+        lx_world_light(world, elements, LX_WANT_REFLECTED, asking, &received);
+    for (size_t i = 0; i < elements->count; i++) {
+        const struct lx_element element = lx_elements_get(world->prepared, elements, i);
+        luxel_value *value = &values[of[i]];
+        lx_bounded sum = lx_column_get(&total, i);
+        if (world->reflected)
+            sum = lx_add(sum, lx_reflected_value(elements->lobe, evaluator->settings.quantity,
+                                                 lx_column_get(&received.reflected, i)));
+        *value = place_of(&element);
+        value->has_value = has_value[i];
+        value->value = has_value[i] ? sum.value : 0;
+        value->error = has_value[i] ? lx_told_error(sum) : 0;
+        if (!has_value[i] && shares)
+            memset(shares + of[i] * lights, 0, lights * sizeof *shares);
+    }
 }
 
 luxel_value lx_evaluate_element(const struct luxel_evaluator *evaluator, const struct lx_element *element,
                                 double *shares)
 {
-    const struct lx_prepared *prepared = &evaluator->prepared;
-    luxel_value result = place_of(element);
-    lx_bounded total = lx_exact(0);
-    size_t lights = prepared->scene->lights.count;
-    if (shares)
-        memset(shares, 0, lights * sizeof *shares);
-    for (size_t next = 0; next < prepared->emitters.count;) {
-        struct lx_emitter room;
-        size_t light = lx_emitter_at(&prepared->emitters, next, &room)->light;
-        struct lx_share share;
-        if (!lx_light_share(prepared, element, light, &next, &share)) {
-            if (shares)
-                memset(shares, 0, lights * sizeof *shares);
-            return result;
-        }
-        lx_bounded value = lx_share_value(&share, evaluator->settings.quantity);
-        if (shares)
-            shares[light] = value.value;
-        total = lx_add(total, value);
-    }
-    if (evaluator->reflected_at)
-        total = lx_add(total, lx_reflected_value(element->lobe, evaluator->settings.quantity,
-                                                 evaluator->reflected_at(evaluator, element)));
-    result.has_value = true;
-    result.value = total.value;
-    result.error = lx_told_error(total);
-    return result;
+    struct lx_elements elements;
+    luxel_value value;
+    lx_elements_of_one(evaluator->world.prepared, element, &elements);
+    lx_evaluate_elements(evaluator, &elements, NULL, (const size_t[]){0}, &value, shares);
+    return value;
 }
 
 bool lx_evaluator_sees(const struct luxel_evaluator *evaluator, double x_mm, double y_mm, struct lx_element *element)

@@ -1,40 +1,28 @@
 /* SPDX-License-Identifier: MIT */
-/* Exact values: what all lights together give at an element, by the reference, from a scene prepared once. */
+/* Exact values: what all lights together give at elements, by the world, from a scene prepared once. */
 #ifndef LX_WORLD_EVALUATE_H
 #define LX_WORLD_EVALUATE_H
 
 #include <luxel/evaluator.h>
 
-#include "reference.h"
-
-struct lx_kernels;
+#include "world.h"
 
 struct luxel_evaluator {
     const luxel_scene *scene;
     bool sees; /* the screen shows something (luxel_scene_check_view()) */
     luxel_settings settings;
-    const struct lx_kernels *kernels;
     struct lx_prepared prepared;
-    /* The reflected irradiance of an element, by who knows it; NULL: surfaces do not reflect. */
-    lx_bounded (*reflected_at)(const struct luxel_evaluator *evaluator, const struct lx_element *element);
-    void *reflected; /* what it knows it by */
+    struct lx_world world; /* of it */
 };
 
-/* What one light gives at an element. */
-struct lx_share {
-    lx_bounded irradiance, diffuse, specular;
-    size_t parts;
-};
+/* What is to be asked for a value of a quantity. */
+static inline enum lx_wanted lx_wanted_for(luxel_quantity quantity)
+{
+    return quantity == LUXEL_IRRADIANCE ? LX_WANT_IRRADIANCE : LX_WANT_BRIGHTNESS;
+}
 
-/*
- * The share of the lights from *next on, which counts emitters; moves it behind this light's.  False: the light lies on
- * the element.
- */
-bool lx_light_share(const struct lx_prepared *prepared, const struct lx_element *element, size_t light, size_t *next,
-                    struct lx_share *share);
-
-/* What a share adds to the value of a quantity. */
-lx_bounded lx_share_value(const struct lx_share *share, luxel_quantity quantity);
+/* The direct part of the value of element i. */
+lx_bounded lx_received_value(const struct lx_received *received, luxel_quantity quantity, size_t i);
 
 /* What reflected light adds to it, of an irradiance. */
 lx_bounded lx_reflected_value(const struct lx_lobe *lobe, luxel_quantity quantity, lx_bounded irradiance);
@@ -50,6 +38,11 @@ struct lx_element lx_free_element_at(const struct lx_prepared *prepared, const l
 
 /* What is seen through a point of the screen; false: nothing. */
 bool lx_evaluator_sees(const struct luxel_evaluator *evaluator, double x_mm, double y_mm, struct lx_element *element);
+
+/* Values of the elements of a batch, and their shares of each light, side by side (NULL: not wanted): those of element
+ * i stand at place of[i]. */
+void lx_evaluate_elements(const struct luxel_evaluator *evaluator, const struct lx_elements *elements,
+                          const struct lx_asking *asking, const size_t *of, luxel_value *values, double *shares);
 
 /* The value of an element: sums its lights. */
 luxel_value lx_evaluate_element(const struct luxel_evaluator *evaluator, const struct lx_element *element,

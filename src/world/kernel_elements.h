@@ -7,7 +7,7 @@
 #include "general.h"
 
 /* Questions about a batch; members that were not asked for mean nothing. */
-enum lx_wanted { LX_WANT_IRRADIANCE = 1, LX_WANT_BRIGHTNESS = 2 };
+enum lx_wanted { LX_WANT_IRRADIANCE = 1, LX_WANT_BRIGHTNESS = 2, LX_WANT_REFLECTED = 4 };
 
 /* Whether light gets from an emitter to elements, 1 or 0; where that is in doubt, the reference is to be asked. */
 struct lx_openness {

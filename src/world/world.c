@@ -309,28 +309,26 @@ static void add_emitter(const struct lx_world *world, const struct lx_elements *
     }
 }
 
-/* Sums emitters from the first on: of the light of that one, or all. */
-static size_t sum_emitters(const struct lx_world *world, const struct lx_elements *elements, size_t first, bool one,
-                           enum lx_wanted wanted, const struct lx_asking *asking, struct lx_received *received)
+/* Sums emitters from the first on: of one light, or all where `light` is NULL. */
+static size_t sum_emitters(const struct lx_world *world, const struct lx_elements *elements, size_t first,
+                           const size_t *light, enum lx_wanted wanted, const struct lx_asking *asking,
+                           struct lx_received *received)
 {
     const struct lx_emitters *emitters = &world->prepared->emitters;
     struct range range = {first, first};
-    size_t light = 0;
     if (wanted & LX_WANT_IRRADIANCE)
-        memset(&received->irradiance, 0, sizeof received->irradiance);
+        lx_column_clear(&received->irradiance, elements->count);
     if (wanted & LX_WANT_BRIGHTNESS) {
-        memset(&received->diffuse, 0, sizeof received->diffuse);
-        memset(&received->specular, 0, sizeof received->specular);
+        lx_column_clear(&received->diffuse, elements->count);
+        lx_column_clear(&received->specular, elements->count);
     }
     memset(received->parts, 0, sizeof received->parts);
     memset(received->on_element, 0, sizeof received->on_element);
     for (; range.end < emitters->count; range.end++) {
         struct lx_emitter room;
         const struct lx_emitter *emitter = lx_emitter_at(emitters, range.end, &room);
-        if ((one && range.end > first && emitter->light != light) ||
-            !lx_asking_at_step(asking, range.end, BETWEEN_CHECKS))
+        if ((light && emitter->light != *light) || !lx_asking_at_step(asking, range.end, BETWEEN_CHECKS))
             break;
-        light = emitter->light;
         add_emitter(world, elements, emitter, wanted, asking, received);
     }
     for (size_t i = 0; i < elements->count; i++)
@@ -339,14 +337,20 @@ static size_t sum_emitters(const struct lx_world *world, const struct lx_element
     return range.end;
 }
 
-void lx_world_light(const struct lx_world *world, const struct lx_elements *elements, enum lx_wanted wanted,
-                    const struct lx_asking *asking, size_t *next, struct lx_received *received)
+void lx_world_light_of(const struct lx_world *world, const struct lx_elements *elements, size_t light,
+                       enum lx_wanted wanted, const struct lx_asking *asking, size_t *next,
+                       struct lx_received *received)
 {
-    *next = sum_emitters(world, elements, *next, true, wanted, asking, received);
+    *next = sum_emitters(world, elements, *next, &light, wanted, asking, received);
 }
 
-void lx_world_all_light(const struct lx_world *world, const struct lx_elements *elements, enum lx_wanted wanted,
-                        const struct lx_asking *asking, struct lx_received *received)
+void lx_world_light(const struct lx_world *world, const struct lx_elements *elements, enum lx_wanted wanted,
+                    const struct lx_asking *asking, struct lx_received *received)
 {
-    sum_emitters(world, elements, 0, false, wanted, asking, received);
+    if (wanted & (LX_WANT_IRRADIANCE | LX_WANT_BRIGHTNESS))
+        sum_emitters(world, elements, 0, NULL, wanted, asking, received);
+    if ((wanted & LX_WANT_REFLECTED) && world->reflected)
+        world->reflect(world, elements, asking, received);
+    else if (wanted & LX_WANT_REFLECTED)
+        lx_column_clear(&received->reflected, elements->count);
 }

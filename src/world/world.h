@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /*
  * A world: what shines, what is lit and what stands between, without a screen and without a maximum.  It is asked one
- * thing: how much light falls on these elements, with a bound of its error.
+ * thing: how much light falls on these elements, direct and reflected, with a bound of its error.
  *
  * The numbers are the reference's, bit for bit: points, directions and uniform light are computed for a batch at once
  * (elements.h), extended sources, and whatever vectors cannot tell, element by element.
@@ -12,9 +12,17 @@
 #include "../base/rows.h"
 #include "kernel_elements.h"
 
+struct lx_radiosity;
+
 struct lx_world {
     const struct lx_prepared *prepared;
     const struct lx_element_kernels *kernels;
+    struct lx_radiosity *reflected; /* what surfaces send to each other; NULL: nothing, or it is not known yet */
+    bool by_tiles;                  /* quickly on surfaces, with a bound that holds on all of a tile; else as exactly
+                                     * as it is known at each place */
+    /* Sets what is reflected to elements; given by the room that knows (reflect/reflected.h). */
+    void (*reflect)(const struct lx_world *world, const struct lx_elements *elements, const struct lx_asking *asking,
+                    struct lx_received *received);
 };
 
 /*
@@ -36,12 +44,15 @@ struct lx_settling {
 void lx_world_settle(const struct lx_world *world, const struct lx_settling *settling, struct lx_elements *elements);
 
 /*
- * The light that the emitters of one light give, from emitter *next on, which moves behind them; and that of all
- * emitters together.  Something else where the work is to stop.
+ * The light of all emitters together, and what is reflected, 0 where the world knows of nothing that is.  Something
+ * else where the work is to stop.
  */
 void lx_world_light(const struct lx_world *world, const struct lx_elements *elements, enum lx_wanted wanted,
-                    const struct lx_asking *asking, size_t *next, struct lx_received *received);
-void lx_world_all_light(const struct lx_world *world, const struct lx_elements *elements, enum lx_wanted wanted,
-                        const struct lx_asking *asking, struct lx_received *received);
+                    const struct lx_asking *asking, struct lx_received *received);
+
+/* The direct light of one light alone, whose emitters follow *next, which moves behind them; 0 where it has none. */
+void lx_world_light_of(const struct lx_world *world, const struct lx_elements *elements, size_t light,
+                       enum lx_wanted wanted, const struct lx_asking *asking, size_t *next,
+                       struct lx_received *received);
 
 #endif

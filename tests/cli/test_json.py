@@ -124,6 +124,10 @@ def reflected_light(tap, tool):
     tap.near(point["value"], 2, 0.01, "a point of it")
     tap.near(point["pixel_value"], 2, 0.01, "and its pixel")
     tap.ok(abs(point["value"] - 2) <= point["error"], "within the bound", point)
+    probed = tool.run("probe", "-", "--json", "-o", "p.json", *ways, "0.01", stdin=ROOM).json()["points"][0]
+    tap.near(probed["pixel_value"], point["pixel_value"], 0, "which probe tells as well")
+    text = tool.run("probe", "-", *ways, "0.01", stdin=ROOM).out
+    tap.ok("pixel (4, 4)" in text and "pixel value" not in text, "but not in text, as it takes a solution", text)
     for command in "render", "stats":
         result = tool.run(command, "-", *ways, "1e-14", "-s", "surfaces[0]=" + BALL, "-s", "reflections=1", stdin=ROOM)
         tap.ok(result.code == 5 and "maximum" in result.out and "may be off by" in result.err,

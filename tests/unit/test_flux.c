@@ -235,6 +235,32 @@ static void bounds_of_penumbrae(void **state)
     luxel_scene_free(scene);
 }
 
+/* Behind one surface the bound of a penumbra is small, and holds what many cells tell. */
+static void penumbrae_of_one(void **state)
+{
+    static const char *const surfaces[] = {
+        "{type: sphere, center: [300, -200, 600], radius: 250}",
+        "{type: rectangle, center: [300, -200, 600], size: [700, 500]}",
+        "{type: rectangle, center: [300, -200, 300], size: [700, 500], axis: [0.3, 0, 1]}",
+    };
+    static const double greatest[] = {5e-3, 2e-2, 3e-2};
+    (void)state;
+    for (size_t i = 0; i < sizeof surfaces / sizeof *surfaces; i++) {
+        luxel_scene *scene = scene_with(
+            surfaces[i], "{type: planar, rectangle: {center: [0, 0, 1800], size: [800, 500]}, radiance: 10}",
+            "{center: [0, 0, 0], size: [1600, 1600], n: [3, 3]}, {center: [0, 0, 0], size: [1600, 1600], n: [72, 72]}");
+        luxel_grid *grid = measure(scene, 0), *fine = NULL;
+        assert_int_equal(luxel_measure_values(scene, NULL, 1, NULL, &fine), LUXEL_OK);
+        if (!(fabs(grid->mean - fine->average) <= grid->mean_error && grid->mean_error <= greatest[i] * grid->mean))
+            fail_msg("%s: %.9g +- %.3g, and %.9g of many cells", surfaces[i], grid->mean, grid->mean_error,
+                     fine->average);
+        assert_true(fabs(grid->flux - 2.56 * grid->mean) <= 1e-12 * grid->flux);
+        luxel_grid_free(grid);
+        luxel_grid_free(fine);
+        luxel_scene_free(scene);
+    }
+}
+
 /* Values alone are the same ones, without what is asked of the plane as a whole. */
 static void values_alone(void **state)
 {
@@ -328,7 +354,8 @@ int main(void)
         cmocka_unit_test(values_alone),         cmocka_unit_test(sampling),
         cmocka_unit_test(plates_aside),         cmocka_unit_test(plates_over),
         cmocka_unit_test(crowds_under_the_sun), cmocka_unit_test(bounds_of_penumbrae),
-        cmocka_unit_test(along_the_plane),      cmocka_unit_test(tubes_across),
+        cmocka_unit_test(penumbrae_of_one),     cmocka_unit_test(along_the_plane),
+        cmocka_unit_test(tubes_across),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

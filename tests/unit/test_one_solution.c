@@ -197,6 +197,38 @@ static void pictures_are_the_same(void **state)
 
 /* ---- progress ---- */
 
+/* Without its pixel a point of the screen is asked as the free element at its place is: by one solution. */
+static void pixels_are_skipped(void **state)
+{
+    (void)state;
+    luxel_scene *scene = open_scene();
+    luxel_settings settings = settings_of(false);
+    luxel_probe *with, *seen, *element, *shared;
+    made_count = 0;
+    assert_int_equal(luxel_probe_many(scene, &settings, places, 1, NULL, &with), LUXEL_OK);
+    assert_true(with->has_pixel_value && made_count > 0);
+    luxel_scene *other = open_scene();
+    made_count = 0;
+    settings.skip_reflected_pixels = true;
+    assert_int_equal(luxel_probe_many(other, &settings, places, 1, NULL, &seen), LUXEL_OK);
+    assert_int_equal(made_count, 1);
+    assert_true(seen->has_pixel && !seen->has_pixel_value && seen->column == with->column && seen->row == with->row);
+    assert_int_equal(luxel_probe_element(other, &settings, seen->position_mm, seen->normal, NULL, &element), LUXEL_OK);
+    assert_int_equal(made_count, 2);
+    agree(seen->value, element->value, 1e-12 * element->value);
+    agree(seen->value, with->value, seen->error + with->error);
+    settings.share_reflected = true;
+    assert_int_equal(luxel_probe_many(other, &settings, places, 1, NULL, &shared), LUXEL_OK);
+    assert_int_equal(made_count, 3);
+    assert_true(shared->has_pixel_value && shared->pixel_value == with->pixel_value);
+    luxel_probe_free(with);
+    luxel_probe_free(seen);
+    luxel_probe_free(element);
+    luxel_probe_free(shared);
+    luxel_scene_free(scene);
+    luxel_scene_free(other);
+}
+
 struct told {
     double last;
     int steps; /* while the solution is made, which is most of the work */
@@ -232,8 +264,8 @@ static void progress_rises(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(one_is_made),           cmocka_unit_test(anyone_makes_it), cmocka_unit_test(numbers_agree),
-        cmocka_unit_test(pictures_are_the_same), cmocka_unit_test(progress_rises),
+        cmocka_unit_test(one_is_made),           cmocka_unit_test(anyone_makes_it),    cmocka_unit_test(numbers_agree),
+        cmocka_unit_test(pictures_are_the_same), cmocka_unit_test(pixels_are_skipped), cmocka_unit_test(progress_rises),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
