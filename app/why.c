@@ -5,6 +5,8 @@
  */
 #include "why.h"
 
+#include <string.h>
+
 #include "../front/language.h"
 #include "../front/words.h"
 #include "dim.h"
@@ -21,7 +23,7 @@ typedef struct Place {
 
 struct _AppWhy {
     GtkBox parent;
-    GtkWidget *toggle, *where, *revealed, *formula, *whole;
+    GtkWidget *toggle, *where, *revealed, *result, *formula, *whole;
     Place place; /* that the pointer was at last; no shot: none yet */
     guint timer;
     gboolean is_busy, is_outdated;
@@ -45,6 +47,9 @@ static void free_place(gpointer data)
 static void show_formula(AppWhy *self)
 {
     char *formula = self->text ? app_explained_light(self->text, self->light) : NULL;
+    const char *last = formula ? strrchr(formula, '\n') : NULL;
+    gtk_label_set_text(GTK_LABEL(self->result), last ? last + 1 : "");
+    gtk_widget_set_visible(self->result, last != NULL);
     gtk_label_set_text(GTK_LABEL(self->formula), formula       ? formula
                                                  : !self->text ? _("Rest with the pointer on a surface.")
                                                                : _("The chosen source has no say here."));
@@ -55,6 +60,7 @@ static void judge(AppWhy *self)
 {
     const gboolean is_stale = self->text && self->serial != self->wanted;
     app_set_stale(self->formula, is_stale);
+    app_set_stale(self->result, is_stale);
     app_set_stale(self->where, is_stale);
     gtk_widget_set_sensitive(self->whole, self->text && !is_stale);
 }
@@ -269,6 +275,7 @@ static void app_why_init(AppWhy *self)
     self->toggle = gtk_toggle_button_new_with_label(_("Why?"));
     self->where = gtk_label_new(NULL);
     self->revealed = gtk_box_new(GTK_ORIENTATION_VERTICAL, 6);
+    self->result = gtk_label_new(NULL);
     self->formula = gtk_label_new(NULL);
     self->whole = gtk_button_new_with_label(_("The whole…"));
     gtk_widget_set_tooltip_text(self->whole, _("The whole calculation, as luxel explain prints it"));
@@ -281,6 +288,11 @@ static void app_why_init(AppWhy *self)
     gtk_label_set_selectable(GTK_LABEL(self->formula), TRUE);
     gtk_widget_add_css_class(self->formula, "note");
     gtk_widget_add_css_class(self->where, "numeric");
+    /* what was asked for is never below the fold */
+    gtk_widget_add_css_class(self->result, "result");
+    gtk_label_set_wrap(GTK_LABEL(self->result), TRUE);
+    gtk_label_set_xalign(GTK_LABEL(self->result), 0);
+    gtk_label_set_selectable(GTK_LABEL(self->result), TRUE);
     gtk_label_set_xalign(GTK_LABEL(self->where), 0);
     gtk_label_set_ellipsize(GTK_LABEL(self->where), PANGO_ELLIPSIZE_END);
     gtk_widget_set_halign(self->whole, GTK_ALIGN_END);
@@ -292,6 +304,7 @@ static void app_why_init(AppWhy *self)
     gtk_box_append(GTK_BOX(line), self->toggle);
     gtk_box_append(GTK_BOX(line), self->whole);
     gtk_box_append(GTK_BOX(self->revealed), self->where); /* on a line of its own, where it is never cut */
+    gtk_box_append(GTK_BOX(self->revealed), self->result);
     gtk_box_append(GTK_BOX(self->revealed), scrolled);
     gtk_widget_set_visible(self->revealed, FALSE);
     gtk_box_append(GTK_BOX(self), self->revealed);

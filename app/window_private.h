@@ -114,6 +114,8 @@ void app_window_await_reading(AppWindow *self);
 /* window_stale.c: a document that cannot be computed; `faults` NULL: it can. */
 void app_window_set_stale(AppWindow *self, const luxel_diagnostics *faults);
 void app_window_make_repair(AppWindow *self);
+/* Where nothing is seen, as a plate shows the observer its back, says so and offers to turn it. */
+void app_window_offer_turn(AppWindow *self, const AppPicture *picture);
 
 /* window_panes.c: the widths of the panes, in whatever window they stand. */
 void app_window_watch_panes(AppWindow *self);

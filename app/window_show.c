@@ -133,6 +133,7 @@ void app_window_show_picture(AppPicture *picture, gpointer owner)
     app_picture_ref(picture);
     app_picture_unref(self->picture);
     self->picture = picture;
+    app_window_offer_turn(self, picture);
     self->late &= ~1u;
     if (!self->pointer_inside)
         app_window_rest(self);

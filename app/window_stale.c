@@ -3,6 +3,8 @@
  * A document that cannot be computed.  The picture of before stays to be worked on, but it is dimmed, as are the
  * numbers, and over it stands that it is not of this scene, why, and what would mend it.
  */
+#include <string.h>
+
 #include "../front/language.h"
 #include "../front/words.h"
 #include "window_private.h"
@@ -35,11 +37,11 @@ static char *first_fault(const luxel_diagnostics *faults)
     return NULL;
 }
 
-static void offer_repair(AppWindow *self, const luxel_diagnostics *faults)
+/* Puts a repair on its button; NULL: there is none.  Takes it over. */
+static void show_repair(AppWindow *self, AppRepair *repair)
 {
-    const luxel_scene *good = self->picture && self->picture->shot ? self->picture->shot->moment->scene : NULL;
     g_clear_pointer(&self->repair, g_ptr_array_unref);
-    self->repair = app_repair_find(self->document, faults, good);
+    self->repair = repair;
     gtk_widget_set_visible(self->repair_button, self->repair != NULL);
     if (!self->repair)
         return;
@@ -51,9 +53,15 @@ static void offer_repair(AppWindow *self, const luxel_diagnostics *faults)
     g_free(text);
 }
 
+static void offer_repair(AppWindow *self, const luxel_diagnostics *faults)
+{
+    const luxel_scene *good = self->picture && self->picture->shot ? self->picture->shot->moment->scene : NULL;
+    show_repair(self, app_repair_find(self->document, faults, good));
+}
+
 void app_window_set_stale(AppWindow *self, const luxel_diagnostics *faults)
 {
-    if (!faults && !self->is_stale)
+    if (!faults && !self->is_stale && !self->repair)
         return;
     self->is_stale = faults != NULL;
     mark_faults(self, faults);
@@ -65,6 +73,7 @@ void app_window_set_stale(AppWindow *self, const luxel_diagnostics *faults)
         g_free(text);
         offer_repair(self, faults);
     } else {
+        g_clear_pointer(&self->repair, g_ptr_array_unref);
         /* what is no longer shown is not read out either */
         gtk_label_set_text(GTK_LABEL(self->stale_label), "");
         if (gtk_widget_get_focus_child(self->stale_box))
@@ -73,8 +82,33 @@ void app_window_set_stale(AppWindow *self, const luxel_diagnostics *faults)
     gtk_widget_set_visible(self->stale_box, self->is_stale);
 }
 
+void app_window_offer_turn(AppWindow *self, const AppPicture *picture)
+{
+    if (luxel_field_statistics(picture->shot->field)->maximum.exists)
+        return;
+    luxel_diagnostics *advice = luxel_diagnostics_new();
+    AppRepair *repair = NULL;
+    (void)luxel_scene_advise(picture->shot->moment->scene, advice);
+    for (gsize i = 0; i < luxel_diagnostics_count(advice) && !repair; i++) {
+        if (strcmp(luxel_diagnostics_get(advice, i)->id, "turned-away") != 0)
+            continue;
+        char *hint = luxel_diagnostics_hint(advice, i, NULL, NULL);
+        char *text = luxel_diagnostics_message(advice, i, language_translate, NULL);
+        repair = app_repair_of_hint(hint ? hint : "");
+        if (repair->len == 0)
+            g_clear_pointer(&repair, g_ptr_array_unref);
+        gtk_label_set_text(GTK_LABEL(self->stale_label), text);
+        luxel_text_free(text);
+        luxel_text_free(hint);
+    }
+    luxel_diagnostics_free(advice);
+    if (repair)
+        show_repair(self, repair);
+    gtk_widget_set_visible(self->stale_box, repair != NULL);
+}
+
 void app_window_make_repair(AppWindow *self)
 {
-    if (self->is_stale && self->repair)
+    if (self->repair)
         app_repair_make(self->repair, self->document);
 }

@@ -26,10 +26,7 @@ static const char *name_side(const luxel_lit_side *side, char buffer[TEXT_SIZE])
 /* "208.334 ± 8.5e-02": no digits beyond those of the bound, so that what is 0 within it is 0. */
 static const char *write_cell(const luxel_amount *amount, char buffer[TEXT_SIZE])
 {
-    char value[TEXT_SIZE], error[TEXT_SIZE];
-
-    return text_format(buffer, "%s ± %s", text_bounded(value, 7, amount->value, amount->error),
-                       text_bound(error, amount->value, amount->error));
+    return text_value_bound(buffer, 7, amount->value, amount->error);
 }
 
 static void add_side(struct text_table *table, const luxel_lit_side *side)

@@ -52,7 +52,7 @@ static void print_rating(const struct ratings *ratings, size_t i)
     const luxel_glare *glare = ratings->list[i];
     const double *numbers = ratings->options->places[i].numbers;
     struct text_table *table = text_table_new("llrrrrr");
-    char place[TEXT_SIZE], value[TEXT_SIZE], error[TEXT_SIZE], background[TEXT_SIZE], bound[TEXT_SIZE];
+    char place[TEXT_SIZE], value[TEXT_SIZE], background[TEXT_SIZE];
 
     printf(_("the eye at %s mm, looking along (%.6g, %.6g, %.6g)\n"), text_lengths(numbers, 3, place), numbers[3],
            numbers[4], numbers[5]);
@@ -60,14 +60,12 @@ static void print_rating(const struct ratings *ratings, size_t i)
     if (glare->has_rating && glare->error < 0.05)
         printf(_("  UGR %.1f\n"), glare->rating);
     else if (glare->has_rating)
-        printf(_("  UGR %s ± %s\n"), text_bounded(value, 6, glare->rating, glare->error),
-               text_bound(error, glare->rating, glare->error));
+        printf(_("  UGR %s\n"), text_value_bound(value, 6, glare->rating, glare->error));
     else
         printf(glare->background > 0 ? _("  no UGR: nothing dazzles\n")
                                      : _("  no UGR: the background is dark, as nothing reflects light\n"));
-    printf(_("  background luminance %s ± %s cd/m²\n"),
-           text_bounded(background, 6, glare->background, glare->background_error),
-           text_bound(bound, glare->background, glare->background_error));
+    printf(_("  background luminance %s cd/m²\n"),
+           text_value_bound(background, 6, glare->background, glare->background_error));
     text_table_row(table, TEXT_CELLS(_("light"), _("type"), _("luminance, cd/m²"), _("solid angle, sr"), _("seen"),
                                      _("position index"), _("share of the glare")));
     for (size_t k = 0; k < glare->source_count; k++)

@@ -383,7 +383,7 @@ static void print_grid(const luxel_grid *grid, const luxel_grid_extrema *extrema
 static void print_text(const struct grids *grids, const char *name)
 {
     text_print_escaped(stdout, name);
-    printf(_(": %s in %s\n\n"), _(luxel_scene_quantity_word(grids->scene, LUXEL_IRRADIANCE)), _(grids->unit));
+    printf(_(": %s in %s\n\n"), _(luxel_scene_quantity_word(grids->scene, LUXEL_IRRADIANCE)), text_unit(grids->unit));
     for (size_t i = 0; i < grids->count; i++)
         print_grid(grids->list[i], &grids->extrema[i], i);
     result_print_conventions(grids->scene, &of_planes);

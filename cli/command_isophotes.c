@@ -7,7 +7,6 @@
 #include "cli.h"
 #include "csv.h"
 #include "json.h"
-#include "machine.h"
 #include "message.h"
 #include "outputs.h"
 #include "picture.h"
@@ -22,6 +21,7 @@ struct drawing {
     const struct picture *picture;
     double levels[OPTION_LEVELS];
     size_t level_count;
+    bool from_picture; /* the lines are straight between the pixels' values */
     luxel_isophotes *isophotes;
 };
 
@@ -46,7 +46,11 @@ static void choose_levels(struct drawing *drawing)
     drawing->level_count = luxel_round_levels(low, high, analysis->logarithmic, wanted, drawing->levels, OPTION_LEVELS);
 }
 
-#define LONG_S 5.0
+/* Exact values under area lights take thousands of times what pixels do; figures take their lines from these, too. */
+static bool is_costly(const struct drawing *drawing, const luxel_evaluator *evaluator)
+{
+    return luxel_evaluator_integrates(evaluator) && !drawing->picture->options.analysis.exact;
+}
 
 static int compute(struct drawing *drawing)
 {
@@ -62,13 +66,14 @@ static int compute(struct drawing *drawing)
     work_begin(&work, &picture->options);
     if (exact)
         status = luxel_evaluator_new(picture->loaded.scene, &work.settings, diagnostics, &evaluator);
+    drawing->from_picture = status == LUXEL_OK && (!evaluator || is_costly(drawing, evaluator));
     if (status == LUXEL_OK)
-        status = luxel_find_isophotes(picture->field, evaluator, drawing->levels, drawing->level_count, diagnostics,
-                                      &drawing->isophotes);
+        status = luxel_find_isophotes(picture->field, drawing->from_picture ? NULL : evaluator, drawing->levels,
+                                      drawing->level_count, diagnostics, &drawing->isophotes);
     luxel_evaluator_free(evaluator);
     code = work_end(&work, status, diagnostics);
-    if (exact && work.progress.wanted && machine_seconds() - work.progress.start_s > LONG_S)
-        message_note(_("exact lines took their time; --picture takes them from the picture's pixels"));
+    if (exact && drawing->from_picture && code == EXIT_DONE && !picture->options.quiet)
+        message_note(_("under area lights the lines are those of the picture's pixels; --exact takes exact values"));
     return code;
 }
 
@@ -86,8 +91,7 @@ static double length_of(const luxel_isophote *line)
 
 static void print_text(const struct drawing *drawing)
 {
-    const luxel_use use =
-        result_use_of_screen(&drawing->picture->options, drawing->picture->options.analysis.from_picture);
+    const luxel_use use = result_use_of_screen(&drawing->picture->options, drawing->from_picture);
     const char *unit = picture_unit(drawing->picture);
     struct text_table *table = text_table_new("rrlr");
     char heading[TEXT_SIZE];
@@ -126,8 +130,7 @@ static void write_line(struct json *json, const luxel_isophote *line)
 
 static void print_json(const struct drawing *drawing)
 {
-    const luxel_use use =
-        result_use_of_screen(&drawing->picture->options, drawing->picture->options.analysis.from_picture);
+    const luxel_use use = result_use_of_screen(&drawing->picture->options, drawing->from_picture);
     struct json json = {.stream = stdout};
 
     json_open(&json, NULL, '{');
@@ -201,10 +204,10 @@ const struct command command_isophotes = {
     .summary = N_("lines of equal value on the screen"),
     .description =
         N_("Finds the lines along which the picture has one value, at round levels or at those given, "
-           "each vertex on its level to 1e-9. With --picture, or where SCENE is a file of values that "
-           "gives the places of its pixels (.csv, or an .exr that Luxel wrote), they are those of the "
-           "pixels, with straight lines between them: a matter of a second under area lamps, too, where exact "
-           "lines take ten and more."),
+           "each vertex on its level to 1e-9. With --picture, where SCENE is a file of values that "
+           "gives the places of its pixels (.csv, or an .exr that Luxel wrote), and under area lights "
+           "(planar, volume, openings of luminaires), they are those of the pixels, with straight lines "
+           "between them; --exact has vertices on exact values there, too, which takes ten seconds and more."),
     .examples = "luxel isophotes my.yaml --levels 5\n"
                 "luxel isophotes my.yaml --levels 0.5,1,2 --json\n"
                 "luxel isophotes -o lines.csv --csv=excel-ru",

@@ -114,14 +114,14 @@ static void print_surface(const struct result *result, const luxel_probe *probe)
 static void print_point(const struct result *result, size_t i)
 {
     const luxel_probe *probe = &result->probes[i];
-    char name[TEXT_SIZE], value[TEXT_SIZE], error[TEXT_SIZE], position[TEXT_SIZE];
+    char name[TEXT_SIZE], value[TEXT_SIZE], position[TEXT_SIZE];
 
     if (!probe->has_value) {
         printf("%s\n", result_no_value(result, i, name));
         return;
     }
-    printf("%s: %s ± %s %s\n", result_point_name(result, i, name), text_bounded(value, 15, probe->value, probe->error),
-           text_bound(error, probe->value, probe->error), _(result_unit(result)));
+    printf("%s: %s %s\n", result_point_name(result, i, name), text_value_bound(value, 15, probe->value, probe->error),
+           text_unit(result_unit(result)));
     printf(_("  position %s mm, normal (%.9g, %.9g, %.9g)\n"), text_lengths(probe->position_mm, 3, position),
            probe->normal[0] + 0.0, probe->normal[1] + 0.0, probe->normal[2] + 0.0);
     print_surface(result, probe);
@@ -174,7 +174,7 @@ static void print_lines(const struct result *result)
 static void print_text(const struct result *result, const char *name)
 {
     text_print_escaped(stdout, name);
-    printf(_(": %s in %s\n\n"), _(result_quantity_word(result)), _(result_unit(result)));
+    printf(_(": %s in %s\n\n"), _(result_quantity_word(result)), text_unit(result_unit(result)));
     if (result->count > MOST_IN_DETAIL)
         print_lines(result);
     for (size_t i = 0; result->count <= MOST_IN_DETAIL && i < result->count; i++) {

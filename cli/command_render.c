@@ -111,7 +111,8 @@ static void print_text(const struct result *result, const char *name)
 
     luxel_scene_resolution(result->scene, &columns, &rows);
     text_print_escaped(stdout, name);
-    printf(_(": %s in %s, %u × %u pixels\n\n"), _(result_quantity_word(result)), _(result_unit(result)), columns, rows);
+    printf(_(": %s in %s, %u × %u pixels\n\n"), _(result_quantity_word(result)), text_unit(result_unit(result)),
+           columns, rows);
     print_statistics(result);
     if (result->count > 0) {
         fputc('\n', stdout);

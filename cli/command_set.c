@@ -111,6 +111,17 @@ static int write_back(const struct options *options, const struct loaded *loaded
     return rewrite(options, loaded, text);
 }
 
+/* A scene may be written that no picture can be made of, as another change may mend it; `luxel check` refuses it. */
+static void judge(const struct loaded *loaded)
+{
+    luxel_diagnostics_clear(loaded->diagnostics);
+    if (luxel_scene_surface_count(loaded->scene) == 0 ||
+        luxel_scene_check_view(loaded->scene, loaded->diagnostics) == LUXEL_OK)
+        return;
+    message_note(_("no picture can be made of this scene:"));
+    message_diagnostics(stderr, loaded->diagnostics, LUXEL_SEVERITY_ERROR, LUXEL_SEVERITY_ADVICE);
+}
+
 static int set(const struct options *options, const struct loaded *loaded)
 {
     char *text = NULL;
@@ -124,6 +135,8 @@ static int set(const struct options *options, const struct loaded *loaded)
     else
         code = write_back(options, loaded, text);
     luxel_text_free(text);
+    if (code == EXIT_DONE && !options->quiet)
+        judge(loaded);
     return code;
 }
 
@@ -170,7 +183,8 @@ const struct command command_set = {
     .endings = ".yaml .yml .json",
     .summary = N_("change values of a scene file, keeping its comments and layout"),
     .description = N_("Writes the new values into the file and leaves the rest of it as it is. A scene that would have "
-                      "errors is not written. What is read from standard input, or a built-in scene, goes to "
+                      "errors is not written; of one that no picture can be made of it says why. What is read from "
+                      "standard input, or a built-in scene, goes to "
                       "standard output."),
     .examples = "luxel set my.yaml 'lights[0].intensity=20' screen.sampling=nodes\n"
                 "luxel set my.yaml 'surfaces[0].material.shininess=60' --dry-run\n"

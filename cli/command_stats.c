@@ -121,11 +121,9 @@ static const char *micro(double value_mm, char buffer[TEXT_SIZE])
 
 static void add_peak(struct text_table *table, const char *name, const luxel_peak *peak)
 {
-    char value[TEXT_SIZE], bounded[TEXT_SIZE], bound[TEXT_SIZE], screen[2 * TEXT_SIZE], x[TEXT_SIZE], y[TEXT_SIZE];
+    char value[TEXT_SIZE], screen[2 * TEXT_SIZE], x[TEXT_SIZE], y[TEXT_SIZE];
 
-    text_bounded(value, 15, peak->value, peak->error);
-    text_bound(bound, peak->value, peak->error);
-    text_table_row(table, TEXT_CELLS(name, text_format(bounded, "%s ± %s", value, bound),
+    text_table_row(table, TEXT_CELLS(name, text_value_bound(value, 15, peak->value, peak->error),
                                      text_format(screen, "(%s, %s)", micro(peak->x_mm, x), micro(peak->y_mm, y)),
                                      _(place_words[peak->place])));
 }

@@ -30,7 +30,10 @@ static void suggest_builtin(const char *typed)
 
     for (size_t i = 0; i < count; i++)
         names[i] = luxel_builtin_scene_name(i);
-    message_did_you_mean(luxel_nearest_word(typed, names, count));
+    if (luxel_nearest_word(typed, names, count))
+        message_did_you_mean(luxel_nearest_word(typed, names, count));
+    else if (!strpbrk(typed, "./"))
+        message_hint(_("luxel scene --list names the built-in scenes"));
     free(names);
 }
 
@@ -91,15 +94,14 @@ static int open_builtin(const char *name, struct loaded *loaded)
     return status == LUXEL_OK ? EXIT_DONE : message_failure(status, loaded->diagnostics);
 }
 
-/* Returns `missing` where there is no such file. */
-static int open_file(const char *path, int missing, struct loaded *loaded)
+static int open_file(const char *path, struct loaded *loaded)
 {
     luxel_status status;
 
     if (access(path, F_OK) != 0 && errno == ENOENT) {
         message_error(_("%s: no such file, and no built-in scene of that name"), path);
         suggest_builtin(path);
-        return missing;
+        return EXIT_FILE;
     }
     status = luxel_scene_read_file(path, loaded->diagnostics, &loaded->scene);
     return status == LUXEL_OK ? EXIT_DONE : message_failure(status, loaded->diagnostics);
@@ -119,8 +121,7 @@ static int open_scene(const char *operand, bool builtin_first, struct loaded *lo
         return open_standard_input(loaded);
     if (!operand || (is_builtin && (builtin_first || !is_file)))
         return open_builtin(loaded->name, loaded);
-    /* what names no built-in scene where one is asked for is wrong usage */
-    return open_file(operand, builtin_first ? EXIT_USAGE : EXIT_FILE, loaded);
+    return open_file(operand, loaded);
 }
 
 struct options load_options(const struct options *options, const struct loaded *loaded)

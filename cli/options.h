@@ -36,7 +36,7 @@ enum {
 /* What stats, profile, isophotes and compare look at; numbers are NaN and counts 0 where none were given. */
 struct option_analysis {
     luxel_region region; /* the whole where none was given */
-    bool histogram, logarithmic, from_picture, arc;
+    bool histogram, logarithmic, from_picture, exact, arc;
     unsigned bins, samples;
     double scale[2]; /* low, high */
     double from_mm[2], to_mm[2], through_mm[2];
@@ -103,6 +103,8 @@ enum option_value {
     VALUE_OUTPUT,     /* a file with one of the endings that pictures have */
     VALUE_FILE,       /* a file to read */
     VALUE_ASSIGNMENT, /* KEY=VALUE */
+    VALUE_PALETTE,    /* a name of luxel_palette_name() */
+    VALUE_ROOM,       /* a room of the UGR table */
     VALUE_OPTIONAL    /* one of `words`, or no argument at all */
 };
 

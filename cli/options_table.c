@@ -23,6 +23,7 @@ static const char *const bits_words[] = {"8", "16", NULL};
 static const char *const format_words[] = {"png", "npy",  "pfm",      "csv",   "exr",  "svg", "pdf", "md",
                                            "tex", "text", "markdown", "latex", "html", "ies", "ldt", NULL};
 static const char *const section_words[] = {"center", "maximum", NULL};
+static const char *const spacing_words[] = {"0.25", "1", NULL};
 static const char *const diagram_words[] = {"polar", "cartesian", "cone", NULL};
 const char *const option_formats[] = {"text", "markdown", "latex", "html", NULL};
 
@@ -435,8 +436,9 @@ static const struct option_row rows[] = {
     {"eye", 0, N_("X,Y,Z,VX,VY,VZ"), COMMAND_GLARE, TAKES(take_eye),
      .help = N_("an observer: where the eye is, in mm, and the direction in which it looks; may be repeated")},
     {"up", 0, N_("X,Y,Z"), COMMAND_GLARE, TAKES(take_up),
-     .help =
-         N_("what is up for the observers; the default is the scene's observer.up, or (0, 0, 1) where it has none")},
+     .help = N_(
+         "what is up for the observers; the default is the axis that a room names (up), else the scene's observer.up, "
+         "or (0, 0, 1) where it has none")},
     {"points", 0, N_("FILE"), COMMAND_PROBE, TAKES(take_points), .value = VALUE_FILE,
      .help =
          N_("probe the places of a table, CSV or .pts: points x, y of the screen, or free elements x, y, z, nx, ny, "
@@ -464,6 +466,8 @@ static const struct option_row rows[] = {
                 "arc")},
     {"picture", 0, NULL, COMMAND_PROFILE | COMMAND_ISOPHOTES, SETS(analysis.from_picture),
      .help = N_("take the values of the picture's pixels instead of the exact ones between them")},
+    {"exact", 0, NULL, COMMAND_ISOPHOTES, SETS(analysis.exact),
+     .help = N_("find each vertex on the exact values under area lights, too, which takes ten seconds and more")},
     {"region", 0, N_("X,Y,W,H"), COMMAND_STATS, TAKES(take_region),
      .help = N_("look at a rectangle around X,Y alone, W wide and H high, in mm; X,Y,R is a circle")},
     {"histogram", 0, NULL, COMMAND_STATS, SETS(analysis.histogram), .help = N_("print the histogram too")},
@@ -485,7 +489,7 @@ static const struct option_row rows[] = {
     {"no-extrema", 0, NULL, COMMAND_FIGURE, SETS(drawing.no_extrema), .help = N_("do not mark the maximum")},
     {"no-points", 0, NULL, COMMAND_FIGURE, SETS(drawing.no_points),
      .help = N_("do not mark the scene's points; of a grid, do not write its values")},
-    {"palette", 0, N_("NAME"), COMMAND_FIGURE | COMMAND_REPORT, KEEPS(drawing.palette),
+    {"palette", 0, N_("NAME"), COMMAND_FIGURE | COMMAND_REPORT, KEEPS(drawing.palette), .value = VALUE_PALETTE,
      .help = N_("the colours: viridis (default) or another of --palettes")},
     {"palettes", 0, NULL, COMMAND_FIGURE, SETS(drawing.palettes), .help = N_("list the palettes")},
     {"grid", 0, N_("NAME"), COMMAND_FIGURE, KEEPS(drawing.grid),
@@ -500,10 +504,10 @@ static const struct option_row rows[] = {
      .help =
          N_("what a figure shows: the polar diagram (default), cartesian, the intensity over gamma, or cone, the beam "
             "from 1 to 5 m away")},
-    {"spacing", 0, N_("RATIO"), COMMAND_PHOTOMETRY, TAKES(room_take_spacing),
+    {"spacing", 0, N_("RATIO"), COMMAND_PHOTOMETRY, TAKES(room_take_spacing), WORDS(spacing_words),
      .help = N_("of the UGR table: between luminaires, over their height above the eye; 0.25 (default), as in "
                 "catalogues, or 1, as in CIE 190, or another part of it")},
-    {"room", 0, "X,Y", COMMAND_PHOTOMETRY, TAKES(room_take),
+    {"room", 0, "X,Y", COMMAND_PHOTOMETRY, TAKES(room_take), .value = VALUE_ROOM,
      .help = N_("rate this room of the UGR table, X by Y heights, with the light that its surfaces really reflect, "
                 "too: seconds with --spacing 1, minutes with the default")},
     {"dark", 0, NULL, COMMAND_FIGURE | COMMAND_PHOTOMETRY, SETS(drawing.dark),

@@ -103,6 +103,21 @@ void outputs_tell(const struct options *options, const char *const *files, const
             message_note(_("%s is written"), files[i]);
 }
 
+/* What draws the picture that a command for tables was asked for. */
+static void hint_figure(const struct options *options, const char *path)
+{
+    static const char *const drawn[] = {".png", ".svg", ".pdf"};
+    const char *scene = options->operand ? options->operand : "report";
+
+    if (!(options->command->bit & (COMMAND_GRID | COMMAND_ISOPHOTES | COMMAND_PROFILE)) ||
+        luxel_check_ending(path, drawn, COUNT_OF(drawn), NULL) != LUXEL_OK)
+        return;
+    message_hint(_("this draws it: luxel figure %s -o %s%s"), scene, path,
+                 options->command->bit == COMMAND_GRID      ? " --grid 1"
+                 : options->command->bit == COMMAND_PROFILE ? " --section"
+                                                            : "");
+}
+
 int outputs_check(const struct options *options, luxel_status (*check)(const char *, luxel_diagnostics *))
 {
     luxel_diagnostics *diagnostics = message_new_diagnostics();
@@ -111,8 +126,10 @@ int outputs_check(const struct options *options, luxel_status (*check)(const cha
     for (size_t i = 0; i < options->output_count; i++) {
         const luxel_status status = check(options->outputs[i], diagnostics);
 
-        if (status != LUXEL_OK)
+        if (status != LUXEL_OK) {
             code = message_failure(status, diagnostics);
+            hint_figure(options, options->outputs[i]);
+        }
         luxel_diagnostics_clear(diagnostics);
         for (size_t k = 0; k < i; k++)
             if (same_target(options->outputs[i], options->outputs[k])) {

@@ -92,7 +92,7 @@ void picture_print_heading(const struct picture *picture)
 
     text_print_escaped(stdout, picture->loaded.name);
     if (*unit)
-        printf(_(": %s in %s, %u × %u pixels\n\n"), _(picture_quantity(picture)), _(unit),
+        printf(_(": %s in %s, %u × %u pixels\n\n"), _(picture_quantity(picture)), text_unit(unit),
                luxel_field_columns(picture->field), luxel_field_rows(picture->field));
     else
         printf(_(": %u × %u pixels\n\n"), luxel_field_columns(picture->field), luxel_field_rows(picture->field));

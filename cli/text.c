@@ -12,6 +12,7 @@
 
 #include <luxel/luxel.h>
 
+#include "cli.h"
 #include "message.h"
 
 struct row {
@@ -103,6 +104,21 @@ const char *text_bound(char buffer[TEXT_SIZE], double value, double error)
     if (isfinite(value) && isfinite(error))
         error += fabs(strtod(text_bounded(buffer, MOST_DIGITS, value, error), NULL) - value);
     return text_error(error, buffer);
+}
+
+const char *text_value_bound(char buffer[TEXT_SIZE], unsigned usual, double value, double error)
+{
+    char bounded[TEXT_SIZE], bound[TEXT_SIZE];
+
+    text_bounded(bounded, usual, value, error);
+    text_bound(bound, value, error);
+    return strcmp(bound, "0") == 0 ? text_format(buffer, "%s", bounded)
+                                   : text_format(buffer, "%s ± %s", bounded, bound);
+}
+
+const char *text_unit(const char *unit)
+{
+    return strcmp(unit, "relative") == 0 ? _("relative units") : _(unit);
 }
 
 const char *text_error(double error, char buffer[TEXT_SIZE])

@@ -22,6 +22,10 @@ const char *text_bounded(char buffer[TEXT_SIZE], unsigned usual, double value, d
 /* The bound of a value's error as text_error() prints it, of the value as it stands there when its digits are asked for
  * or its error rounds it. */
 const char *text_bound(char buffer[TEXT_SIZE], double value, double error);
+/* "2.7275907 ± 1.4e-08": a value with its bound; one that is known exactly, such as the 0 of an unlit place, alone. */
+const char *text_value_bound(char buffer[TEXT_SIZE], unsigned usual, double value, double error);
+/* A unit behind a number, translated. */
+const char *text_unit(const char *unit);
 /* A bound of an error, with two digits. */
 const char *text_error(double error, char buffer[TEXT_SIZE]);
 /* printf into a cell. */

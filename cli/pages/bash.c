@@ -73,9 +73,14 @@ static void print_options(FILE *out)
 /* Those that want an argument, or those that may have one behind a = sign. */
 static void print_values(FILE *out, bool optional)
 {
-    static const char *const kinds[] = {
-        [VALUE_FREE] = "free", [VALUE_OUTPUT] = "output", [VALUE_FILE] = "file", [VALUE_ASSIGNMENT] = "assignment"};
+    static const char *const kinds[] = {[VALUE_FREE] = "free",
+                                        [VALUE_OUTPUT] = "output",
+                                        [VALUE_FILE] = "file",
+                                        [VALUE_ASSIGNMENT] = "assignment",
+                                        [VALUE_PALETTE] = "free"};
     const struct option_row *row;
+    char buffer[512];
+    const char *words;
 
     fputs(optional ? "\n# What an option may have behind a = sign.\n_luxel_optional() {\n    case $1 in\n"
                    : "\n# What an option takes: a kind, or the words themselves; nothing for a flag.\n"
@@ -88,12 +93,8 @@ static void print_values(FILE *out, bool optional)
             fprintf(out, "    -%c | --%s) echo '", row->letter, row->name);
         else
             fprintf(out, "    --%s) echo '", row->name);
-        if (row->words)
-            for (size_t k = 0; row->words[k]; k++)
-                fprintf(out, "%s%s", k > 0 ? " " : "", row->words[k]);
-        else
-            fputs(kinds[row->value], out);
-        fputs("' ;;\n", out);
+        words = pages_option_words(row, buffer);
+        fprintf(out, "%s' ;;\n", words ? words : kinds[row->value]);
     }
     fputs("    esac\n}\n", out);
 }

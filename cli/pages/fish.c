@@ -52,15 +52,15 @@ static void print_condition(FILE *out, unsigned bits)
 
 static void print_option(FILE *out, const struct option_row *row)
 {
+    char buffer[512];
+    const char *words = pages_option_words(row, buffer);
+
     print_condition(out, row->commands);
     if (row->letter != 0)
         fprintf(out, " -s %c", row->letter);
     fprintf(out, " -l %s", row->name);
-    if (row->words) {
-        fputs(row->value == VALUE_OPTIONAL ? " -a '" : " -x -a '", out);
-        for (size_t i = 0; row->words[i]; i++)
-            fprintf(out, "%s%s", i > 0 ? " " : "", row->words[i]);
-        fputc('\'', out);
+    if (words) {
+        fprintf(out, "%s -a '%s'", row->value == VALUE_OPTIONAL ? "" : " -x", words);
     } else if (row->value == VALUE_OUTPUT) {
         fputs(" -r -F -a '(__luxel_outputs)'", out);
     } else if (row->value == VALUE_FILE) {

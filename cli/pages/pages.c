@@ -9,6 +9,9 @@
 
 #include "../cli.h"
 #include "../options.h"
+#if defined LUXEL_FIGURES
+#include <luxel/figure.h>
+#endif
 
 static const char placeholder[] = "@TABLES@\n";
 
@@ -70,6 +73,32 @@ bool pages_is_first_name(const luxel_parameters *parameters, size_t i)
         if (strcmp(name, pages_last_name(luxel_parameters_get(parameters, k)->path)) == 0)
             return false;
     return true;
+}
+
+/* A word of an option's list, by its number; NULL beyond the last. */
+static const char *option_word(const struct option_row *row, size_t i, char room[32])
+{
+    if (row->words)
+        return row->words[i];
+#if defined LUXEL_FIGURES
+    if (row->value == VALUE_PALETTE)
+        return luxel_palette_name(i);
+#endif
+    if (row->value != VALUE_ROOM || i >= LUXEL_UGR_ROOMS)
+        return NULL;
+    snprintf(room, 32, "%g,%g", luxel_ugr_room(i, 0), luxel_ugr_room(i, 1));
+    return room;
+}
+
+const char *pages_option_words(const struct option_row *row, char buffer[512])
+{
+    char room[32];
+    const char *word;
+    size_t used = 0;
+
+    for (size_t i = 0; (word = option_word(row, i, room)) != NULL && used < 512; i++)
+        used += (size_t)snprintf(buffer + used, 512 - used, "%s%s", i > 0 ? " " : "", word);
+    return used > 0 ? buffer : NULL;
 }
 
 void pages_print_endings(FILE *out, const char *before, const char *after)

@@ -11,6 +11,8 @@
 
 #include <luxel/luxel.h>
 
+#include "../options.h"
+
 void pages_man(FILE *out, const luxel_parameters *parameters);
 void pages_scene(FILE *out, const luxel_parameters *parameters);
 
@@ -31,6 +33,9 @@ void pages_print_keys(FILE *out, const luxel_parameters *parameters, const char 
 const char *pages_last_name(const char *path);
 /* Whether no parameter before the i-th has the same last name. */
 bool pages_is_first_name(const luxel_parameters *parameters, size_t i);
+
+/* The words that an option may have, with blanks between them; NULL where they are not a few. */
+const char *pages_option_words(const struct option_row *row, char buffer[512]);
 
 /* Prints each command that writes files with their endings, in single quotes, between two texts. */
 void pages_print_endings(FILE *out, const char *before, const char *after);

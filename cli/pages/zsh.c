@@ -65,7 +65,10 @@ static void print_option(FILE *out, const struct option_row *row, bool is_long, 
     static const char *const actions[] = {[VALUE_FREE] = " ",
                                           [VALUE_OUTPUT] = "_luxel_output",
                                           [VALUE_FILE] = "_files",
-                                          [VALUE_ASSIGNMENT] = "_luxel_assignment"};
+                                          [VALUE_ASSIGNMENT] = "_luxel_assignment",
+                                          [VALUE_PALETTE] = " "};
+    char buffer[512];
+    const char *words = pages_option_words(row, buffer);
     char *line = NULL;
     size_t size;
     FILE *text = open_memstream(&line, &size);
@@ -79,11 +82,8 @@ static void print_option(FILE *out, const struct option_row *row, bool is_long, 
     else
         fprintf(text, "*-%c%s", row->letter, row->argument ? "+" : "");
     add_description(text, _(row->help));
-    if (row->words) {
-        fprintf(text, "%s%s:(", row->value == VALUE_OPTIONAL ? "::" : ":", row->argument);
-        for (size_t i = 0; row->words[i]; i++)
-            fprintf(text, "%s%s", i > 0 ? " " : "", row->words[i]);
-        fputc(')', text);
+    if (words) {
+        fprintf(text, "%s%s:(%s)", row->value == VALUE_OPTIONAL ? "::" : ":", row->argument, words);
     } else if (row->argument) {
         fprintf(text, ":%s:%s", row->argument, actions[row->value]);
     }

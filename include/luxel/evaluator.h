@@ -45,6 +45,12 @@ LUXEL_API void luxel_evaluator_free(luxel_evaluator *evaluator);
 /* The quantity whose values it gives. */
 LUXEL_API luxel_quantity luxel_evaluator_quantity(const luxel_evaluator *evaluator);
 
+/*
+ * Whether its values are integrals over the areas of lights: each then takes some tenths of a millisecond up to several
+ * milliseconds where it is exact, thousands of times what a pixel does.
+ */
+LUXEL_API bool luxel_evaluator_integrates(const luxel_evaluator *evaluator);
+
 /* The number of lights of the scene, whether they are enabled or not. */
 LUXEL_API size_t luxel_evaluator_light_count(const luxel_evaluator *evaluator);
 

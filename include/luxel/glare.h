@@ -70,8 +70,8 @@ LUXEL_API luxel_status luxel_rate_room(const char *path, const luxel_ugr_table *
 typedef struct luxel_sight {
     double eye_mm[3]; /* where the eye is */
     double view[3];   /* the way it looks, of any length but 0 */
-    /* The observer's upward direction, not along the view; all 0: the scene's observer.up, else (0, 0, 1), or (0, 1, 0)
-     * where the view is along that. */
+    /* The observer's upward direction, not along the view; all 0: what a room's `up` names, else the scene's
+     * observer.up, else (0, 0, 1), or (0, 1, 0) where the view is along that. */
     double up[3];
 } luxel_sight;
 

@@ -74,14 +74,14 @@ static bool make_across(const double along[3], double a[3])
     return lx_normalize(a) > 1e-9;
 }
 
-static bool open_eye(const struct lx_observer *observer, const luxel_sight *sight, struct eye *eye)
+static bool open_eye(const struct lx_scene_parameters *scene, const luxel_sight *sight, struct eye *eye)
 {
     static const double z[3] = {0, 0, 1};
     const bool has_up = sight->up[0] != 0 || sight->up[1] != 0 || sight->up[2] != 0;
-    const bool scene_has_up = lx_is_given(&lx_observer_table, observer, "up");
+    const double *scene_up = lx_scene_up(scene);
     eye->place_mm = sight->eye_mm;
     memcpy(eye->ahead, sight->view, sizeof eye->ahead);
-    memcpy(eye->above, has_up ? sight->up : scene_has_up ? observer->up : z, sizeof eye->above);
+    memcpy(eye->above, has_up ? sight->up : scene_up ? scene_up : z, sizeof eye->above);
     if (!isfinite(lx_dot(sight->eye_mm, sight->eye_mm)) || !normalize(eye->ahead))
         return false;
     if (!make_across(eye->ahead, eye->above)) {
@@ -273,7 +273,7 @@ luxel_status luxel_rate_glare(const luxel_scene *scene, const luxel_settings *se
         return LUXEL_ERROR_ARGUMENT;
     }
     luxel_status status = lx_session_open_world(scene, settings, diagnostics, &session);
-    if (status == LUXEL_OK && !open_eye(&session.prepared.scene->observer, sight, &rating.eye)) {
+    if (status == LUXEL_OK && !open_eye(session.prepared.scene, sight, &rating.eye)) {
         lx_report(diagnostics, LUXEL_SEVERITY_ERROR, NULL, LX_MSG_MISSING_ARGUMENT, LX_ARGS("sight"));
         status = LUXEL_ERROR_ARGUMENT;
     }

@@ -168,20 +168,11 @@ static bool run_passes(struct lx_iso_search *search, unsigned threads)
     return true;
 }
 
-/* Whether values need integrals: they are then only as good as the tolerance. */
-static bool is_integrated(const struct luxel_evaluator *evaluator)
-{
-    const struct lx_emitters *emitters = &evaluator->prepared.emitters;
-    for (size_t i = 0; i < lx_item_count(emitters); i++)
-        if (lx_is_extended(&emitters->items[i]))
-            return true;
-    return false;
-}
-
 static void set_precision(struct lx_iso_search *search)
 {
     const struct lx_screen *screen = &search->evaluator->prepared.scene->screen;
-    bool integrated = is_integrated(search->evaluator);
+    /* integrals are only as good as the tolerance */
+    bool integrated = luxel_evaluator_integrates(search->evaluator);
     search->near = picture_margin(search->field);
     search->accept = integrated ? fmax(1e-9, search->evaluator->prepared.tolerance) : 1e-9;
     search->goal = integrated ? search->accept / 10 : 1e-12;

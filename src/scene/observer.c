@@ -7,6 +7,7 @@
 
 #include "../base/pose.h"
 #include "../parameter/check.h"
+#include "../parameter/decode.h"
 
 static const char *const projection_names[] = {"orthographic", "perspective", NULL};
 static const char *const view_names[] = {"parallel", "observer", NULL};
@@ -152,6 +153,18 @@ struct lx_frame lx_observer_frame(const struct lx_observer *observer)
     find_way(observer, way);
     choose_up(observer, way, up);
     return lx_frame_towards(observer->target_mm, observer->position_mm, up);
+}
+
+const double *lx_scene_up(const struct lx_scene_parameters *scene)
+{
+    static const double axes[2][3] = {{0, 1, 0}, {0, 0, 1}};
+    for (size_t i = 0; i < scene->surfaces.count; i++) {
+        const struct lx_item *item = &scene->surfaces.items[i];
+        const struct lx_parameter *up = lx_find_parameter(item->variant->table, "up");
+        if (up && up->type == LX_CHOICE && lx_is_given(item->variant->table, item->parameters, "up"))
+            return axes[strcmp(up->choices[*(const int *)lx_const_member(up, item->parameters)], "z") == 0];
+    }
+    return lx_is_given(&lx_observer_table, &scene->observer, "up") ? scene->observer.up : NULL;
 }
 
 double lx_observer_height(const struct lx_observer *observer)

@@ -9,6 +9,7 @@
 
 #include "../base/number.h"
 #include "../surface/surface.h"
+#include "mend.h"
 #include "object.h"
 #include "observer.h"
 
@@ -199,6 +200,23 @@ luxel_status luxel_scene_check_view(const luxel_scene *scene, luxel_diagnostics 
     return lx_walk_status(&walk);
 }
 
+/* The assignment that turns a plate round, whose axis is written or the usual one; else words. */
+static void hint_turn(struct lx_walk *walk, const struct lx_item *item, size_t i)
+{
+    const struct lx_table *table = item->variant->table;
+    const struct lx_parameter *axis = lx_find_parameter(table, "axis");
+    struct lx_text text = {0};
+    if (axis && axis->type == LX_REALS && axis->count == 3 && !lx_is_given(table, item->parameters, "aim")) {
+        const double *along = lx_const_member(axis, item->parameters);
+        char x[LX_NUMBER_SIZE], y[LX_NUMBER_SIZE], z[LX_NUMBER_SIZE];
+        lx_mend_add(&text, "surfaces[%zu].axis=[%s, %s, %s]", i, lx_write_number(0 - along[0], x),
+                    lx_write_number(0 - along[1], y), lx_write_number(0 - along[2], z));
+        lx_mend_hint(walk, &text);
+    } else {
+        lx_hint(walk->diagnostics, LX_MSG_HINT_TURN_ROUND, NULL);
+    }
+}
+
 void lx_advise_unseen(struct lx_walk *walk, const luxel_scene *scene)
 {
     if (scene->parameters.surfaces.count == 0)
@@ -215,6 +233,6 @@ void lx_advise_unseen(struct lx_walk *walk, const luxel_scene *scene)
         const lx_node_id axis = lx_document_find(document, id, "axis");
         lx_walk_report(walk, LUXEL_SEVERITY_ADVICE, lx_document_place(document, axis ? axis : id), &item,
                        LX_MSG_SHOWS_BACK, NULL, NULL);
-        lx_hint(walk->diagnostics, LX_MSG_HINT_TURN_ROUND, NULL);
+        hint_turn(walk, &scene->parameters.surfaces.items[i], i);
     }
 }

@@ -106,7 +106,6 @@ WRONG = [
     ("render -s surfaces[0].material.shinyness=5", "shinyness shininess"),
     ("render -s surfaces[9].radius=5", "surfaces"),
     ("render -s screen.resolution[5]=5", "resolution"),
-    ("scene nosuch", "nosuch"),
     ("scene --list report", "--list"),
     ("help nosuchthing", "nosuchthing"),
     ("help shinines", "shinines shininess"),

@@ -58,14 +58,25 @@ def scenes(tap, tool):
         tap.equal(tool.run("scene", name, "--json").json()["text"], own.out, name + " as JSON")
     tap.equal(tool.run("scene", "--list", "report").code, 2, "scene --list takes no name")
     wrong = tool.run("scene", "reprot")
-    tap.ok(wrong.code == 2 and "did you mean report?" in wrong.err and not wrong.out, "an unknown scene", wrong)
+    tap.ok(wrong.code == 4 and "did you mean report?" in wrong.err and not wrong.out, "an unknown scene", wrong)
+    for command in "scene", "probe":
+        wrong = tool.run(command, "qqqqqq")
+        tap.ok(wrong.code == 4 and "luxel scene --list" in wrong.err, "nothing is near: " + command, wrong)
     absent = tool.run("scene", "absent.yaml")
-    tap.ok(absent.code == 2 and "absent.yaml: no such file" in absent.err, "a file that is not there", absent)
+    tap.ok(absent.code == 4 and "absent.yaml: no such file" in absent.err, "a file that is not there", absent)
     tool.write("a.yaml", tool.run("scene", "my.yaml").out)
     tap.equal(tool.run("render", "a.yaml", "--json").out, expected, "scene takes a file")
     tool.write("report", "no scene")
     tap.equal(tool.run("scene", "report").out, text.out, "a built-in scene goes before a file of its name")
     tap.equal(tool.run("scene", "-s", "screen.width=-1").code, 3, "scene -s with an illegal value")
+
+
+def exact_zero(tap, tool):
+    """What is known exactly has no bound, and relative values a unit that reads well."""
+    dark = tool.run("probe", "three-lights", "-p", "0,-300")
+    tap.ok(": 0 W/(sr·m²)\n" in dark.out and "± 0" not in dark.out, "an unlit place", dark.out)
+    stats = tool.run("stats", "lampshade")
+    tap.ok(" in relative units, " in stats.out and "± 0 " not in stats.out, "relative units", stats.out)
 
 
 def json_scene(tap, tool):
@@ -175,5 +186,5 @@ def many_errors(tap, tool):
     tap.ok("and 10 more errors" in result.err, "and the number of the rest", result)
 
 
-run_tests(Tap(), render_text, probe_text, scenes, json_scene, names_and_files, assignments, check, strict_everywhere,
-          tolerance, many_errors)
+run_tests(Tap(), render_text, probe_text, scenes, exact_zero, json_scene, names_and_files, assignments, check,
+          strict_everywhere, tolerance, many_errors)

@@ -59,6 +59,17 @@ def panels(tap, tool):
     side = rate(tool, PANEL.replace("4000, 1800", "4000, 0").replace("[0, 4", "[1800, 4").replace(
         "axis: [0, 0, -1]", "axis: [-1, 0, 0]") + SKY, options=EYE + ("--up", "1,0,0"))[0]["ugr"]
     tap.near(side, truth, 1e-12, "up is where --up says")
+    # A plan of a room has observer.up in the floor; what is up for those in the room is what the room says.
+    room = "  - {type: room, center: [0, 0, 0], size: [20000, 20000, 10000], up: %s, material: {diffuse: 0.5}}\n"
+    plan = SCENE.replace("[-1000, -9000, 3000], target", "[0, 0, 3000], up: [0, 1, 0], target").replace(
+        "[0, 0, 0], proj", "[0, 10, 0], proj")
+    along_z = PANEL.replace("[0, 4000, 1800]", "[0, 1800, 4000]").replace("axis: [0, 0, -1], up: [0, 1, 0]",
+                                                                          "axis: [0, -1, 0]")
+    for axis, eye, panel in ("z", EYE, PANEL), ("y", ("--eye", "0,0,0,0,0,1"), along_z):
+        tool.write("room.yaml", plan % ("", panel + SKY, room % axis))
+        result = tool.run("glare", "room.yaml", "--json", *eye)
+        tap.ok(result.code == 0, "a room with up: " + axis, result.err)
+        tap.near(result.json()["observers"][0]["ugr"], truth, 1e-12, "its UGR")
 
 
 def shadows(tap, tool):

@@ -4,6 +4,7 @@ import csv
 import io
 import json
 import math
+import re
 import os
 import random
 import signal
@@ -273,6 +274,10 @@ def refused(tap, tool):
     tap.equal(tool.run("grid", "a.yaml", "-s", "grids[0].n=[0,1]").code, 3, "an illegal value")
     half = tool.run("grid", "a.yaml", "--json", "-s", "grids[0].n=[3,2]", "-s", "lights[0].intensity=500").json()
     tap.equal((half["grids"][0]["n"], [len(row) for row in half["grids"][0]["values"]]), ([3, 2], [3, 3]), "-s")
+    drawn = tool.run("grid", "a.yaml", "-o", "a.png")
+    words = re.search("this draws it: luxel (.*)", drawn.err)
+    tap.ok(drawn.code == 2 and words, "a picture of it", drawn)
+    tap.equal((tool.run(*words[1].split()).code, "a.png" in tool.files()), (0, True), "the hint draws it")
     odd = tool.run("grid", "a.yaml", "--strict", "-s", "lights[0].intensity=1e6")
     tap.equal((odd.code, odd.out), (3, ""), "--strict")
 

@@ -46,6 +46,29 @@ def circles(tap, tool):
             tap.ok(all(0 <= RADIUS - end < 1e-3 for end in ends), "%g ends at the limb" % line["level"], ends)
 
 
+def area_lights(tap, tool):
+    """Lines of the pixels under area lights, as in figures; on exact values where --exact asks for them."""
+    lamp = [{"type": "planar", "rectangle": {"center": [0, 0, 900], "size": [300, 200], "axis": [0, 0, -1]},
+             "radiance": 30}]
+    scene = {**json.loads(SPHERE), "observer": {"z": 2000}, "lights": lamp,
+             "surfaces": [{"type": "rectangle", "center": [0, 0, 0], "size": [480, 480],
+                           "material": {"model": "lambert", "diffuse": DIFFUSE}}]}
+    tool.write("area.yaml", json.dumps(scene))
+    quick, pixels, slow = (tool.run("isophotes", "area.yaml", "--json", "--levels", "1.2,1.4", *options)
+                           for options in ((), ("--picture",), ("--exact",)))
+    tap.ok("--exact" in quick.err and (pixels.err, slow.err) == ("", ""), "a note says so", (quick.err, slow.err))
+    tap.equal(quick.json()["lines"], pixels.json()["lines"], "area lights: the pixels' lines")
+    near, exact_lines = quick.json()["lines"], slow.json()["lines"]
+    tap.equal(len(near), len(exact_lines), "as many lines")
+    worst = 0
+    for line in exact_lines:
+        for x, y in line["vertices"][::20]:
+            value = tool.run("probe", "area.yaml", "--json", "-p", "%r,%r" % (x, y)).json()["points"][0]["value"]
+            worst = max(worst, abs(value / line["level"] - 1))
+    tap.ok(worst <= 1e-9, "--exact: vertices on their levels", worst)
+    tap.equal(tool.run("isophotes", "area.yaml", "-q").err, "", "no note with -q")
+
+
 def probed(tap, tool):
     """The vertices have their level by luxel probe, too."""
     tool.write("a.yaml", SCENE)
@@ -142,4 +165,4 @@ def refused(tap, tool):
     tap.equal(tool.run("isophotes", "none.yaml").code, 4, "a scene that is not there")
 
 
-run_tests(Tap(), circles, probed, tables, text, round_levels, pictures, threads, refused)
+run_tests(Tap(), circles, area_lights, probed, tables, text, round_levels, pictures, threads, refused)

@@ -89,6 +89,17 @@ def errors(tap, tool):
     tap.equal(tool.read("bad.yaml").decode(), COMMENTED, "and then is right")
 
 
+def judged(tap, tool):
+    """What no picture can be made of is written, as it may be a step on the way, and told."""
+    tool.write("a.yaml", COMMENTED)
+    result = tool.run("set", "a.yaml", "observer.z=10", "observer.projection=perspective")
+    tap.ok(result.code == 0 and "no picture" in result.err and "observer" in result.err, "an observer too low", result)
+    tap.ok("z: 10" in tool.read("a.yaml").decode(), "it is written", tool.read("a.yaml"))
+    tap.equal(tool.run("check", "a.yaml").code, 3, "luxel check refuses it")
+    result = tool.run("set", "a.yaml", "observer.z=1500", "-q")
+    tap.equal((result.code, result.err), (0, ""), "mended: nothing is said")
+
+
 def elsewhere(tap, tool):
     tool.write("a.yaml", COMMENTED)
     changed = COMMENTED.replace("radiometric", "photometric")
@@ -166,5 +177,5 @@ def json_scenes(tap, tool):
     tap.equal(json.loads(after)["units"], "photometric", "and is JSON")
 
 
-run_tests(Tap(), in_place, same_value, into_groups_and_lists, errors, elsewhere, pictures, links_and_folders,
+run_tests(Tap(), in_place, same_value, into_groups_and_lists, errors, judged, elsewhere, pictures, links_and_folders,
           json_scenes)

@@ -385,6 +385,11 @@ export class Core {
         return this.text(this.withTexts([key], (at) => this.call.page_get(at)));
     }
 
+    /** Whether the scene's text has the key, rather than its default. */
+    isWritten(key: string): boolean {
+        return this.withTexts([key], (at) => this.call.page_written(at)) !== 0;
+    }
+
     render(stride: number): boolean {
         return this.call.page_render(stride) === 0;
     }

@@ -18,6 +18,13 @@ interface Field {
     trouble: string;
 }
 
+/** A key of a thing, and whether the thing has a value of it. */
+interface Entry {
+    path: string;
+    key: Key;
+    isGiven: boolean;
+}
+
 function quoted(text: string): string {
     return JSON.stringify(text);
 }
@@ -52,7 +59,8 @@ export class Form {
     readonly element = h('div', { class: 'form' });
     private keys: Key[] = [];
     private kinds: Kind[] = [];
-    private fields: Field[] = [];
+    private fields: Field[] = []; // those that were ever to be seen
+    private values = new Map<string, string | null>();
     private titles: (() => void)[] = []; // tell what each light and surface is
     private shape = '';
     private generation = 0; // of the keys' words
@@ -60,7 +68,11 @@ export class Form {
 
     private of: Of | null = null; // whose values are shown
 
-    constructor(private readonly model: Model) {
+    /** `chosenLight`: the number of the light that new ones are like. */
+    constructor(
+        private readonly model: Model,
+        private readonly chosenLight: () => number,
+    ) {
         model.follow(this.element, () => this.of);
     }
 
@@ -93,14 +105,12 @@ export class Form {
             wanted.map(([path], i) => (values[i] === null ? 0 : path)),
             this.model.photometric,
         ]);
+        this.values = new Map(wanted.map(([path], i) => [path, values[i]]));
         if (shape !== this.shape) {
             this.shape = shape;
             this.build(lists, wanted, values);
         }
-        this.fields.forEach((field) => {
-            const index = wanted.findIndex(([path]) => path === field.path);
-            field.update(index >= 0 ? values[index] : null);
-        });
+        this.fields.forEach((field) => field.update(this.values.get(field.path) ?? null));
         this.titles.forEach((tell) => tell());
         this.showMessages();
         this.model.dim();
@@ -122,38 +132,31 @@ export class Form {
     }
 
     private build(lists: [string, string[]][], paths: [string, Key][], values: (string | null)[]) {
-        const wanted = paths.map(([path, key]): [string, Key] => [path, this.told(path, key, paths)]);
+        const groups = new Map<string, Entry[]>();
+        paths.forEach(([path, key], i) => {
+            const base = /^(?:surfaces|lights)\[\d+\]/.exec(path)?.[0] ?? 'scene';
+            if (!groups.has(base)) groups.set(base, []);
+            groups.get(base)!.push({ path, key, isGiven: values[i] !== null });
+        });
         this.fields = [];
         this.titles = [];
         this.element.replaceChildren();
-        const section = (
-            title: () => string,
-            prefix: string,
-            matches: (path: string) => boolean,
-            open: boolean,
-            extra?: HTMLElement,
-        ) => {
-            const shown = h('div', {});
-            const hidden = h('div', {});
-            wanted.forEach(([path, key], i) => {
-                if (!matches(path)) return;
-                (values[i] === null || path.includes('.materials.') ? hidden : shown).append(this.field(path, key));
-            });
-            const more =
-                hidden.childElementCount > 0 && h('details', { class: 'more' }, h('summary', {}, t('more')), hidden);
+        const section = (title: () => string, base: string, open: boolean, extra?: HTMLElement) => {
             const summary = h('summary', {}, title());
             this.titles.push(() => (summary.textContent = title()));
-            const details = h(
-                'details',
-                { open: this.opened.has(prefix) || open },
-                summary,
-                extra,
-                shown,
-                more,
-            );
-            details.addEventListener('toggle', () =>
-                details.open ? this.opened.add(prefix) : this.opened.delete(prefix),
-            );
+            const isOpen = this.opened.has(base) || open;
+            const details = h('details', { open: isOpen }, summary, extra);
+            // Fields are made when they are to be seen: a scene may have thousands of lights.
+            let isFilled = false;
+            const fill = () => {
+                if (!isFilled) details.append(...this.sectionFields(groups.get(base) ?? []));
+                isFilled = true;
+            };
+            if (isOpen) fill();
+            details.addEventListener('toggle', () => {
+                if (details.open) fill();
+                details.open ? this.opened.add(base) : this.opened.delete(base);
+            });
             this.element.append(details);
             return details;
         };
@@ -166,18 +169,27 @@ export class Form {
                     const name = isLights ? this.model.scene?.lights[i]?.name : null; // lists may be newer than scene
                     return `${i + 1} · ${this.kindWords(list, type)}${name ? `: ${name}` : ''}`;
                 };
-                const details = section(
-                    title,
-                    base,
-                    (path) => path.startsWith(`${base}.`),
-                    i === 0 && types.length < 4,
-                    this.remover(base),
-                );
+                const details = section(title, base, i === 0 && types.length < 4, this.remover(base));
                 if (isLights) details.style.borderInlineStartColor = lightColour(i);
             });
         }
         this.element.append(h('h3', {}, t('Scene')));
-        section(() => t('Scene'), 'scene', (path) => !/^(surfaces|lights)\[/.test(path), false);
+        section(() => t('Scene'), 'scene', false);
+    }
+
+    /** The fields of a thing, those that it does not give behind "more". */
+    private sectionFields(entries: Entry[]): HTMLElement[] {
+        const shown = h('div', {});
+        const hidden = h('div', {});
+        const known = this.fields.length;
+        for (const { path, key, isGiven } of entries) {
+            const isFirst = isGiven && !path.includes('.materials.');
+            (isFirst ? shown : hidden).append(this.field(path, this.told(path, key, entries)));
+        }
+        this.fields.slice(known).forEach((field) => field.update(this.values.get(field.path) ?? null));
+        this.showMessages();
+        if (hidden.childElementCount === 0) return [shown];
+        return [shown, h('details', { class: 'more' }, h('summary', {}, t('more')), hidden)];
     }
 
     private kindWords(list: string, type: string): string {
@@ -185,11 +197,9 @@ export class Form {
     }
 
     // Of two keys of a thing that are called the same, that of a part of it is told with the part: "Axis, rectangle".
-    private told(path: string, key: Key, all: [string, Key][]): Key {
-        const [, base, part] = /^(\w+\[\d+\])\.(\w+)\./.exec(path) ?? [];
-        const isTwin = (other: string, { label }: Key) =>
-            other !== path && label === key.label && other.startsWith(`${base}.`);
-        if (!part || !all.some(([other, each]) => isTwin(other, each))) return key;
+    private told(path: string, key: Key, all: Entry[]): Key {
+        const [, part] = /^\w+\[\d+\]\.(\w+)\./.exec(path) ?? [];
+        if (!part || !all.some((other) => other.path !== path && other.key.label === key.label)) return key;
         return { ...key, label: `${key.label}, ${this.kindWords('surfaces', part)}` };
     }
 
@@ -213,7 +223,8 @@ export class Form {
             (name) => {
                 const kind = kinds.find((each) => each.name === name);
                 select.value = '';
-                if (kind) this.model.change([{ list, index: count, insert: kind.example! }]);
+                if (kind && list === 'lights') this.model.addLight(kind.example!, this.chosenLight());
+                else if (kind) this.model.change([{ list, index: count, insert: kind.example! }]);
             },
         );
         return select;

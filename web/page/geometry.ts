@@ -44,7 +44,7 @@ const BODIES = ['rectangle', 'disk', 'box', 'sphere', 'cylinder'];
 const AT_ONCE = ['sphere', 'rectangle', 'disk', 'cylinder', 'room'];
 
 /** Values of keys as the scene has them. */
-class Values {
+export class Values {
     constructor(readonly text: (key: string) => string | null) {}
 
     /** The numbers of a value, or lists of them; null: it is something else. */
@@ -80,7 +80,7 @@ interface Body {
     outline?: number[][];
 }
 
-function bodyOf(base: string, values: Values): Body {
+export function bodyOf(base: string, values: Values): Body {
     const position = values.numbers(`${base}.position`);
     const outline = (values.numbers(`${base}.vertices`) as unknown as number[][] | null) ?? undefined;
     if (position) return { base, key: `${base}.position`, at: position, outline };

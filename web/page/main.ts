@@ -15,6 +15,7 @@ import { Gallery } from './gallery';
 import { header } from './header';
 import { download, packed, unpacked } from './link';
 import { LoadingNotice } from './loading';
+import { Looks } from './looks';
 import { Messages } from './messages';
 import { Model, type Thing } from './model';
 import { Explanation, lightName, ProbePanel } from './panels';
@@ -40,7 +41,9 @@ class Page {
     private readonly picture = new PictureView(this.model, this.compare, this.section);
     private readonly dial = new Dial(this.picture.scale);
     private readonly space = new SpaceView(this.model);
-    private readonly form = new Form(this.model);
+    private readonly form = new Form(this.model, () =>
+        this.space.selected?.kind === 'light' ? this.space.selected.index : 0,
+    );
     private readonly text = new TextEditor(this.model);
     private readonly probe = new ProbePanel(this.model, this.compare);
     private readonly balance = new BalancePanel(this.model);
@@ -51,7 +54,10 @@ class Page {
         download(`${this.model.version.name}-explanation.html`, html, 'text/html'),
     );
     private readonly work = new WorkNotice(this.model);
-    private readonly saving = new Saving(this.model, this.picture, (text, milliseconds) => this.say(text, milliseconds));
+    private readonly looks = new Looks(this.model, this.picture, this.space);
+    private readonly saving = new Saving(this.model, this.picture, this.looks, (text, milliseconds) =>
+        this.say(text, milliseconds),
+    );
     private readonly readout = h('output', { class: 'readout', hidden: true, 'aria-hidden': 'true' });
     private readonly messages = new Messages(this.model);
     private readonly stale = h('p', { class: 'stale', role: 'alert', hidden: true });
@@ -118,6 +124,8 @@ class Page {
             this.say(t('The link holds no scene that can be read.'));
         }
         this.openText(wanted.text, wanted.name);
+        this.looks.take(location.hash);
+        this.build(); // the controls show what the link has set
     }
 
     private listen() {
@@ -146,6 +154,7 @@ class Page {
         this.picture.onProbe = (x, y) => {
             this.probe.ask(x, y);
             this.section.through(x, y);
+            this.keepAddress();
         };
         this.points.onChoose = (x, y) => this.picture.moveProbe(x, y);
         this.points.place = () => this.picture.probe ?? [0, 0];
@@ -387,10 +396,15 @@ class Page {
     private textChanged() {
         this.text.textChanged();
         this.showHistory();
+        this.keepAddress();
+    }
+
+    // The address of the page is a link to what it shows, as soon as the hand rests.
+    private keepAddress() {
         clearTimeout(this.linkTimer);
         if (this.embedding.view !== 'all') return;
         this.linkTimer = window.setTimeout(
-            async () => history.replaceState(null, '', await packed(this.model.text)),
+            async () => history.replaceState(null, '', (await packed(this.model.text)) + this.looks.told()),
             600,
         );
     }
@@ -464,6 +478,7 @@ class Page {
         ] as const)
             showIn(input, number(value, 4));
         this.dial.draw(scale);
+        this.keepAddress();
         this.statistics.show();
         this.app.dataset.stride = String(this.model.picture?.stride ?? 0);
     }

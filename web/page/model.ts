@@ -274,6 +274,13 @@ export class Model {
         return true;
     }
 
+    /** Adds a light made from the example of its kind, which fits the scene and is like a chosen one. */
+    async addLight(example: string, chosen: number) {
+        const { version } = this;
+        const changes = await this.client.ask('newLight', version.text, example, chosen);
+        if (this.version === version) await this.change(changes, '', version);
+    }
+
     async judge() {
         this.wantsJudging = true;
         if (this.judging) return;

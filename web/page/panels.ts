@@ -4,12 +4,25 @@ import type { Probe } from './core';
 import type { Of, Version } from './version';
 import type { Compare } from './compare';
 import { h, lightColour } from './dom';
+import { localized } from './local';
 import type { Model } from './model';
 import { currentLanguage, exactly, number, t } from './words';
 
 export function lightName(model: Model, index: number): string {
     const light = model.scene?.lights[index];
     return `${index + 1} ${light?.name ?? light?.label ?? ''}`;
+}
+
+const MOST_SHARES = 40; // that are told one by one
+
+/** The indices of the greatest of some numbers, in their order. */
+function greatest(numbers: number[], most: number): number[] {
+    const all = numbers.map((_, i) => i);
+    if (all.length <= most) return all;
+    return all
+        .sort((a, b) => numbers[b] - numbers[a])
+        .slice(0, most)
+        .sort((a, b) => a - b);
 }
 
 export class ProbePanel {
@@ -68,7 +81,10 @@ export class ProbePanel {
         const unit = scene.unit === 'relative' ? t('relative') : scene.unit;
         const value = probe?.value ?? null;
         const place = `x = ${number(x, 4)}, y = ${number(y, 4)} ${t('mm')}`;
-        const bars = (probe?.shares ?? []).map((share, i) => {
+        const shares = probe?.shares ?? [];
+        const told = greatest(shares, MOST_SHARES);
+        const bars = told.map((i) => {
+            const share = shares[i];
             const part = value && value > 0 ? Math.max(0, share / value) : 0;
             const bar = h('span', { class: 'bar' });
             bar.style.inlineSize = `${100 * part}%`;
@@ -81,6 +97,8 @@ export class ProbePanel {
                 h('span', { class: 'amount' }, `${number(share, 4)} · ${number(100 * part, 3)} %`),
             );
         });
+        const left = shares.length - told.length;
+        if (left > 0) bars.push(h('li', { class: 'dim' }, `${t('lights with smaller shares')}: ${left}`));
         const before = this.compare.valueOfA(x, y);
         const partial = this.model.isPartial(of) ? ` (${t('direct light alone')})` : '';
         this.told = value === null ? '—' : `${exactly(value, probe!.error)} ${unit}${partial}`;
@@ -128,7 +146,8 @@ export class Explanation {
         const { client, of } = source;
         this.of = of;
         if (this.model.isPartial(of)) return this.fill(h('p', {}, t('The value is explained when reflected light is known.')));
-        const html = await client.ask('explain', of, x, y, 3, currentLanguage()).catch(() => null);
+        const told = await client.ask('explain', of, x, y, 3, currentLanguage()).catch(() => null);
+        const html = told && localized(told);
         if (!html || this.model.version.scene !== scene || this.of !== of) return;
         // Its own style is for a page of its own, and the policy of this one takes none.
         const bare = html.replace(/<style>[^]*?<\/style>/g, '').replace(/ style="[^"]*"/g, '');

@@ -109,6 +109,16 @@ export class PictureView {
         this.draw();
     }
 
+    /** The zoom and the middle of what is seen, in mm on the screen. */
+    get view(): number[] {
+        return [this.zoom, ...this.middle];
+    }
+
+    set view([zoom, x, y]: number[]) {
+        this.zoom = Math.max(1, Math.min(CLOSEST, zoom));
+        this.middle = [x, y];
+    }
+
     /** Shows nothing: another scene was opened. */
     clear() {
         this.marks = [];

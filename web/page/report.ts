@@ -6,6 +6,7 @@ import { paint, type Scale } from './colours';
 import type { Extremum, Isophote, Key, Peak, Probe, Summary } from './core';
 import { NUMBER, NUMBERS, sceneKeys, WHOLE } from './keys';
 import { placeOn, rowOn, type Section } from './line';
+import { localized } from './local';
 import type { Model } from './model';
 import type { PictureView } from './picture';
 import { Outdated } from './version';
@@ -75,7 +76,7 @@ async function gather(model: Model, view: PictureView, client: Client): Promise<
         atMaximum: maximum && (await client.ask('probe', of, maximum.x, maximum.y)),
         sections,
         isophotes: await model.isophotes(picture, view.scale.logarithmic),
-        explanation: (await client.ask('explain', of, points[0][0], points[0][1], 3, currentLanguage())) ?? '',
+        explanation: localized((await client.ask('explain', of, points[0][0], points[0][1], 3, currentLanguage())) ?? ''),
     };
 }
 

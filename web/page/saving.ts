@@ -2,6 +2,7 @@
 // Files out and links: of the present scene only, and with all its light; what was begun for a scene that has changed is not
 // handed over.
 import { download, packed } from './link';
+import type { Looks } from './looks';
 import type { Model } from './model';
 import type { PictureView } from './picture';
 import { report } from './report';
@@ -21,6 +22,7 @@ export class Saving {
     constructor(
         private readonly model: Model,
         private readonly view: PictureView,
+        private readonly looks: Looks,
         private readonly say: Say,
     ) {}
 
@@ -57,7 +59,7 @@ export class Saving {
     }
 
     async copyLink() {
-        const link = location.href.split('#')[0] + (await packed(this.model.text));
+        const link = location.href.split('#')[0] + (await packed(this.model.text)) + this.looks.told();
         history.replaceState(null, '', link);
         try {
             await navigator.clipboard.writeText(link);

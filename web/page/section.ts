@@ -206,7 +206,9 @@ export class SectionPanel {
         const known = { ...last, rows: last.rows.filter((_, i) => last.isKnown[i]) };
         if (known.rows.every((row) => row[1] === null)) return this.drawNothing(context, width, height);
         const curves = this.curves(known);
-        const greatest = Math.max(...curves.flatMap(({ values }) => values.map((v) => v ?? 0)));
+        const raised = (most: number, values: (number | null)[]) =>
+            values.reduce<number>((greatest, value) => Math.max(greatest, value ?? 0), most);
+        const greatest = curves.reduce((most, { values }) => raised(most, values), -Infinity);
         const most = this.showsShares ? 100 : greatest || 1;
         const length = last.rows[last.rows.length - 1][0] ?? 1;
         const place = (s: number, value: number): [number, number] => [

@@ -12,6 +12,7 @@ import { t } from './words';
 
 export type Side = 'orbit' | 'plan' | 'elevation';
 
+const BEGIN = [-0.65, 1.05]; // turn and tilt
 const NEAR = 18; // pixels within which a thing is grabbed
 
 export class SpaceView {
@@ -23,8 +24,8 @@ export class SpaceView {
     onSelect: (thing: Thing | null) => void = () => undefined;
     onSide: (side: Side) => void = () => undefined;
     side: Side = 'orbit';
-    private turn = -0.65; // about the z axis, radians
-    private tilt = 1.05; // from the z axis
+    private turn = BEGIN[0]; // about the z axis, radians
+    private tilt = BEGIN[1]; // from the z axis
     private zoom = 1;
     private center: Place = [0, 0, 0];
     private reach = 1000; // mm from the centre that must be seen
@@ -50,6 +51,16 @@ export class SpaceView {
             'aria-label',
             t('Space view. Space selects the next thing, arrow keys and Page Up, Page Down move it; 1, 2, 3 change the view.'),
         );
+    }
+
+    /** Turn and tilt of the view; null: as it begins. */
+    get turned(): number[] | null {
+        return this.turn === BEGIN[0] && this.tilt === BEGIN[1] ? null : [this.turn, this.tilt];
+    }
+
+    set turned(value: number[]) {
+        this.turn = value[0];
+        this.tilt = Math.max(0.02, Math.min(Math.PI - 0.02, value[1]));
     }
 
     setSide(side: Side) {

@@ -62,6 +62,7 @@ const RUSSIAN: Record<string, string> = {
     Surfaces: 'Поверхности',
     Scene: 'Сцена',
     Add: 'Добавить',
+    'lights with smaller shares': 'источников с меньшими долями',
     Remove: 'Удалить',
     Points: 'Точки',
     Point: 'Точка',
@@ -154,6 +155,7 @@ const RUSSIAN: Record<string, string> = {
     'numbers…': 'числа…',
     Apply: 'Применить',
     mm: 'мм',
+    m: 'м',
     'The core fails on this scene. Change it, or undo.':
         'Ядро не справляется с этой сценой. Измените её или отмените изменение.',
 };

@@ -6,6 +6,7 @@
 import { Core, CoreFailure, PartMissing, type Change, type Probe } from './core';
 import { lastPart } from './folder';
 import { geometryOf } from './geometry';
+import { newLight } from './new_light';
 import { Outdated, type Of } from './version';
 
 const SLICE = 25; // milliseconds of values after which what is more urgent has its turn
@@ -137,6 +138,12 @@ const questions = {
     edit: (text: string | Uint8Array, changes: Change[]) => {
         const changed = core.edit(text, changes);
         return { text: changed, messages: changed === null ? core.messages() : [] };
+    },
+    newLight: (text: string, example: string, chosen: number) => {
+        const changes = newLight(core, text, example, chosen);
+        openText = null;
+        drawn = '';
+        return changes;
     },
     judge,
     render,

@@ -193,6 +193,9 @@ def why(tap, desk):
 
     tap.ok(wait("the place", there), "where it is")
     formula = wait("the formula", lambda: window.says("N · L = ", "B = B_d + Bₛ"))
+    result = window.control("label", formula.split("\n")[-1])
+    top, height = result.area()[1], result.area()[3]
+    tap.ok(top + height <= window.control("label", formula).area()[1], "its result stands above it", formula)
     product = float(re.search(r"N · L = ([\d.]+)", formula).group(1))
     told = luxel("explain", "report", "-p", "60,40").decode()
     tap.ok(abs(product - float(re.search(r"N · L = ([\d.]+)", told).group(1))) < 0.01, "as luxel explain has it")

@@ -3,6 +3,16 @@
 from desk import trial
 from waiting import wait
 
+BACK = """luxel: 1
+screen: {width: 700, height: 700, resolution: [200, 200]}
+observer: {z: 1700}
+surfaces:
+  - {type: rectangle, name: plate, center: [0, 0, 300], size: [400, 400], axis: [0, 0, 1]}
+lights:
+  - {type: point, position: [420, 300, 1250], intensity: 10}
+points: [[0, 0]]
+"""
+
 
 def not_this(window):
     return window.says("Not this scene: ")
@@ -45,6 +55,26 @@ def observer_too_low(tap, desk):
     wait("the good scene", lambda: not not_this(window))
     tap.equal(window.save(), before, "Undo beside it takes the change itself back")
     wait("full brightness", lambda: desk.color(x, y)[0] == bright)
+
+
+def a_back(tap, desk):
+    """A plate that shows its back leaves nothing to be seen: a banner says so, and one click turns it."""
+    path = desk.path("back.yaml")
+    with open(path, "w") as file:
+        file.write(BACK)
+    window = desk.start(path).window()
+    window.control("spin button", "Axis, z").value = -1
+    said = wait("what is wrong", lambda: window.says("shows the observer its back"))
+    tap.ok("surfaces[0]" in said, "it is said why nothing is seen", said)
+    button = wait("a repair", lambda: next((part for part in window.widget.all("button")
+                                            if part.name.startswith("Mend: ")), None))
+    tap.ok("Axis" in button.name, "a button says what mends it", button.name)
+    window.click(button)
+    wait("the end of it", lambda: not window.says("shows the observer its back"))
+    tap.ok(b"axis: [0, 0, 1]" in window.save(), "the plate is turned", window.save())
+    window.act("undo")
+    wait("the back again", lambda: window.says("shows the observer its back"))
+    tap.ok(not not_this(window), "the picture is of this scene")
 
 
 def nothing_wrong_enters(tap, desk):
@@ -131,4 +161,4 @@ def bars(tap, desk):
     tap.ok(abs(label.area()[1] - before) < 70, "the form is not scrolled", before, label.area()[1])
 
 
-trial(observer_too_low, nothing_wrong_enters, entries, bars)
+trial(observer_too_low, a_back, nothing_wrong_enters, entries, bars)
