@@ -23,6 +23,7 @@ static const struct {
     {"disk", LX_N("disk")},
     {"cylinder", LX_N("cylinder")},
     {"room", LX_N("room")},
+    {"box", LX_N("box")},
     {"y", LX_N("y")},
     {"z", LX_N("z")},
     {"en12464", LX_N("as EN 12464-1 says")},
