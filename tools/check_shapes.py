@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-"""Surfaces and emitters answer for themselves: nothing outside src/surface asks which shape a surface has, and nothing
-outside src/light which kind an emitter is of.
+"""Surfaces and emitters answer for themselves: nothing outside src/surface asks which shape a surface has, and
+nothing outside src/light which kind an emitter is of.
 
 Nor does it ask of which type the sheets of its sides are.  The kernels stand by shape in their table, which
 world/general.h and general.c read; the structs of what users write are seen by the kinds, and by tests, alone.
@@ -18,7 +18,8 @@ ASKS = re.compile(r"\bLX_SPHERE\b|\bLX_PLATE\b|\bLX_GENERAL\b|\bLX_SHAPE_TYPES\b
                   r"\blx_(?:sphere|plate|disk|cylinder|mesh|room|inside)_kind\b|"
                   r"variant->name, \"(?:sphere|rectangle|disk|cylinder)\"")
 # Emitters tell what they are by light/emitter_kind.h; kernels stand by type in their table.
-ASKS_EMITTER = re.compile(r"\bLX_(?:POINT|DIRECTION|UNIFORM|FACETS|DISK|BALL|CYLINDER)\b|\bemitter(?:->|\.)type\b(?!,$)|"
+ASKS_EMITTER = re.compile(r"\bLX_(?:POINT|DIRECTION|UNIFORM|FACETS|DISK|BALL|CYLINDER)\b|"
+                          r"\bemitter(?:->|\.)type\b(?!,$)|"
                           r"\bshell(?:->|\.)type (?:[!=]=|\?)")
 MAY_ASK_EMITTER = re.compile(r"^src/(light/|kernel/kernel\.c$)")
 MAY_ASK = re.compile(r"^src/(surface/|kernel/[a-z_]*|world/(kernel[a-z_]*|general)\.[ch]$|light/)")

@@ -350,6 +350,7 @@ struct lx_shell_node {
 struct lx_shell {
     enum lx_emitter_type type; /* for the tables of kernels alone */
     bool is_disk, is_ball, has_side;
+    bool is_general; /* no kernels are for it: the reference and integrals light each element */
     double radiance;
     struct lx_shell_law law;
     double center[3]; /* from the anchor */

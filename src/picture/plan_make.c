@@ -110,6 +110,7 @@ static luxel_status plan_shells(struct lx_plan *plan, struct lx_control *control
         struct lx_planned_shell *planned = &surface->shells[surface->shell_count];
         planned->emitter = emitter;
         luxel_status status = lx_shell_make(emitter, &surface->shape, &asking, &planned->shell);
+        planned->by_reference = planned->shell.is_general;
         struct lx_sampled *sampled = &surface->glossy[surface->shell_count++];
         surface->glossy_count += lx_lobe_shines(&surface->lobe);
         if (status == LUXEL_OK && lx_find_shell_blockers(plan, surface, planned))
@@ -297,7 +298,7 @@ static luxel_status choose_shells(const struct lx_plan *plan, struct lx_control 
     for (size_t s = 0; s < surface->shell_count && diffuse > 0; s++) {
         struct lx_planned_shell *planned = &surface->shells[s];
         const bool by_law = planned->emitter->attenuation != LX_INVERSE_SQUARE;
-        bool in_single = plan->precision == LUXEL_SINGLE;
+        bool in_single = plan->precision == LUXEL_SINGLE && !planned->shell.is_general;
         if (in_single) {
             double bound = by_law ? lx_bound_law(&surface->shape, diffuse, &planned->shell, &asking)
                                   : lx_bound_shell(&surface->shape, diffuse, &planned->shell, &asking);
@@ -306,7 +307,7 @@ static luxel_status choose_shells(const struct lx_plan *plan, struct lx_control 
         planned->in_single = by_law && in_single;
         if (by_law)
             continue;
-        planned->by_reference = !in_single && needs_reference(plan, surface, &planned->shell, &asking);
+        planned->by_reference |= !in_single && needs_reference(plan, surface, &planned->shell, &asking);
         if (!lx_control_goes_on(control, true))
             return LUXEL_CANCELLED;
         luxel_status status = in_single ? lx_shell_make_single(&planned->shell, &asking) : LUXEL_OK;

@@ -508,6 +508,8 @@ bool lx_sample_run(const struct lx_sampler *sampling, struct lx_sampling_memory 
     size_t patches = 0;
     for (size_t s = 0; s < sampling->source_count; s++) {
         const struct lx_sampled *source = &sampling->sources[s];
+        if (source->shell->is_general)
+            return false;
         size_t count = lx_patches_make(source->shell, &run.around, sampling->asking, memory->patches + patches);
         for (size_t i = 0; i < count && goes_on(&run); i++) {
             if (is_edge_on(&run, source->shell, memory->patches + patches + i))

@@ -67,7 +67,10 @@ static void light_by_law(const struct lx_plan *plan, const struct lx_planned_sur
     uint8_t left[LX_BLOCK] = {0};
     lx_light_by_law *const light =
         planned->in_single ? plan->kernels->law_single[shell->type] : plan->kernels->law_double[shell->type];
-    light(shell, plan->rules, surface->lobe_exact.diffuse, &memory->seen.block, count, asking, memory->sum, left);
+    if (light)
+        light(shell, plan->rules, surface->lobe_exact.diffuse, &memory->seen.block, count, asking, memory->sum, left);
+    else
+        memset(left, 1, count);
     for (size_t i = 0; i < count; i++) {
         if (!left[i])
             continue;
@@ -190,13 +193,13 @@ static void light_by_highlights(const struct lx_plan *plan, const struct lx_plan
     }
 }
 
-/* Whether light of a shell of facets may fall on an element: a part above its horizon, and a face in front of which it
+/* Whether light of a shell may fall on an element: a part above its horizon, and of facets a face in front of which it
  * is. */
 static bool may_light(const struct lx_shell *shell, const struct lx_block_double *block, size_t i)
 {
     const double p[3] = {block->px[i] - shell->center[0], block->py[i] - shell->center[1],
                          block->pz[i] - shell->center[2]};
-    bool any = false;
+    bool any = !shell->facets;
     if (block->nx[i] * p[0] + block->ny[i] * p[1] + block->nz[i] * p[2] > shell->radius_mm + shell->touch_mm)
         return false;
     for (size_t f = 0; f < shell->face_count && !any; f++) {
@@ -207,7 +210,7 @@ static bool may_light(const struct lx_shell *shell, const struct lx_block_double
     return any;
 }
 
-/* Adds the diffuse light of facets by the reference, element by element. */
+/* Adds the diffuse light of a shell by the reference, element by element. */
 static void light_by_reference(const struct lx_planned_surface *surface, const struct lx_planned_shell *planned,
                                struct lx_shader_memory *memory, size_t count, const struct lx_asking *asking)
 {

@@ -137,6 +137,7 @@ luxel_status lx_shell_make(const struct lx_emitter *emitter, const struct lx_sha
         .turned_mm2 = kind->share_seen * kind->area_mm2(emitter).value,
         .section_mm2 = kind->section_mm2(emitter),
     };
+    shell->is_general = !lx_kernels_get(0)->light_by_shell[shell->type];
     double away = 0;
     for (int i = 0; i < 3; i++) {
         shell->center[i] = center[i] - lit->anchor_mm[i];

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: MIT
-"""Adds a light, a surface and a lobe the way the guides in docs/ say, in a copy of the sources, and tries them.
+"""Adds a light, a surface, an emitter and a lobe the way the guides in docs/ say, in a copy of the sources, and tries them.
 
     test_adding.py SOURCE_FOLDER MESON
 
-The pages' own code blocks are taken: of each the kind's file, its lines elsewhere, and a scene.
+The pages' own code blocks are taken: of each the kind's file, of an emitter its row, its lines elsewhere, and a scene.
 """
 import re
 import shutil
@@ -14,10 +14,11 @@ from pathlib import Path
 import adding_a_light
 import adding_a_lobe
 import adding_a_surface
+import adding_an_emitter
 from calling import call
 from tap import Tap
 
-GUIDES = (adding_a_light.GUIDE, adding_a_surface.GUIDE)
+GUIDES = (adding_a_light.GUIDE, adding_a_surface.GUIDE, adding_an_emitter.GUIDE)
 
 
 def code_blocks(page):
@@ -41,6 +42,13 @@ def add_kind(room, name, before, kind, declaration, entry):
     files.write_text(files.read_text().replace("'%s'" % before, "'%s', '%s'" % (name, before)))
 
 
+def add_row(sources, row):
+    """Adds the row of an emitter behind the last one of its list."""
+    header = sources / "src/light/emitter.h"
+    last = r"(#define LX_EMITTER_KINDS(?:.*\\\n)+.*)\n"
+    header.write_text(re.sub(last, lambda rows: rows.group(1) + " \\\n" + row, header.read_text(), count=1))
+
+
 def main():
     tap = Tap()
     root, meson = Path(sys.argv[1]), sys.argv[2]
@@ -49,7 +57,9 @@ def main():
         copy_sources(root, folder / "luxel")
         scenes = []
         for page, room, name, before, _ in GUIDES:
-            kind, declaration, entry, scene = code_blocks((root / page).read_text())
+            kind, *rows, declaration, entry, scene = code_blocks((root / page).read_text())
+            for row in rows:
+                add_row(folder / "luxel", row)
             add_kind(folder / "luxel" / room, name, before, kind, declaration, entry)
             scenes.append(scene)
         lobe_scene = adding_a_lobe.add(folder / "luxel", code_blocks((root / adding_a_lobe.PAGE).read_text()))

@@ -33,6 +33,12 @@ static inline bool lx_is_disk(const struct lx_emitter *emitter)
     return !emitter->facets && !kind->has_side && !kind->bulges;
 }
 
+/* Whether its ends are round, beyond a side. */
+static inline bool lx_is_capsule(const struct lx_emitter *emitter)
+{
+    return lx_emitter_kind(emitter)->has_side && lx_emitter_kind(emitter)->bulges;
+}
+
 /* How far it reaches from its centre in a unit direction, and its place there. */
 double lx_round_reach(const struct lx_emitter *emitter, const double direction[3]);
 void lx_round_farthest(const struct lx_emitter *emitter, const double towards[3], double place_mm[3]);

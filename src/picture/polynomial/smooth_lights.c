@@ -125,6 +125,9 @@ static size_t count_patches(const struct lx_planned_surface *surface)
 
 bool lx_has_smooth_highlights(const struct lx_planned_surface *surface)
 {
+    for (size_t s = 0; s < surface->glossy_count; s++)
+        if (surface->glossy[s].shell->is_general)
+            return false;
     return surface->glossy_count > 0 && count_patches(surface) <= MOST_PATCHES;
 }
 

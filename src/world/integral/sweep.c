@@ -348,7 +348,7 @@ double lx_sweep_distance(const struct lx_sweep *sweep, const struct lx_arc *arc,
         *incidence = incidences[1];
         return far;
     }
-    if (sweep->kind == LX_SWEEP_BALL || sweep->kind == LX_SWEEP_ELLIPSOID)
+    if (lx_sweep_bulges(sweep))
         return lx_body_distance(sweep, arc, cos_tau, sin_tau, incidence);
     double distance = arc->distance_mm / cos_tau;
     *incidence = sweep->kind == LX_SWEEP_SIDE || sweep->kind == LX_SWEEP_TUBE ? arc->slant * cos_tau

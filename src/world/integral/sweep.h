@@ -25,6 +25,7 @@ enum lx_sweep_kind {
     LX_SWEEP_STRIP,
     LX_SWEEP_DISK,
     LX_SWEEP_BALL,
+    LX_SWEEP_DOME,      /* a round end, of the ball that it is half of: its axis is the pole */
     LX_SWEEP_ELLIPSOID, /* an opening */
     LX_SWEEP_SIDE,
     LX_SWEEP_TUBE /* all of a cylinder's side, as an opening; its incidence is told so that areas come out right */
@@ -82,6 +83,12 @@ int lx_sweeps_make(const struct lx_emitter *emitter, const double place_mm[3], c
                    struct lx_sweeps *sweeps);
 
 struct lx_arc lx_sweep_arc(const struct lx_sweep *sweep, double x);
+
+/* Whether it is a part of a ball or an ellipsoid, so that arcs meet it on a circle or an ellipse, else on a line. */
+static inline bool lx_sweep_bulges(const struct lx_sweep *sweep)
+{
+    return sweep->kind == LX_SWEEP_BALL || sweep->kind == LX_SWEEP_DOME || sweep->kind == LX_SWEEP_ELLIPSOID;
+}
 
 /* How far the source is along the direction at tau, and the cosine of its incidence there (>= 0). */
 double lx_sweep_distance(const struct lx_sweep *sweep, const struct lx_arc *arc, double cos_tau, double sin_tau,

@@ -502,6 +502,8 @@ int lx_sweep_cylinder(const struct lx_emitter *cylinder, const double place_mm[3
         if (lx_sweeps_append(sweeps, &side))
             return -1;
     }
+    if (lx_is_capsule(cylinder))
+        return lx_sweep_round_ends(cylinder, (const double(*)[3])caps, axis, along, distance, place_mm, across, sweeps);
     if (lx_sweep_disk(cylinder, caps[0], axis, place_mm, across, sweeps))
         return -1;
     return lx_sweep_disk(cylinder, caps[1], backwards, place_mm, across, sweeps);
@@ -533,6 +535,7 @@ struct lx_arc lx_body_arc(const struct lx_sweep *sweep, double x)
 {
     switch (sweep->kind) {
     case LX_SWEEP_BALL: return ball_arc(sweep, x);
+    case LX_SWEEP_DOME: return lx_dome_arc(sweep, ball_arc(sweep, x));
     case LX_SWEEP_ELLIPSOID: return ellipsoid_arc(sweep, x);
     case LX_SWEEP_TUBE: return tube_arc(sweep, x);
     default: return side_arc(sweep, x);

@@ -19,6 +19,11 @@ int lx_sweep_disk(const struct lx_emitter *emitter, const double center_mm[3], c
                   const double place_mm[3], const double across[3], struct lx_sweeps *sweeps);
 int lx_sweep_ball(const struct lx_emitter *ball, const double place_mm[3], const double across[3],
                   struct lx_sweeps *sweeps);
+/* The round ends of a capsule, whose centres and distance from the element, along the axis and from it, these are. */
+int lx_sweep_round_ends(const struct lx_emitter *capsule, const double caps[2][3], const double axis[3], double along,
+                        double away, const double place_mm[3], const double across[3], struct lx_sweeps *sweeps);
+/* What of an arc of the ball is on the end. */
+struct lx_arc lx_dome_arc(const struct lx_sweep *dome, struct lx_arc arc);
 int lx_sweep_ellipsoid(const struct lx_emitter *ellipsoid, const double place_mm[3], const double across[3],
                        struct lx_sweeps *sweeps);
 int lx_sweep_cylinder(const struct lx_emitter *cylinder, const double place_mm[3], const double across[3],

@@ -142,6 +142,11 @@ static void add_source(struct borders *borders, const struct lx_emitter *emitter
         add_rim(borders, 0, center, axis, emitter->radius_mm);
     else if (!facets)
         add_tube(borders, 0, center, axis, emitter->radius_mm, emitter->height_mm / 2);
+    for (int sign = -1; sign <= 1 && lx_is_capsule(emitter); sign += 2) {
+        for (int k = 0; k < 3; k++)
+            from[k] = center[k] + sign * lx_half_height(emitter) * axis[k];
+        add_circle(borders, 0, from, emitter->radius_mm);
+    }
     for (size_t i = 0; facets && i < facets->edge_count; i++) {
         const lx_wide3 *a = &facets->corners_mm[facets->edges[i].from], *b = &facets->corners_mm[facets->edges[i].to];
         const double first[3] = {a->x.high, a->y.high, a->z.high}, second[3] = {b->x.high, b->y.high, b->z.high};

@@ -79,7 +79,7 @@ static double radius_of_rectangles(const struct lx_emitter *emitter, const doubl
         return hypot(4 * emitter->radius_mm, half + (fabs(along) + half) * fmin(4 * emitter->radius_mm / away, 1));
     if (away > emitter->radius_mm)
         half += (fabs(along) + half) * (emitter->radius_mm / away);
-    return hypot(M_SQRT2 * emitter->radius_mm, half);
+    return lx_is_capsule(emitter) ? M_SQRT2 * emitter->radius_mm + half : hypot(M_SQRT2 * emitter->radius_mm, half);
 }
 
 /* The plane of a flat source, which is the first one of its shaft, or one that touches the ball around the source; a

@@ -22,7 +22,7 @@ static struct half_plane half_plane_of(const struct lx_occlusion *occlusion, con
         .x = arc->direction,
         .y = sweep->frame.z,
         .error_mm = occlusion->error_mm,
-        .is_line = sweep->kind != LX_SWEEP_BALL && sweep->kind != LX_SWEEP_ELLIPSOID,
+        .is_line = !lx_sweep_bulges(sweep),
         .is_ellipse = sweep->kind == LX_SWEEP_ELLIPSOID,
         .name = (unsigned)number * BOUNDS,
     };

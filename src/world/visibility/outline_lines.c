@@ -54,7 +54,7 @@ static void bound_sweep(struct laying *laying)
     const double u1 = s->angle1 < 0 ? -tangent : 0, u2 = u1 + tangent;
     laying->limit_mm = (h - r) * (1 - ON_SOURCE);
     laying->farthest_mm = s->wall == LX_FAR_WALL ? h + r : far;
-    if (s->kind == LX_SWEEP_BALL) {
+    if (lx_sweep_bulges(s)) {
         set_range(laying, u1, u2, -tangent, tangent);
         return;
     }

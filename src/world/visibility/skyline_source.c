@@ -283,6 +283,8 @@ bool lx_skyline_shape(const struct lx_occlusion *occlusion, const struct lx_emit
     }
     if (!lx_has_axis(emitter))
         return shape_ball(center, emitter->radius_mm, shapes);
+    if (lx_is_capsule(emitter))
+        return false;
     if (lx_emitter_kind(emitter)->has_side)
         shape_cylinder(center, axis, emitter->radius_mm, lx_half_height(emitter), shapes);
     else if (lx_dot(center, axis) < 0)
