@@ -10,7 +10,7 @@
  * surface, too: that a light, or a part of an extended source, reaches no element is decided for many at once.
  *
  * Lengths are mm; places are offsets from the surface's anchor.  The formulas are those of the references in
- * light/emitter.c, material/lobe.c and surface/sphere.c; those for extended sources stand in kernel_facets.h and
+ * light/emitter.c, material/ and surface/sphere.c; those for extended sources stand in kernel_facets.h and
  * kernel_round.h.
  */
 #ifndef LX_KERNEL_KERNEL_H

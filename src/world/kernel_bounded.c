@@ -2,7 +2,7 @@
 /*
  * The reference on batches of elements (elements.h), compiled once for each instruction set as kernel.c is, but without
  * contraction: making unit vectors and views, what stands in the way of light, and the light of points and directions.
- * The functions are those of light/emitter.c, material/lobe.c and reference.c, operation by operation.
+ * The functions are those of light/emitter.c, material/ and reference.c, operation by operation.
  */
 #include <float.h>
 #include <math.h>
