@@ -5,6 +5,7 @@ import type { Change } from './core';
 import { lastPart } from './folder';
 import { h } from './dom';
 import type { Model } from './model';
+import { placing } from './new_surface';
 import { t } from './words';
 
 const SCENE = /\.(ya?ml|json)$/i;
@@ -97,14 +98,8 @@ export class Files {
         const found =
             trial.text && (await client.ask('judge', { ...version, text: trial.text, direct: true })).facts?.surfaces[index];
         if (!found || !(found.reach > 0)) return this.model.change([insertion('')], '', version);
-        const [x, y, z] = scene?.surfaces[0]?.center ?? [0, 0, 0];
-        const top = z + (scene?.surfaces[0]?.reach ?? 0);
-        const room = (this.model.observer?.position[2] ?? Infinity) - top; // before the observer
-        const wanted = Math.min(0.25 * Math.min(...this.model.screen), room > 0 ? room / 3 : Infinity);
-        const fits = found.reach > wanted / 3 && found.reach <= wanted;
-        const scale = fits ? 1 : Number((wanted / found.reach).toPrecision(3));
-        const goal = [x, y, room > 0 ? top + 1.1 * scale * found.reach : z];
-        const position = goal.map((coordinate, axis) => Math.round(coordinate - scale * found.center[axis]));
+        const { scale, center } = placing(this.model, found.reach);
+        const position = center.map((coordinate, axis) => Math.round(coordinate - scale * found.center[axis]));
         return this.model.change([insertion(`, scale: ${scale}, position: ${written(position)}`)], '', version);
     }
 

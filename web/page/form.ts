@@ -5,6 +5,7 @@ import type { Key, Kind } from './core';
 import { choice, h, isTypedOver, lightColour, showIn, takeIn } from './dom';
 import { CHOICE, CHOICE_OR_PAIR, CHOICE_OR_WHOLE, NUMBER, NUMBERS, sceneKeys, TEXT, WHOLE, WHOLE_NUMBERS, YES_OR_NO } from './keys';
 import type { Model } from './model';
+import { newSurface } from './new_surface';
 import type { Of } from './version';
 import { number, t, typedNumber } from './words';
 
@@ -162,7 +163,7 @@ export class Form {
         };
         for (const [list, types] of lists.slice().reverse()) {
             const isLights = list === 'lights';
-            this.element.append(h('h3', {}, t(isLights ? 'Lights' : 'Surfaces'), this.adder(list, types.length)));
+            this.element.append(h('h3', {}, t(isLights ? 'Lights' : 'Surfaces'), this.adder(list)));
             types.forEach((type, i) => {
                 const base = `${list}[${i}]`;
                 const title = () => {
@@ -211,7 +212,7 @@ export class Form {
         );
     }
 
-    private adder(list: string, count: number) {
+    private adder(list: string) {
         const kinds = this.kinds.filter((kind) => kind.list === list && kind.example);
         const select = choice(
             t('Add'),
@@ -224,7 +225,7 @@ export class Form {
                 const kind = kinds.find((each) => each.name === name);
                 select.value = '';
                 if (kind && list === 'lights') this.model.addLight(kind.example!, this.chosenLight());
-                else if (kind) this.model.change([{ list, index: count, insert: kind.example! }]);
+                else if (kind) this.model.change(newSurface(this.model, kind.example!));
             },
         );
         return select;

@@ -24,6 +24,22 @@ async function addsLights(page) {
     await shot(page, 'added');
 }
 
+async function addsSurfaces(page) {
+    const small = `luxel: 1\nscreen: {width: 60, height: 60, resolution: [100, 100]}\nobserver: {z: 150}\nsurfaces:\n
+  - {type: sphere, center: [0, 0, 40], radius: 20}\nlights:\n  - {type: point, position: [40, 30, 120], intensity: 1}\n`;
+    await openText(page, small);
+    for (const kind of ['sphere', 'rectangle', 'disk', 'cylinder']) {
+        const count = await inside(page, 'model.scene.surfaces.length');
+        await page.getByLabel('Add').nth(1).selectOption(kind);
+        await until(page, `model.scene.surfaces.length === ${count + 1} && model.isSettled`);
+        const { reach, center } = await inside(page, `model.scene.surfaces[${count}]`);
+        check(reach > 2 && reach < 20, `${kind}: of a size that suits the screen: ${reach}`);
+        check(center[2] > 60 && center[2] + reach < 150, `${kind}: between what is there and the observer: ${center}`);
+        await page.getByRole('button', { name: 'Undo' }).click();
+        await until(page, `model.scene.surfaces.length === ${count} && model.text === model.wholeText`);
+    }
+}
+
 async function linksLooks(page, browser) {
     await openScene(page, 'two-spheres');
     await page.getByLabel('Colours').selectOption('turbo');
@@ -86,6 +102,7 @@ async function bearsManyLights(page) {
 export async function joining(browser, url) {
     const page = await opened(browser, url);
     await test('lights that are added fit the scene', () => addsLights(page));
+    await test('surfaces that are added fit the scene', () => addsSurfaces(page));
     await test('a link carries how the scene is shown', () => linksLooks(page, browser));
     await test('1500 lights do not stop the page', () => bearsManyLights(page));
     await test('no fault was reported while they joined', () => equal(page.faults, [], 'faults'));
