@@ -43,7 +43,7 @@ void luxel_balance_free(luxel_balance *balance)
 
 static luxel_amount amount(lx_bounded number)
 {
-    return (luxel_amount){number.value, lx_told_error(number)};
+    return (luxel_amount){number.value, lx_reported_error(number)};
 }
 
 /* The sources' flux, and what of it meets no surface. */
@@ -109,7 +109,7 @@ static void report_error(const luxel_balance *balance, const struct lx_radiosity
     lx_hint_overlap(reflected, prepared, diagnostics);
 }
 
-static luxel_status tell(const struct lx_session *session, const struct lx_reflected_wish *wish,
+static luxel_status tell(const struct lx_session *session, const struct lx_reflected_request *request,
                          luxel_diagnostics *diagnostics, luxel_balance **made)
 {
     const struct lx_radiosity *reflected = session->world.reflected;
@@ -127,7 +127,7 @@ static luxel_status tell(const struct lx_session *session, const struct lx_refle
     weigh_sources(&session->prepared, balance);
     balance->closes = fabs(balance->difference.value) <= balance->difference.error &&
                       (!balance->has_emitted || balance->missed.value >= -balance->missed.error);
-    balance->reached = lx_reflected_is_reached(reflected, wish);
+    balance->reached = lx_reflected_is_reached(reflected, request);
     if (tell_sides(&session->prepared, reflected, balance)) {
         luxel_balance_free(balance);
         return LUXEL_ERROR_MEMORY;
@@ -143,7 +143,7 @@ static luxel_status find(const luxel_scene *scene, struct lx_session *session, l
 {
     const luxel_settings *settings = &session->settings;
     struct lx_control control = {.rows = 1, .progress = settings->progress, .data = settings->progress_data};
-    const struct lx_reflected_wish wish = {
+    const struct lx_reflected_request request = {
         .prepared = &session->prepared,
         .kernels = session->world.kernels,
         .error = lx_pictured_error_of(settings),
@@ -154,13 +154,13 @@ static luxel_status find(const luxel_scene *scene, struct lx_session *session, l
     if (!session->world.reflected)
         session->world.reflected = lx_reflected_of_picture(scene, session);
     const bool is_enough = session->world.reflected &&
-                           (settings->share_reflected || lx_reflected_is_reached(session->world.reflected, &wish));
+                           (settings->share_reflected || lx_reflected_is_reached(session->world.reflected, &request));
     if (status == LUXEL_OK && !is_enough) {
         lx_reflected_free(session->world.reflected);
-        status = lx_reflected_make(&wish, &session->world.reflected);
+        status = lx_reflected_make(&request, &session->world.reflected);
     }
     if (status == LUXEL_OK)
-        status = tell(session, &wish, diagnostics, made);
+        status = tell(session, &request, diagnostics, made);
     return status == LUXEL_ERROR_MEMORY ? lx_out_of_memory(diagnostics) : status;
 }
 

@@ -235,7 +235,7 @@ static void conclude(const struct rating *rating, lx_bounded background)
     luxel_glare *glare = rating->glare;
     const lx_bounded sum = rating->sum;
     glare->background = background.value;
-    glare->background_error = lx_told_error(background);
+    glare->background_error = lx_reported_error(background);
     glare->has_rating = rating->session->prepared.scene->units == LX_PHOTOMETRIC && sum.value > sum.error &&
                         background.value > background.error;
     if (!glare->has_rating)

@@ -105,7 +105,7 @@ static void measure_cells(void *data, unsigned worker, bool is_caller, unsigned 
             const lx_bounded irradiance = lx_received_on_plane(&measuring->world, &received, i);
             measuring->mask[these[i]] = 1;
             measuring->values[these[i]] = irradiance.value;
-            measuring->errors[these[i]] = lx_told_error(irradiance);
+            measuring->errors[these[i]] = lx_reported_error(irradiance);
         }
     }
 }
@@ -337,12 +337,12 @@ static void take_reflected(void *data, size_t cell, lx_bounded light)
     struct lx_measuring *measuring = data;
     luxel_grid *grid = &measuring->made->grid;
     const lx_bounded total = lx_add((lx_bounded){measuring->values[cell], measuring->errors[cell]}, light);
-    const double error = lx_told_error(light), allowed = lx_reflected_error_of(measuring->settings) * total.value;
+    const double error = lx_reported_error(light), allowed = lx_reflected_error_of(measuring->settings) * total.value;
     grid->reflected_average += light.value;
     grid->reflected_error = fmax(grid->reflected_error, error);
     grid->reflected_reached = grid->reflected_reached && error <= fmax(allowed, DBL_MIN);
     measuring->values[cell] = total.value;
-    measuring->errors[cell] = lx_told_error(total);
+    measuring->errors[cell] = lx_reported_error(total);
 }
 
 static luxel_status reflect(struct lx_session *session, struct lx_measuring *measuring, luxel_diagnostics *diagnostics)

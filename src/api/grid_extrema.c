@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: MIT */
 /*
  * The true extrema on a measuring plane, between the points of its grid: looked for on a lattice that holds the
- * centres, the sides and the corners of all cells, and at the ends of leads, where they may be narrower than that; and
- * refined from the best places by steps of ever half the length to the best of eight around, which jumps and kinks do
- * not mislead.
+ * centres, the sides and the corners of all cells, and at the ends of candidate rays, where they may be narrower than
+ * that; and refined from the best places by steps of ever half the length to the best of eight around, which jumps and
+ * kinks do not mislead.
  */
 #include <float.h>
 #include <math.h>
@@ -14,7 +14,7 @@
 #include "../base/memory.h"
 #include "../base/rows.h"
 #include "../base/vector.h"
-#include "../flux/leads.h"
+#include "../flux/candidate_rays.h"
 #include "../scene/scene.h"
 #include "../world/bodies.h"
 #include "../world/evaluate.h"
@@ -24,10 +24,10 @@
 #include "refuse.h"
 #include "session.h"
 
-/* Nodes of the lattice that are wanted where light is quickly told, and leads that are followed; from how many of
+/* Nodes of the lattice that are wanted where light is quickly told, and rays that are followed; from how many of
  * either the search goes on; and how often its steps are halved. */
-enum { WANTED_NODES = 6000, MOST_LEADS = 1000, STARTS = 6, HALVINGS = 26 };
-enum { MOST_LEADS_COSTLY = 64, STARTS_COSTLY = 2, HALVINGS_COSTLY = 16 };
+enum { WANTED_NODES = 6000, MOST_RAYS = 1000, STARTS = 6, HALVINGS = 26 };
+enum { MOST_RAYS_COSTLY = 64, STARTS_COSTLY = 2, HALVINGS_COSTLY = 16 };
 /* Looks around of one climb, at most, and how often a ridge's way is looked for more closely at one place. */
 enum { MOST_LOOKS = 600, CLOSER = 3 };
 /* The share of the fall at twice the step that is more than that of a level peak, a quarter. */
@@ -57,7 +57,7 @@ struct search {
     bool is_costly;
     unsigned threads;
     unsigned n[2];      /* of the lattice */
-    struct node *nodes; /* of the lattice, then where leads end */
+    struct node *nodes; /* of the lattice, then where rays end */
     size_t count;
 };
 
@@ -131,7 +131,7 @@ static int make_lattice(struct search *search)
         search->n[i] = 2 * (unsigned)more * n[i] + 1;
         search->count *= search->n[i];
     }
-    if (search->count > UINT32_MAX - 2 * MOST_LEADS)
+    if (search->count > UINT32_MAX - 2 * MOST_RAYS)
         return -1;
     search->nodes = lx_new_array(search->count, sizeof *search->nodes);
     for (size_t i = 0; search->nodes && i < search->count; i++) {
@@ -142,8 +142,8 @@ static int make_lattice(struct search *search)
     return search->nodes ? 0 : -1;
 }
 
-/* Where a lead meets the plane, or, a little off what is measured of it, the next place there; false: neither. */
-static bool end_of(const struct search *search, const struct lx_lead *lead, double at[2])
+/* Where a ray meets the plane, or, a little off what is measured of it, the next place there; false: neither. */
+static bool end_of(const struct search *search, const struct lx_candidate_ray *ray, double at[2])
 {
     const struct lx_pose *pose = &search->cells.pose;
     const lx_bounded3 sides[3] = {lx_wide3_direction(pose->across), lx_wide3_direction(pose->upward),
@@ -151,11 +151,11 @@ static bool end_of(const struct search *search, const struct lx_lead *lead, doub
     double from[3], way[3];
     for (int i = 0; i < 3; i++) {
         const double side[3] = {sides[i].x.value, sides[i].y.value, sides[i].z.value};
-        const double offset[3] = {lead->from_mm[0] - search->cells.center_mm[0],
-                                  lead->from_mm[1] - search->cells.center_mm[1],
-                                  lead->from_mm[2] - search->cells.center_mm[2]};
+        const double offset[3] = {ray->from_mm[0] - search->cells.center_mm[0],
+                                  ray->from_mm[1] - search->cells.center_mm[1],
+                                  ray->from_mm[2] - search->cells.center_mm[2]};
         from[i] = lx_dot(side, offset);
-        way[i] = lx_dot(side, lead->way);
+        way[i] = lx_dot(side, ray->way);
     }
     if (!(from[2] >= 0 && way[2] < 0))
         return false;
@@ -168,20 +168,20 @@ static bool end_of(const struct search *search, const struct lx_lead *lead, doub
     return true;
 }
 
-/* Adds the places where leads end.  0, or -1: memory ran out. */
-static int add_leads(struct search *search)
+/* Adds the places where rays end.  0, or -1: memory ran out. */
+static int add_candidate_rays(struct search *search)
 {
     const lx_bounded3 *normal = &search->cells.normal;
     const double downward[3] = {-normal->x.value, -normal->y.value, -normal->z.value};
-    struct lx_leads leads = {.count = 0};
+    struct lx_candidate_rays rays = {.count = 0};
     size_t capacity = search->count;
-    int result =
-        lx_leads_make(search->world.prepared, downward, search->is_costly ? MOST_LEADS_COSTLY : MOST_LEADS, &leads);
+    int result = lx_candidate_rays_make(search->world.prepared, downward,
+                                        search->is_costly ? MOST_RAYS_COSTLY : MOST_RAYS, &rays);
     if (result == 0)
-        result = lx_reserve(&search->nodes, &capacity, search->count + leads.count, sizeof *search->nodes);
-    for (size_t i = 0; result == 0 && i < leads.count; i++)
-        search->count += end_of(search, &leads.items[i], search->nodes[search->count].at);
-    lx_leads_clear(&leads);
+        result = lx_reserve(&search->nodes, &capacity, search->count + rays.count, sizeof *search->nodes);
+    for (size_t i = 0; result == 0 && i < rays.count; i++)
+        search->count += end_of(search, &rays.items[i], search->nodes[search->count].at);
+    lx_candidate_rays_clear(&rays);
     return result;
 }
 
@@ -206,7 +206,7 @@ static bool is_peak(const struct search *search, size_t i, double sign)
     return search->nodes[i].has_value;
 }
 
-/* Whether the end of a lead is further that way than the nodes around it, which else lead on as well. */
+/* Whether the end of a ray is further that way than the nodes around it, which else lead on as well. */
 static bool is_beyond_nodes(const struct search *search, const struct node *end, double sign)
 {
     const double column = (0.5 + end->at[0] / search->cells.size_mm[0]) * (search->n[0] - 1);
@@ -218,16 +218,16 @@ static bool is_beyond_nodes(const struct search *search, const struct node *end,
     return true;
 }
 
-/* The best peaks of the lattice, or the best of the leads' ends, the first of equal ones; returns how many. */
-static unsigned find_starts(const struct search *search, bool of_leads, double sign, struct node starts[STARTS])
+/* The best peaks of the lattice, or the best of the rays' ends, the first of equal ones; returns how many. */
+static unsigned find_starts(const struct search *search, bool of_rays, double sign, struct node starts[STARTS])
 {
     const unsigned most = search->is_costly ? STARTS_COSTLY : STARTS;
     const size_t lattice = (size_t)search->n[0] * search->n[1];
     unsigned count = 0;
-    for (size_t i = of_leads ? lattice : 0; i < (of_leads ? search->count : lattice); i++) {
+    for (size_t i = of_rays ? lattice : 0; i < (of_rays ? search->count : lattice); i++) {
         const struct node *node = &search->nodes[i];
         if ((count == most && !is_beyond(node, &starts[most - 1], sign)) ||
-            !(of_leads ? is_beyond_nodes(search, node, sign) : is_peak(search, i, sign)))
+            !(of_rays ? is_beyond_nodes(search, node, sign) : is_peak(search, i, sign)))
             continue;
         unsigned at = count < most ? count++ : most - 1;
         for (; at > 0 && is_beyond(node, &starts[at - 1], sign); at--)
@@ -356,7 +356,7 @@ static luxel_grid_peak peak_of(const struct search *search, const struct node *n
     if (!node->has_value)
         return peak;
     peak.value = node->value.value;
-    peak.error = lx_told_error(node->value);
+    peak.error = lx_reported_error(node->value);
     lx_place_on_cells(&search->cells, node->at, peak.position_mm);
     memcpy(peak.on_plane_mm, node->at, sizeof peak.on_plane_mm);
     return peak;
@@ -368,9 +368,9 @@ static bool find_peak(const struct search *search, const struct lx_prepared *pre
 {
     struct node lattice[STARTS], ends[STARTS], best = {.has_value = false};
     const unsigned of_lattice = find_starts(search, false, sign, lattice);
-    const unsigned of_leads = find_starts(search, true, sign, ends);
-    for (unsigned i = 0, k = 0; i + k < of_lattice + of_leads;) { /* the best first */
-        const bool is_lead = i == of_lattice || (k < of_leads && is_beyond(&ends[k], &lattice[i], sign));
+    const unsigned of_rays = find_starts(search, true, sign, ends);
+    for (unsigned i = 0, k = 0; i + k < of_lattice + of_rays;) { /* the best first */
+        const bool is_lead = i == of_lattice || (k < of_rays && is_beyond(&ends[k], &lattice[i], sign));
         struct node *start = is_lead ? &ends[k++] : &lattice[i++];
         climb(search, sign, &best, start);
         if (is_beyond(start, &best, sign))
@@ -424,7 +424,7 @@ static luxel_status run(const luxel_scene *scene, struct lx_session *session, si
     const bool reflects = lx_wants_reflections(session->prepared.scene);
     search->cells = lx_cells_of(grid);
     search->is_costly = reflects || lx_world_batch(&search->world) < LX_BATCH;
-    if (make_lattice(search) || add_leads(search) ||
+    if (make_lattice(search) || add_candidate_rays(search) ||
         lx_bodies_find(&session->prepared, &search->cells, &search->bodies))
         return lx_out_of_memory(diagnostics);
     struct lx_control control = {.rows = (unsigned)search->count,

@@ -167,12 +167,12 @@ static void sum_lights(const struct lx_session *session, const struct lx_element
         share->irradiance = light.irradiance.value[0];
         share->diffuse = light.diffuse.value[0];
         share->specular = light.specular.value[0];
-        share->error = lx_told_error(value);
+        share->error = lx_reported_error(value);
         total = lx_add(total, value);
     }
     probe->has_value = true;
     probe->value = total.value;
-    probe->error = lx_told_error(total);
+    probe->error = lx_reported_error(total);
     probe->tolerance_reached = is_reached(session, &element, probe);
 }
 
@@ -297,9 +297,9 @@ static void take_reflected(void *data, size_t i, lx_bounded irradiance)
     probe->has_reflected = true;
     probe->reflected_irradiance = irradiance.value;
     probe->reflected_value = value.value;
-    probe->reflected_error = lx_told_error(value);
+    probe->reflected_error = lx_reported_error(value);
     probe->value = total.value;
-    probe->error = lx_told_error(total);
+    probe->error = lx_reported_error(total);
     probe->reflected_reached =
         probe->reflected_error <= fmax(lx_reflected_error_of(settings) * fabs(probe->value), DBL_MIN);
 }

@@ -38,7 +38,7 @@ luxel_status lx_reaching_open(struct lx_reaching *reaching, const struct lx_sess
         return LUXEL_OK;
     /* what surfaces reflect arrives wherever there is any */
     reaching->is_plain = session->world.reflected || lx_reach_is_plain(&session->prepared, settings->quantity);
-    if (reaching->is_plain || session->plan.forest.tree_count > 0)
+    if (reaching->is_plain || session->plan.trees.tree_count > 0)
         return LUXEL_OK;
     luxel_status status = lx_reach_open(&reaching->reach, session->prepared.scene, session->kernels, settings);
     reaching->is_open = true;

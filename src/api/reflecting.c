@@ -42,27 +42,28 @@ void lx_hint_overlap(const struct lx_radiosity *reflected, const struct lx_prepa
 /* ---- the world's question ---- */
 
 /* On surfaces by the tiles, where that is enough, elsewhere by an integral over all faces. */
-static lx_bounded reflected_to(const struct lx_world *world, const struct lx_element *element, struct lx_veils *veils)
+static lx_bounded reflected_to(const struct lx_world *world, const struct lx_element *element,
+                               struct lx_occluder_cones *cones)
 {
     const struct lx_receiver receiver = lx_receiver_of(world->prepared, element);
     size_t near = 0;
     if (world->by_tiles && element->own && !receiver.is_turned)
         return lx_reflected_on(world->reflected, world->prepared, receiver.own, receiver.place_mm, receiver.normal,
                                &near);
-    return lx_reflected_at(world->reflected, world->prepared, &receiver, veils);
+    return lx_reflected_at(world->reflected, world->prepared, &receiver, cones);
 }
 
 void lx_reflect_elements(const struct lx_world *world, const struct lx_elements *elements,
                          const struct lx_asking *asking, struct lx_received *received)
 {
-    struct lx_veils veils = {0};
+    struct lx_occluder_cones cones = {0};
     for (size_t i = 0; i < elements->count && lx_asking_goes_on(asking); i++) {
         const struct lx_element element = lx_elements_get(world->prepared, elements, i);
-        const lx_bounded light = reflected_to(world, &element, &veils);
+        const lx_bounded light = reflected_to(world, &element, &cones);
         received->reflected.value[i] = light.value;
-        received->reflected.error[i] = veils.failed ? HUGE_VAL : light.error;
+        received->reflected.error[i] = cones.failed ? HUGE_VAL : light.error;
     }
-    lx_veils_clear(&veils);
+    lx_occluder_cones_clear(&cones);
 }
 
 /* ---- solving for places ---- */
@@ -73,9 +74,9 @@ struct asking {
     struct lx_control *control;
     size_t count;
     struct lx_reflected_place *places;
-    size_t *of;             /* which elements they are */
-    lx_bounded *irradiance; /* found there */
-    struct lx_veils *veils; /* of each worker */
+    size_t *of;                      /* which elements they are */
+    lx_bounded *irradiance;          /* found there */
+    struct lx_occluder_cones *cones; /* of each worker */
 };
 
 static void ask_places(void *data, unsigned worker, bool is_caller, unsigned first, unsigned last)
@@ -84,22 +85,22 @@ static void ask_places(void *data, unsigned worker, bool is_caller, unsigned fir
     const struct lx_world *world = &asking->session->world;
     for (unsigned i = first; i < last && lx_control_goes_on(asking->control, is_caller); i++)
         asking->irradiance[i] =
-            lx_reflected_at(world->reflected, world->prepared, &asking->places[i].receiver, &asking->veils[worker]);
+            lx_reflected_at(world->reflected, world->prepared, &asking->places[i].receiver, &asking->cones[worker]);
 }
 
 static luxel_status ask(struct asking *asking, unsigned threads)
 {
-    asking->veils = lx_new_array(threads, sizeof *asking->veils);
+    asking->cones = lx_new_array(threads, sizeof *asking->cones);
     const struct lx_rows_part part = {
         .last = (unsigned)asking->count, .counts_itself = true, .work = ask_places, .data = asking};
-    luxel_status status = !asking->veils                                       ? LUXEL_ERROR_MEMORY
+    luxel_status status = !asking->cones                                       ? LUXEL_ERROR_MEMORY
                           : !lx_rows_run_part(asking->control, threads, &part) ? LUXEL_CANCELLED
                                                                                : LUXEL_OK;
-    for (unsigned w = 0; asking->veils && w < threads; w++) {
-        status = status == LUXEL_OK && asking->veils[w].failed ? LUXEL_ERROR_MEMORY : status;
-        lx_veils_clear(&asking->veils[w]);
+    for (unsigned w = 0; asking->cones && w < threads; w++) {
+        status = status == LUXEL_OK && asking->cones[w].failed ? LUXEL_ERROR_MEMORY : status;
+        lx_occluder_cones_clear(&asking->cones[w]);
     }
-    free(asking->veils);
+    free(asking->cones);
     return status;
 }
 
@@ -127,7 +128,7 @@ static luxel_status solve(struct lx_session *session, const struct lx_reflecting
                           const struct asking *asking, unsigned threads)
 {
     struct lx_world *world = &session->world;
-    const struct lx_reflected_wish wish = {
+    const struct lx_reflected_request request = {
         .prepared = world->prepared,
         .kernels = world->kernels,
         .error = lx_reflected_error_of(&session->settings),
@@ -138,9 +139,9 @@ static luxel_status solve(struct lx_session *session, const struct lx_reflecting
         .control = reflecting->control,
     };
     struct lx_radiosity *made = NULL;
-    if (world->reflected && (session->settings.share_reflected || lx_reflected_is_reached(world->reflected, &wish)))
+    if (world->reflected && (session->settings.share_reflected || lx_reflected_is_reached(world->reflected, &request)))
         return LUXEL_OK;
-    const luxel_status status = lx_reflected_make(&wish, &made);
+    const luxel_status status = lx_reflected_make(&request, &made);
     lx_reflected_free(world->reflected);
     world->reflected = made;
     if (made && reflecting->slot)

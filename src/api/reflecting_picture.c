@@ -101,7 +101,7 @@ static luxel_status solve(const struct lx_session *session, const struct lx_refl
         .last = looking.rows, .counts_itself = true, .work = look_at_rows, .data = &looking};
     luxel_status status = lx_rows_run_part(control, threads, &part) ? LUXEL_OK : LUXEL_CANCELLED;
     if (status == LUXEL_OK) {
-        const struct lx_reflected_wish wish = {
+        const struct lx_reflected_request request = {
             .prepared = &session->prepared,
             .kernels = session->world.kernels,
             .error = key->error,
@@ -111,7 +111,7 @@ static luxel_status solve(const struct lx_session *session, const struct lx_refl
             .threads = threads,
             .control = control,
         };
-        status = lx_reflected_make(&wish, made);
+        status = lx_reflected_make(&request, made);
     }
     free(looking.spots);
     return status;

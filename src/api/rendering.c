@@ -351,7 +351,7 @@ static struct lx_rows_part part_of(struct lx_rendering *rendering)
     const struct lx_strip *strip = &rendering->computed->strip;
     struct lx_rows_part part = {.first = strip->first,
                                 .last = strip->first + strip->rows,
-                                .tile_rows = rendering->plan->forest.tree_count > 0 ? LX_TILE_ROWS : 0,
+                                .tile_rows = rendering->plan->trees.tree_count > 0 ? LX_TILE_ROWS : 0,
                                 .work = render_rows,
                                 .meanwhile = rendering->finished ? put_away : NULL,
                                 .data = rendering};

@@ -25,21 +25,21 @@ static const double FALL = 0.7;
 
 enum outcome { MOVED, MET_EDGE, ENDED };
 
-static double size_of(const struct lx_hunt *hunt, const struct lx_climb *climb)
+static double size_of(const struct lx_extremum_search *search, const struct lx_climb *climb)
 {
-    return lx_spot_shape(hunt, &climb->at)->radius_mm;
+    return lx_spot_shape(search, &climb->at)->radius_mm;
 }
 
-static double value_at(struct lx_hunt *hunt, const struct lx_spot *spot)
+static double value_at(struct lx_extremum_search *search, const struct lx_spot *spot)
 {
     double error;
-    return lx_piece_value(hunt, spot, &error);
+    return lx_piece_value(search, spot, &error);
 }
 
 /* The value where the climb stands, and what it tells of the roughness. */
-static double value_here(struct lx_hunt *hunt, struct lx_climb *climb)
+static double value_here(struct lx_extremum_search *search, struct lx_climb *climb)
 {
-    double error, value = lx_piece_value(hunt, &climb->at, &error);
+    double error, value = lx_piece_value(search, &climb->at, &error);
     double noise = error > 0 && value != 0 ? error / fabs(value) / 4 : 0;
     climb->noise = fmin(fmax(noise, 4e-16), 1e-4);
     return value;
@@ -63,26 +63,26 @@ static double small_gain(const struct lx_climb *climb)
 }
 
 /* The length over which a function of this curvature changes by itself. */
-static void set_length(const struct lx_hunt *hunt, struct lx_climb *climb, double curvature)
+static void set_length(const struct lx_extremum_search *search, struct lx_climb *climb, double curvature)
 {
-    double size_mm = size_of(hunt, climb), length = sqrt(fabs(climb->value) / curvature);
+    double size_mm = size_of(search, climb), length = sqrt(fabs(climb->value) / curvature);
     climb->length_mm = length < size_mm ? fmax(length, 1e-9 * size_mm) : size_mm;
 }
 
-static bool is_beyond_one(const struct lx_hunt *hunt, size_t edge, const struct lx_spot *spot)
+static bool is_beyond_one(const struct lx_extremum_search *search, size_t edge, const struct lx_spot *spot)
 {
-    double distance = lx_brink_distance(hunt, &hunt->brinks[edge], spot);
-    return !(hunt->sides[edge] * distance >= -SLACK * hunt->scale_mm);
+    double distance = lx_edge_distance(search, &search->edges[edge], spot);
+    return !(search->sides[edge] * distance >= -SLACK * search->scale_mm);
 }
 
 /* Whether a spot lies beyond an edge that the climb does not stand on, and which. */
-static bool is_beyond(const struct lx_hunt *hunt, const struct lx_climb *climb, const struct lx_spot *spot,
+static bool is_beyond(const struct lx_extremum_search *search, const struct lx_climb *climb, const struct lx_spot *spot,
                       size_t *edge)
 {
-    for (size_t i = 0; i < hunt->brink_count; i++) {
+    for (size_t i = 0; i < search->edge_count; i++) {
         bool stands_on =
             (climb->active_count > 0 && climb->active[0] == i) || (climb->active_count > 1 && climb->active[1] == i);
-        if (!stands_on && is_beyond_one(hunt, i, spot)) {
+        if (!stands_on && is_beyond_one(search, i, spot)) {
             *edge = i;
             return true;
         }
@@ -96,18 +96,18 @@ struct path {
     double direction[2]; /* unit */
 };
 
-static bool follow(const struct lx_hunt *hunt, const struct lx_climb *climb, const struct path *path, double way_mm,
-                   struct lx_spot *spot)
+static bool follow(const struct lx_extremum_search *search, const struct lx_climb *climb, const struct path *path,
+                   double way_mm, struct lx_spot *spot)
 {
     double step[2] = {way_mm * path->direction[0], way_mm * path->direction[1]};
-    *spot = lx_spot_moved(hunt, &climb->at, &path->chart, step);
-    return climb->active_count == 0 || lx_brink_reach(hunt, climb->active[0], spot);
+    *spot = lx_spot_moved(search, &climb->at, &path->chart, step);
+    return climb->active_count == 0 || lx_edge_reach(search, climb->active[0], spot);
 }
 
 /* The last spot of a path, `way` long at most, that is beyond no edge, and the edge where it ends: at first the one
  * that is known to lie on the way, then any that lies before it. */
-static bool find_edge(const struct lx_hunt *hunt, const struct lx_climb *climb, const struct path *path, double way_mm,
-                      struct lx_spot *spot, size_t *edge)
+static bool find_edge(const struct lx_extremum_search *search, const struct lx_climb *climb, const struct path *path,
+                      double way_mm, struct lx_spot *spot, size_t *edge)
 {
     double inside, outside = way_mm;
     size_t before = *edge;
@@ -116,34 +116,34 @@ static bool find_edge(const struct lx_hunt *hunt, const struct lx_climb *climb, 
         inside = 0;
         for (int i = 0; i < 55; i++) {
             double middle = (inside + outside) / 2;
-            if (!follow(hunt, climb, path, middle, spot))
+            if (!follow(search, climb, path, middle, spot))
                 return false;
-            if (is_beyond_one(hunt, *edge, spot))
+            if (is_beyond_one(search, *edge, spot))
                 outside = middle;
             else
                 inside = middle;
         }
-        if (!follow(hunt, climb, path, inside, spot))
+        if (!follow(search, climb, path, inside, spot))
             return false;
         outside = inside;
-    } while (is_beyond(hunt, climb, spot, &before) && before != *edge && inside != 0);
+    } while (is_beyond(search, climb, spot, &before) && before != *edge && inside != 0);
     return true;
 }
 
 /* Ends on the edge that the way crosses, unless that leads down. */
-static enum outcome stop_at_edge(struct lx_hunt *hunt, struct lx_climb *climb, const struct path *path, double way_mm,
-                                 size_t edge)
+static enum outcome stop_at_edge(struct lx_extremum_search *search, struct lx_climb *climb, const struct path *path,
+                                 double way_mm, size_t edge)
 {
     struct lx_spot spot;
-    if (!find_edge(hunt, climb, path, way_mm, &spot, &edge))
+    if (!find_edge(search, climb, path, way_mm, &spot, &edge))
         return ENDED;
-    if (climb->active_count == 0 && !lx_brink_reach(hunt, edge, &spot))
+    if (climb->active_count == 0 && !lx_edge_reach(search, edge, &spot))
         return ENDED;
     if (climb->active_count == 1)
-        lx_brinks_meet(hunt, (size_t[]){climb->active[0], edge}, &spot);
+        lx_edges_meet(search, (size_t[]){climb->active[0], edge}, &spot);
     /* the climb itself may have stood beyond the edge by as much as rounding allows */
-    double loss = 4 * (climb->noise + SLACK * hunt->scale_mm / climb->length_mm) * fabs(climb->value);
-    double value = value_at(hunt, &spot);
+    double loss = 4 * (climb->noise + SLACK * search->scale_mm / climb->length_mm) * fabs(climb->value);
+    double value = value_at(search, &spot);
     if (!(value >= climb->value - loss))
         return ENDED;
     climb->at = spot;
@@ -153,13 +153,14 @@ static enum outcome stop_at_edge(struct lx_hunt *hunt, struct lx_climb *climb, c
 }
 
 /* After a trial: how far to trust the model from now on. */
-static void set_trust(const struct lx_hunt *hunt, struct lx_climb *climb, double way_mm, double foretold, double gained)
+static void set_trust(const struct lx_extremum_search *search, struct lx_climb *climb, double way_mm, double predicted,
+                      double gained)
 {
-    if (!(gained >= 0.1 * foretold))
+    if (!(gained >= 0.1 * predicted))
         climb->trust_mm = fmin(climb->trust_mm, way_mm) / 4;
-    else if (gained >= 0.7 * foretold)
+    else if (gained >= 0.7 * predicted)
         climb->trust_mm = fmax(climb->trust_mm, 3 * way_mm);
-    climb->trust_mm = fmin(climb->trust_mm, size_of(hunt, climb) / 2);
+    climb->trust_mm = fmin(climb->trust_mm, size_of(search, climb) / 2);
 }
 
 /* The quadratic model g.p + p.H.p/2. */
@@ -216,15 +217,15 @@ struct around {
 };
 
 /* The model from differences of the step h; false: there is no value somewhere. */
-static bool look_around(struct lx_hunt *hunt, struct lx_climb *climb, const struct lx_chart *chart, double h,
-                        struct around *around, struct model *model)
+static bool look_around(struct lx_extremum_search *search, struct lx_climb *climb, const struct lx_chart *chart,
+                        double h, struct around *around, struct model *model)
 {
     static const double steps[STENCIL][2] = {{1, 0}, {-1, 0}, {0, 1}, {0, -1}, {1, 1}};
     double f = climb->value, *values = around->values;
     climb->flat = true;
     for (int i = 0; i < STENCIL; i++) {
-        around->spots[i] = lx_spot_moved(hunt, &climb->at, chart, (double[]){h * steps[i][0], h * steps[i][1]});
-        values[i] = value_at(hunt, &around->spots[i]);
+        around->spots[i] = lx_spot_moved(search, &climb->at, chart, (double[]){h * steps[i][0], h * steps[i][1]});
+        values[i] = value_at(search, &around->spots[i]);
         if (!isfinite(values[i]))
             return false;
         climb->flat = climb->flat && values[i] == f;
@@ -238,7 +239,7 @@ static bool look_around(struct lx_hunt *hunt, struct lx_climb *climb, const stru
 }
 
 /* The highest of the trial and of the places looked at, those beyond edges left out, if it is higher than the climb. */
-static bool settle_for(const struct lx_hunt *hunt, struct lx_climb *climb, const struct lx_spot *trial,
+static bool settle_for(const struct lx_extremum_search *search, struct lx_climb *climb, const struct lx_spot *trial,
                        double trial_value, const struct around *around)
 {
     const struct lx_spot *best = NULL;
@@ -247,7 +248,7 @@ static bool settle_for(const struct lx_hunt *hunt, struct lx_climb *climb, const
     if (trial_value > value)
         best = trial, value = trial_value;
     for (size_t i = 0; i < around->count; i++)
-        if (around->values[i] > value && !is_beyond(hunt, climb, &around->spots[i], &edge))
+        if (around->values[i] > value && !is_beyond(search, climb, &around->spots[i], &edge))
             best = &around->spots[i], value = around->values[i];
     if (!best)
         return false;
@@ -257,17 +258,18 @@ static bool settle_for(const struct lx_hunt *hunt, struct lx_climb *climb, const
 }
 
 /* After a failure: trusts the model less far. */
-static enum outcome shrink(const struct lx_hunt *hunt, struct lx_climb *climb, double way_mm)
+static enum outcome shrink(const struct lx_extremum_search *search, struct lx_climb *climb, double way_mm)
 {
     climb->trust_mm = fmin(climb->trust_mm, way_mm) / 4;
-    return climb->trust_mm > POINT * size_of(hunt, climb) && !hunt->stopped ? MOVED : ENDED;
+    return climb->trust_mm > POINT * size_of(search, climb) && !search->stopped ? MOVED : ENDED;
 }
 
 /* The last step may gain nothing that the value tells, but finds the place. */
-static enum outcome make_last_step(struct lx_hunt *hunt, struct lx_climb *climb, const struct lx_spot *trial)
+static enum outcome make_last_step(struct lx_extremum_search *search, struct lx_climb *climb,
+                                   const struct lx_spot *trial)
 {
     size_t edge;
-    double value = is_beyond(hunt, climb, trial, &edge) ? -HUGE_VAL : value_at(hunt, trial);
+    double value = is_beyond(search, climb, trial, &edge) ? -HUGE_VAL : value_at(search, trial);
     if (value >= climb->value - climb->noise * fabs(climb->value)) {
         climb->at = *trial;
         climb->value = value;
@@ -280,17 +282,17 @@ static enum outcome make_last_step(struct lx_hunt *hunt, struct lx_climb *climb,
  * highlight whose source sets.  Newton's method then goes a small share of that way a step; so while the function falls
  * to a share of itself, the way is doubled.
  */
-static void leap(struct lx_hunt *hunt, const struct lx_climb *climb, const struct path *path, double way_mm,
-                 struct lx_spot *trial, double *value)
+static void leap(struct lx_extremum_search *search, const struct lx_climb *climb, const struct path *path,
+                 double way_mm, struct lx_spot *trial, double *value)
 {
     double before = climb->value;
-    while (hunt->sign < 0 && fabs(*value) < FALL * fabs(before)) {
+    while (search->sign < 0 && fabs(*value) < FALL * fabs(before)) {
         struct lx_spot farther;
         size_t edge;
         way_mm *= 2;
-        if (!follow(hunt, climb, path, way_mm, &farther) || is_beyond(hunt, climb, &farther, &edge))
+        if (!follow(search, climb, path, way_mm, &farther) || is_beyond(search, climb, &farther, &edge))
             return;
-        const double there = value_at(hunt, &farther);
+        const double there = value_at(search, &farther);
         if (!(there > *value))
             return;
         before = *value;
@@ -300,99 +302,101 @@ static void leap(struct lx_hunt *hunt, const struct lx_climb *climb, const struc
 }
 
 /* Goes a way along a path, from which the model foretells a gain. */
-static enum outcome go(struct lx_hunt *hunt, struct lx_climb *climb, const struct path *path, double way_mm,
-                       double foretold, struct around *around)
+static enum outcome go(struct lx_extremum_search *search, struct lx_climb *climb, const struct path *path,
+                       double way_mm, double predicted, struct around *around)
 {
     struct lx_spot trial;
     size_t edge;
     if (way_mm == 0)
         return ENDED;
-    if (!follow(hunt, climb, path, way_mm, &trial))
-        return shrink(hunt, climb, fabs(way_mm));
-    if (!(foretold > small_gain(climb)))
-        return make_last_step(hunt, climb, &trial);
-    if (is_beyond(hunt, climb, &trial, &edge)) {
-        enum outcome outcome = stop_at_edge(hunt, climb, path, way_mm, edge);
-        return outcome == ENDED ? shrink(hunt, climb, fabs(way_mm)) : outcome;
+    if (!follow(search, climb, path, way_mm, &trial))
+        return shrink(search, climb, fabs(way_mm));
+    if (!(predicted > small_gain(climb)))
+        return make_last_step(search, climb, &trial);
+    if (is_beyond(search, climb, &trial, &edge)) {
+        enum outcome outcome = stop_at_edge(search, climb, path, way_mm, edge);
+        return outcome == ENDED ? shrink(search, climb, fabs(way_mm)) : outcome;
     }
-    double value = value_at(hunt, &trial);
-    set_trust(hunt, climb, fabs(way_mm), foretold, value - climb->value);
-    leap(hunt, climb, path, way_mm, &trial, &value);
-    if (settle_for(hunt, climb, &trial, value, around))
+    double value = value_at(search, &trial);
+    set_trust(search, climb, fabs(way_mm), predicted, value - climb->value);
+    leap(search, climb, path, way_mm, &trial, &value);
+    if (settle_for(search, climb, &trial, value, around))
         return MOVED;
-    return climb->trust_mm > POINT * size_of(hunt, climb) ? MOVED : ENDED;
+    return climb->trust_mm > POINT * size_of(search, climb) ? MOVED : ENDED;
 }
 
-static enum outcome step_inside(struct lx_hunt *hunt, struct lx_climb *climb)
+static enum outcome step_inside(struct lx_extremum_search *search, struct lx_climb *climb)
 {
-    struct path path = {.chart = lx_spot_chart(hunt, &climb->at)};
+    struct path path = {.chart = lx_spot_chart(search, &climb->at)};
     struct around around = {.count = STENCIL};
     double mu[2], axes[2][2], p[2], h = difference_step(climb);
     struct model model;
-    if (!look_around(hunt, climb, &path.chart, h, &around, &model)) {
+    if (!look_around(search, climb, &path.chart, h, &around, &model)) {
         climb->length_mm = fmin(climb->length_mm, climb->trust_mm / 4);
-        return shrink(hunt, climb, climb->trust_mm);
+        return shrink(search, climb, climb->trust_mm);
     }
     if (climb->flat)
         return ENDED;
     principal(&model, mu, axes);
-    set_length(hunt, climb, fmax(fabs(mu[0]), fabs(mu[1])));
+    set_length(search, climb, fmax(fabs(mu[0]), fabs(mu[1])));
     climb->looked = true;
     model_top(&model, climb->trust_mm, p);
-    double foretold = foretell(&model, p), way = hypot(p[0], p[1]);
-    if (!(foretold > small_gain(climb)) && h > 2 * fine_step(climb))
+    double predicted = foretell(&model, p), way = hypot(p[0], p[1]);
+    if (!(predicted > small_gain(climb)) && h > 2 * fine_step(climb))
         return MOVED; /* to look closer */
     path.direction[0] = p[0] / way, path.direction[1] = p[1] / way;
-    return go(hunt, climb, &path, way, foretold, &around);
+    return go(search, climb, &path, way, predicted, &around);
 }
 
 /* The path along an edge, square to its inward direction. */
-static bool path_along(const struct lx_hunt *hunt, const struct lx_climb *climb, size_t edge, struct path *path)
+static bool path_along(const struct lx_extremum_search *search, const struct lx_climb *climb, size_t edge,
+                       struct path *path)
 {
     double inward[2];
-    path->chart = lx_spot_chart(hunt, &climb->at);
-    if (!lx_brink_inward(hunt, edge, &climb->at, &path->chart, inward))
+    path->chart = lx_spot_chart(search, &climb->at);
+    if (!lx_edge_inward(search, edge, &climb->at, &path->chart, inward))
         return false;
     path->direction[0] = -inward[1], path->direction[1] = inward[0];
     return true;
 }
 
-static enum outcome step_along(struct lx_hunt *hunt, struct lx_climb *climb)
+static enum outcome step_along(struct lx_extremum_search *search, struct lx_climb *climb)
 {
     struct path path;
     struct around around = {.count = 2};
     double *values = around.values, h = difference_step(climb);
-    if (!path_along(hunt, climb, climb->active[0], &path))
+    if (!path_along(search, climb, climb->active[0], &path))
         return ENDED;
     for (int i = 0; i < 2; i++) {
-        if (!follow(hunt, climb, &path, i ? -h : h, &around.spots[i]))
-            return shrink(hunt, climb, climb->trust_mm);
-        values[i] = value_at(hunt, &around.spots[i]);
+        if (!follow(search, climb, &path, i ? -h : h, &around.spots[i]))
+            return shrink(search, climb, climb->trust_mm);
+        values[i] = value_at(search, &around.spots[i]);
         if (!isfinite(values[i]))
-            return shrink(hunt, climb, climb->trust_mm);
+            return shrink(search, climb, climb->trust_mm);
     }
     climb->flat = values[0] == climb->value && values[1] == climb->value;
     if (climb->flat)
         return ENDED;
     double slope = (values[0] - values[1]) / (2 * h), bend = (values[0] - 2 * climb->value + values[1]) / (h * h);
-    set_length(hunt, climb, fabs(bend));
+    set_length(search, climb, fabs(bend));
     climb->looked = true;
     double way = bend < 0 ? -slope / bend : copysign(climb->trust_mm, slope);
     way = fmax(fmin(way, climb->trust_mm), -climb->trust_mm);
-    double foretold = slope * way + bend * way * way / 2;
-    if (!(foretold > small_gain(climb)) && h > 2 * fine_step(climb))
+    double predicted = slope * way + bend * way * way / 2;
+    if (!(predicted > small_gain(climb)) && h > 2 * fine_step(climb))
         return MOVED; /* to look closer */
-    return go(hunt, climb, &path, way, foretold, &around);
+    return go(search, climb, &path, way, predicted, &around);
 }
 
 /* How the function rises from where the climb stands along a path: its one-sided slope. */
-static double slope_along(struct lx_hunt *hunt, const struct lx_climb *climb, const struct path *path, double sign)
+static double slope_along(struct lx_extremum_search *search, const struct lx_climb *climb, const struct path *path,
+                          double sign)
 {
-    double h = fmax(fine_step(climb), 1e3 * SLACK * hunt->scale_mm);
+    double h = fmax(fine_step(climb), 1e3 * SLACK * search->scale_mm);
     struct lx_spot near, far;
-    if (!follow(hunt, climb, path, sign * h, &near) || !follow(hunt, climb, path, 2 * sign * h, &far))
+    if (!follow(search, climb, path, sign * h, &near) || !follow(search, climb, path, 2 * sign * h, &far))
         return 0;
-    double slope = (4 * value_at(hunt, &near) - value_at(hunt, &far) - 3 * climb->value) / (2 * h);
+    double slope = (4 * value_at(search, &near) - value_at(search, &far) - 3 * climb->value) / (2 * h);
     return isfinite(slope) ? slope : 0;
 }
 
@@ -411,57 +415,57 @@ static void let_go(struct lx_climb *climb, unsigned i)
 }
 
 /* The slope into the side where the climb stands of its i-th edge, along the other edge if there is one. */
-static double slope_off(struct lx_hunt *hunt, const struct lx_climb *climb, unsigned i)
+static double slope_off(struct lx_extremum_search *search, const struct lx_climb *climb, unsigned i)
 {
     struct path path;
     double inward[2];
     struct lx_climb rest = *climb;
     size_t edge = climb->active[i];
     let_go(&rest, i);
-    path.chart = lx_spot_chart(hunt, &climb->at);
-    if (!lx_brink_inward(hunt, edge, &climb->at, &path.chart, inward))
+    path.chart = lx_spot_chart(search, &climb->at);
+    if (!lx_edge_inward(search, edge, &climb->at, &path.chart, inward))
         return 0;
     if (rest.active_count == 0) {
         path.direction[0] = inward[0], path.direction[1] = inward[1];
-        return slope_along(hunt, &rest, &path, 1);
+        return slope_along(search, &rest, &path, 1);
     }
-    if (!path_along(hunt, &rest, rest.active[0], &path))
+    if (!path_along(search, &rest, rest.active[0], &path))
         return 0;
     double sign = path.direction[0] * inward[0] + path.direction[1] * inward[1];
-    return fabs(sign) > 1e-6 ? slope_along(hunt, &rest, &path, copysign(1, sign)) : 0;
+    return fabs(sign) > 1e-6 ? slope_along(search, &rest, &path, copysign(1, sign)) : 0;
 }
 
 /* Goes to the other side of the i-th edge that the climb stands on, if that is higher or leads upwards. */
-static bool cross(struct lx_hunt *hunt, struct lx_climb *climb, unsigned i)
+static bool cross(struct lx_extremum_search *search, struct lx_climb *climb, unsigned i)
 {
     size_t edge = climb->active[i];
-    if (lx_brink_is_wall(&hunt->brinks[edge]))
+    if (lx_edge_is_wall(&search->edges[edge]))
         return false;
     struct lx_climb other = *climb;
     double rounding = 4 * climb->noise * fabs(climb->value);
-    hunt->sides[edge] = (signed char)-hunt->sides[edge];
-    other.value = value_at(hunt, &climb->at);
+    search->sides[edge] = (signed char)-search->sides[edge];
+    other.value = value_at(search, &climb->at);
     if (other.value > climb->value + rounding) {
         climb->value = other.value;
         return true;
     }
-    if (other.value >= climb->value - rounding && rises(climb, slope_off(hunt, &other, i))) {
+    if (other.value >= climb->value - rounding && rises(climb, slope_off(search, &other, i))) {
         climb->value = fmax(climb->value, other.value);
         let_go(climb, i);
         return true;
     }
-    hunt->sides[edge] = (signed char)-hunt->sides[edge];
+    search->sides[edge] = (signed char)-search->sides[edge];
     return false;
 }
 
 /* Where two edges that are no walls meet, the piece opposite may be the higher one. */
-static bool cross_both(struct lx_hunt *hunt, struct lx_climb *climb)
+static bool cross_both(struct lx_extremum_search *search, struct lx_climb *climb)
 {
-    signed char *first = &hunt->sides[climb->active[0]], *second = &hunt->sides[climb->active[1]];
-    if (lx_brink_is_wall(&hunt->brinks[climb->active[0]]) || lx_brink_is_wall(&hunt->brinks[climb->active[1]]))
+    signed char *first = &search->sides[climb->active[0]], *second = &search->sides[climb->active[1]];
+    if (lx_edge_is_wall(&search->edges[climb->active[0]]) || lx_edge_is_wall(&search->edges[climb->active[1]]))
         return false;
     *first = (signed char)-*first, *second = (signed char)-*second;
-    double value = value_at(hunt, &climb->at);
+    double value = value_at(search, &climb->at);
     if (value > climb->value + 4 * climb->noise * fabs(climb->value)) {
         climb->value = value;
         return true;
@@ -471,15 +475,15 @@ static bool cross_both(struct lx_hunt *hunt, struct lx_climb *climb)
 }
 
 /* Off an edge, or over it: whether the climb goes on. */
-static bool leave_edges(struct lx_hunt *hunt, struct lx_climb *climb)
+static bool leave_edges(struct lx_extremum_search *search, struct lx_climb *climb)
 {
     for (unsigned i = 0; i < climb->active_count; i++)
-        if (cross(hunt, climb, i))
+        if (cross(search, climb, i))
             return true;
-    if (climb->active_count == 2 && cross_both(hunt, climb))
+    if (climb->active_count == 2 && cross_both(search, climb))
         return true;
     for (unsigned i = 0; i < climb->active_count; i++)
-        if (rises(climb, slope_off(hunt, climb, i))) {
+        if (rises(climb, slope_off(search, climb, i))) {
             let_go(climb, i);
             return true;
         }
@@ -487,15 +491,15 @@ static bool leave_edges(struct lx_hunt *hunt, struct lx_climb *climb)
 }
 
 /* Whether the climb comes to a summit that is known, and is not above it. */
-static bool nears_summit(const struct lx_hunt *hunt, const struct lx_climb *climb)
+static bool nears_summit(const struct lx_extremum_search *search, const struct lx_climb *climb)
 {
     double here[3], there[3], normal[3];
-    lx_spot_place(hunt, &climb->at, here, normal);
-    for (size_t i = 0; i < hunt->summit_count; i++) {
-        const struct lx_summit *summit = &hunt->summits[i];
+    lx_spot_place(search, &climb->at, here, normal);
+    for (size_t i = 0; i < search->summit_count; i++) {
+        const struct lx_summit *summit = &search->summits[i];
         if (summit->spot.surface != climb->at.surface || climb->value > summit->value)
             continue;
-        lx_spot_place(hunt, &summit->spot, there, normal);
+        lx_spot_place(search, &summit->spot, there, normal);
         double apart = hypot(hypot(here[0] - there[0], here[1] - there[1]), here[2] - there[2]);
         if (apart <= 0.03 * summit->length_mm)
             return true;
@@ -503,18 +507,18 @@ static bool nears_summit(const struct lx_hunt *hunt, const struct lx_climb *clim
     return false;
 }
 
-void lx_climb_up(struct lx_hunt *hunt, struct lx_climb *climb)
+void lx_climb_up(struct lx_extremum_search *search, struct lx_climb *climb)
 {
-    climb->value = value_here(hunt, climb);
-    climb->length_mm = fmin(fmax(climb->length_mm, climb->trust_mm), size_of(hunt, climb));
+    climb->value = value_here(search, climb);
+    climb->length_mm = fmin(fmax(climb->length_mm, climb->trust_mm), size_of(search, climb));
     if (!isfinite(climb->value))
         return;
-    for (int steps = 0; steps < MOST_STEPS && lx_hunt_goes_on(hunt); steps++) {
+    for (int steps = 0; steps < MOST_STEPS && lx_search_goes_on(search); steps++) {
         enum outcome outcome = ENDED;
         if (climb->active_count < 2)
-            outcome = climb->active_count == 0 ? step_inside(hunt, climb) : step_along(hunt, climb);
+            outcome = climb->active_count == 0 ? step_inside(search, climb) : step_along(search, climb);
         if (outcome == MET_EDGE || (outcome == ENDED && climb->active_count > 0)) {
-            bool goes_on = leave_edges(hunt, climb);
+            bool goes_on = leave_edges(search, climb);
             if (outcome == ENDED && !goes_on)
                 return;
             /* a step of its own, unless it was just made */
@@ -522,7 +526,7 @@ void lx_climb_up(struct lx_hunt *hunt, struct lx_climb *climb)
         } else if (outcome == ENDED) {
             return;
         }
-        if (nears_summit(hunt, climb)) {
+        if (nears_summit(search, climb)) {
             climb->known = true;
             return;
         }

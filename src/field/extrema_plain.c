@@ -23,26 +23,26 @@ struct found {
 };
 
 /* Whether there is a value at a place of the screen and the region. */
-static bool look(const struct lx_hunt *hunt, const double at[2], struct found *found)
+static bool look(const struct lx_extremum_search *search, const double at[2], struct found *found)
 {
-    const struct lx_screen *screen = &hunt->prepared->scene->screen;
+    const struct lx_screen *screen = &search->prepared->scene->screen;
     if (!(fabs(at[0]) <= screen->width_mm / 2 && fabs(at[1]) <= screen->height_mm / 2 &&
-          luxel_region_holds(hunt->region, at[0], at[1])))
+          luxel_region_holds(search->region, at[0], at[1])))
         return false;
-    *found = (struct found){{at[0], at[1]}, luxel_evaluate(hunt->evaluator, at[0], at[1], NULL)};
+    *found = (struct found){{at[0], at[1]}, luxel_evaluate(search->evaluator, at[0], at[1], NULL)};
     return found->value.on_surface && found->value.has_value;
 }
 
 /* The best pixel that is not near to one of those taken; false: there is none. */
-static bool next_start(const struct lx_hunt *hunt, const luxel_field *field, const struct found *taken, unsigned count,
-                       double at[2])
+static bool next_start(const struct lx_extremum_search *search, const luxel_field *field, const struct found *taken,
+                       unsigned count, double at[2])
 {
     double best = -HUGE_VAL;
-    const double near = 8 * hunt->pixel_mm;
+    const double near = 8 * search->pixel_mm;
     for (size_t i = 0; i < (size_t)field->columns * field->rows; i++) {
         const double x = field->x_mm[i % field->columns], y = field->y_mm[i / field->columns];
-        const double value = hunt->sign * lx_field_value(field, i);
-        bool fits = field->mask[i] && value > best && luxel_region_holds(hunt->region, x, y);
+        const double value = search->sign * lx_field_value(field, i);
+        bool fits = field->mask[i] && value > best && luxel_region_holds(search->region, x, y);
         for (unsigned k = 0; fits && k < count; k++)
             fits = fabs(x - taken[k].at[0]) > near || fabs(y - taken[k].at[1]) > near;
         if (fits)
@@ -76,19 +76,19 @@ static bool fit_peak(double here, const double around[8], double away[2], double
 }
 
 /* Steps as long as they lead up; then to the peak of the parabola, from where shorter ones suffice, or half as long. */
-static void climb(struct lx_hunt *hunt, struct found *here)
+static void climb(struct lx_extremum_search *search, struct found *here)
 {
-    double step_mm = hunt->pixel_mm;
-    for (int halvings = 0, steps = 0; halvings < HALVINGS && steps < MOST_STEPS && lx_hunt_goes_on(hunt); steps++) {
+    double step_mm = search->pixel_mm;
+    for (int halvings = 0, steps = 0; halvings < HALVINGS && steps < MOST_STEPS && lx_search_goes_on(search); steps++) {
         struct found best = *here, next;
         double around[8], away[2], gain;
         for (int i = 0; i < 8; i++) {
             const double at[2] = {here->at[0] + step_mm * ways[i][0], here->at[1] + step_mm * ways[i][1]};
             around[i] = (double)NAN;
-            if (!look(hunt, at, &next))
+            if (!look(search, at, &next))
                 continue;
-            around[i] = hunt->sign * next.value.value;
-            if (around[i] > hunt->sign * best.value.value)
+            around[i] = search->sign * next.value.value;
+            if (around[i] > search->sign * best.value.value)
                 best = next;
         }
         const bool moved = best.at[0] != here->at[0] || best.at[1] != here->at[1];
@@ -96,13 +96,13 @@ static void climb(struct lx_hunt *hunt, struct found *here)
             *here = best;
             continue;
         }
-        if (!fit_peak(hunt->sign * here->value.value, around, away, &gain)) {
+        if (!fit_peak(search->sign * here->value.value, around, away, &gain)) {
             halvings++;
             step_mm /= 2;
             continue;
         }
         const double at[2] = {here->at[0] + step_mm * away[0], here->at[1] + step_mm * away[1]};
-        if (look(hunt, at, &next) && hunt->sign * (next.value.value - here->value.value) > 0)
+        if (look(search, at, &next) && search->sign * (next.value.value - here->value.value) > 0)
             *here = next;
         if (gain <= ROUNDING * fabs(here->value.value))
             return;
@@ -116,42 +116,43 @@ static void climb(struct lx_hunt *hunt, struct found *here)
 /* Rounds along the rim, halvings on the way to it, and steps of the golden section. */
 enum { ROUNDS = 4, BISECTIONS = 60, SECTIONS = 44 };
 
-static size_t surface_of(const struct lx_hunt *hunt, const struct found *found)
+static size_t surface_of(const struct lx_extremum_search *search, const struct found *found)
 {
-    return lx_prepared_index(hunt->prepared, found->value.surface, found->value.part);
+    return lx_prepared_index(search->prepared, found->value.surface, found->value.part);
 }
 
-static bool shows(const struct lx_hunt *hunt, const double at[2], size_t surface)
+static bool shows(const struct lx_extremum_search *search, const double at[2], size_t surface)
 {
-    const struct lx_screen *screen = &hunt->prepared->scene->screen;
+    const struct lx_screen *screen = &search->prepared->scene->screen;
     struct lx_element element;
     return fabs(at[0]) <= screen->width_mm / 2 && fabs(at[1]) <= screen->height_mm / 2 &&
-           luxel_region_holds(hunt->region, at[0], at[1]) && lx_element_seen(hunt->prepared, at[0], at[1], &element) &&
-           (size_t)(element.own - hunt->prepared->surfaces) == surface;
+           luxel_region_holds(search->region, at[0], at[1]) &&
+           lx_element_seen(search->prepared, at[0], at[1], &element) &&
+           (size_t)(element.own - search->prepared->surfaces) == surface;
 }
 
 /* Value at the last place in a direction from an inner one, no farther than `most`, that shows the surface. */
-static bool look_at_rim(const struct lx_hunt *hunt, const double inner[2], double turn, double most, size_t surface,
-                        struct found *found)
+static bool look_at_rim(const struct lx_extremum_search *search, const double inner[2], double turn, double most,
+                        size_t surface, struct found *found)
 {
     double on = 0, off = most, at[2] = {inner[0], inner[1]};
     for (int i = 0; i < BISECTIONS; i++) {
         const double middle = (on + off) / 2;
         const double trial[2] = {inner[0] + middle * cos(turn), inner[1] + middle * sin(turn)};
-        if (shows(hunt, trial, surface))
+        if (shows(search, trial, surface))
             on = middle, at[0] = trial[0], at[1] = trial[1];
         else
             off = middle;
     }
-    return look(hunt, at, found) && surface_of(hunt, found) == surface;
+    return look(search, at, found) && surface_of(search, found) == surface;
 }
 
 /* The best place of the rim within half a radian to both sides, seen from an inner place some pixels away. */
-static void follow_rim(struct lx_hunt *hunt, struct found *here)
+static void follow_rim(struct lx_extremum_search *search, struct found *here)
 {
     static const double golden = 0.6180339887498949;
-    for (int round = 0; round < ROUNDS && lx_hunt_goes_on(hunt); round++) {
-        const double away = 8 * hunt->pixel_mm;
+    for (int round = 0; round < ROUNDS && lx_search_goes_on(search); round++) {
+        const double away = 8 * search->pixel_mm;
         double inner[2], low, high;
         int way = 0;
         struct found best = *here, next;
@@ -161,8 +162,8 @@ static void follow_rim(struct lx_hunt *hunt, struct found *here)
             const double halfway[2] = {(inner[0] + here->at[0]) / 2, (inner[1] + here->at[1]) / 2};
             const double beyond[2] = {here->at[0] - 1e-3 * (inner[0] - here->at[0]),
                                       here->at[1] - 1e-3 * (inner[1] - here->at[1])};
-            if (shows(hunt, inner, surface_of(hunt, here)) && shows(hunt, halfway, surface_of(hunt, here)) &&
-                !shows(hunt, beyond, surface_of(hunt, here)))
+            if (shows(search, inner, surface_of(search, here)) && shows(search, halfway, surface_of(search, here)) &&
+                !shows(search, beyond, surface_of(search, here)))
                 break;
         }
         if (way == 8)
@@ -172,10 +173,10 @@ static void follow_rim(struct lx_hunt *hunt, struct found *here)
             double values[2] = {-HUGE_VAL, -HUGE_VAL};
             const double turns[2] = {high - golden * (high - low), low + golden * (high - low)};
             for (int k = 0; k < 2; k++) {
-                if (!look_at_rim(hunt, inner, turns[k], 4 * away, surface_of(hunt, here), &next))
+                if (!look_at_rim(search, inner, turns[k], 4 * away, surface_of(search, here), &next))
                     continue;
-                values[k] = hunt->sign * next.value.value;
-                if (values[k] > hunt->sign * best.value.value)
+                values[k] = search->sign * next.value.value;
+                if (values[k] > search->sign * best.value.value)
                     best = next;
             }
             *(values[0] < values[1] ? &low : &high) = turns[values[0] >= values[1]];
@@ -187,36 +188,36 @@ static void follow_rim(struct lx_hunt *hunt, struct found *here)
 }
 
 /* On a border of screen or region, on the rim of a surface, or inside. */
-static luxel_peak_place place_of(const struct lx_hunt *hunt, const struct found *peak)
+static luxel_peak_place place_of(const struct lx_extremum_search *search, const struct found *peak)
 {
-    const struct lx_screen *screen = &hunt->prepared->scene->screen;
+    const struct lx_screen *screen = &search->prepared->scene->screen;
     luxel_peak_place place = LUXEL_PEAK_INSIDE;
     for (int i = 0; i < 8; i++) {
-        const double reach = 1e-6 * hunt->pixel_mm;
+        const double reach = 1e-6 * search->pixel_mm;
         const double at[2] = {peak->at[0] + reach * ways[i][0], peak->at[1] + reach * ways[i][1]};
         const bool inside = fabs(at[0]) <= screen->width_mm / 2 && fabs(at[1]) <= screen->height_mm / 2 &&
-                            luxel_region_holds(hunt->region, at[0], at[1]);
+                            luxel_region_holds(search->region, at[0], at[1]);
         if (!inside)
             return LUXEL_PEAK_BORDER;
-        if (!shows(hunt, at, surface_of(hunt, peak)))
+        if (!shows(search, at, surface_of(search, peak)))
             place = LUXEL_PEAK_LIMB;
     }
     return place;
 }
 
-void lx_hunt_plainly(struct lx_hunt *hunt, const luxel_field *field, luxel_peak *peak)
+void lx_search_plainly(struct lx_extremum_search *search, const luxel_field *field, luxel_peak *peak)
 {
     struct found taken[STARTS], here;
-    const unsigned most = hunt->costly ? STARTS_COSTLY : STARTS;
-    for (unsigned count = 0; count < most && lx_hunt_goes_on(hunt); count++) {
-        if (!next_start(hunt, field, taken, count, taken[count].at))
+    const unsigned most = search->costly ? STARTS_COSTLY : STARTS;
+    for (unsigned count = 0; count < most && lx_search_goes_on(search); count++) {
+        if (!next_start(search, field, taken, count, taken[count].at))
             return;
-        if (!look(hunt, taken[count].at, &here))
+        if (!look(search, taken[count].at, &here))
             continue;
-        climb(hunt, &here);
-        if (place_of(hunt, &here) != LUXEL_PEAK_INSIDE)
-            follow_rim(hunt, &here);
-        if (peak->exists && hunt->sign * (here.value.value - peak->value) <= 0)
+        climb(search, &here);
+        if (place_of(search, &here) != LUXEL_PEAK_INSIDE)
+            follow_rim(search, &here);
+        if (peak->exists && search->sign * (here.value.value - peak->value) <= 0)
             continue;
         *peak = (luxel_peak){.exists = true,
                              .value = here.value.value,
@@ -225,7 +226,7 @@ void lx_hunt_plainly(struct lx_hunt *hunt, const luxel_field *field, luxel_peak 
                              .y_mm = here.at[1],
                              .surface = here.value.surface,
                              .part = here.value.part,
-                             .place = place_of(hunt, &here)};
+                             .place = place_of(search, &here)};
         for (int i = 0; i < 3; i++) {
             peak->position_mm[i] = here.value.position_mm[i];
             peak->normal[i] = here.value.normal[i];

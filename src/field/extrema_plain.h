@@ -5,7 +5,7 @@
 
 #include "extrema.h"
 
-/* Finds the extremum of a hunt from its picture; *peak must not exist. */
-void lx_hunt_plainly(struct lx_hunt *hunt, const luxel_field *field, luxel_peak *peak);
+/* Finds the extremum of a search from its picture; *peak must not exist. */
+void lx_search_plainly(struct lx_extremum_search *search, const luxel_field *field, luxel_peak *peak);
 
 #endif

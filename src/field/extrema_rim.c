@@ -31,7 +31,8 @@ static void gather_ring(struct lx_gathering *gathering, const struct ring *ring)
             margin = fmax(margin, 2 * (value - beside));
         }
         if (peak)
-            lx_gather_spot(gathering, &ring->spots[i], value, lone ? lx_untold_margin(gathering->hunt, value) : margin);
+            lx_gather_spot(gathering, &ring->spots[i], value,
+                           lone ? lx_unreported_margin(gathering->search, value) : margin);
     }
 }
 
@@ -46,35 +47,36 @@ static bool look_beside(struct lx_gathering *gathering, const struct lx_spot *ri
                         struct lx_spot *spot, double *value)
 {
     double place[3], normal[3], screen[2];
-    lx_spot_place(gathering->hunt, rim, place, normal);
-    lx_screen_of(gathering->hunt, place, screen);
+    lx_spot_place(gathering->search, rim, place, normal);
+    lx_screen_of(gathering->search, place, screen);
     for (int i = 0; i < 2; i++)
         screen[i] += 1e-6 * (screen[i] - center[i]);
     return is_in_box(gathering, screen) && lx_look_through(gathering, screen, spot, value);
 }
 
-static int rim_places(const struct lx_hunt *hunt)
+static int rim_places(const struct lx_extremum_search *search)
 {
-    size_t all = hunt->costly ? RIM_PLACES_COSTLY : RIM_PLACES, share = MOST_RIM_PLACES / hunt->prepared->surface_count;
+    size_t all = search->costly ? RIM_PLACES_COSTLY : RIM_PLACES,
+           share = MOST_RIM_PLACES / search->prepared->surface_count;
     return (int)(share < LEAST_RIM_PLACES ? LEAST_RIM_PLACES : share < all ? share : all);
 }
 
 void lx_gather_rim(struct lx_gathering *gathering, size_t surface)
 {
-    struct lx_hunt *hunt = gathering->hunt;
-    const struct lx_shape *shape = &hunt->prepared->surfaces[surface].shape;
-    struct ring ring = {.count = rim_places(hunt) / 4 * 4}, behind;
+    struct lx_extremum_search *search = gathering->search;
+    const struct lx_shape *shape = &search->prepared->surfaces[surface].shape;
+    struct ring ring = {.count = rim_places(search) / 4 * 4}, behind;
     double center[2];
-    const struct lx_origin eye = lx_eye_of(hunt);
+    const struct lx_origin eye = lx_eye_of(search);
     for (int i = 0; i < ring.count; i++) {
         ring.spots[i].surface = surface;
         shape->kind->chart->rim(shape, &eye, i, ring.count, ring.spots[i].at);
     }
-    behind.count = hunt->prepared->surface_count > 1 ? ring.count : 0;
-    if (!lx_screen_of(hunt, shape->anchor_mm, center))
+    behind.count = search->prepared->surface_count > 1 ? ring.count : 0;
+    if (!lx_screen_of(search, shape->anchor_mm, center))
         center[0] = center[1] = 0;
     for (int i = 0; i < ring.count; i++) {
-        if (!lx_look_at_spot(hunt, &ring.spots[i], &ring.values[i]))
+        if (!lx_look_at_spot(search, &ring.spots[i], &ring.values[i]))
             ring.values[i] = -HUGE_VAL;
         if (behind.count > 0 && !look_beside(gathering, &ring.spots[i], center, &behind.spots[i], &behind.values[i]))
             behind.values[i] = -HUGE_VAL;
@@ -85,8 +87,8 @@ void lx_gather_rim(struct lx_gathering *gathering, size_t surface)
 
 void lx_gather_border(struct lx_gathering *gathering)
 {
-    const luxel_region *region = gathering->hunt->region;
-    struct ring ring = {.count = 4 * (gathering->hunt->costly ? BORDER_PLACES_COSTLY : BORDER_PLACES)};
+    const luxel_region *region = gathering->search->region;
+    struct ring ring = {.count = 4 * (gathering->search->costly ? BORDER_PLACES_COSTLY : BORDER_PLACES)};
     int grid = region && region->type != LUXEL_REGION_ALL ? REGION_PLACES : 0;
     double middle[2], half[2], at[2];
     for (int k = 0; k < 2; k++) {
@@ -107,6 +109,6 @@ void lx_gather_border(struct lx_gathering *gathering)
         for (int k = 0; k < 2; k++)
             at[k] = middle[k] + (2 * part[k] - 1) * half[k];
         if (lx_look_through(gathering, at, &spot, &value))
-            lx_gather_spot(gathering, &spot, value, lx_untold_margin(gathering->hunt, value));
+            lx_gather_spot(gathering, &spot, value, lx_unreported_margin(gathering->search, value));
     }
 }

@@ -21,16 +21,16 @@ enum { MOST_LIGHTS = 64, MOST_LIGHTS_OF_MANY = 8, MOST_PAIRS = 2048 };
 /* What a climb may find beyond its beginning, relative, where no pixel tells. */
 static const double UNTOLD_MARGIN = 0.5, UNTOLD_MARGIN_COSTLY = 0.1;
 
-double lx_untold_margin(const struct lx_hunt *hunt, double value)
+double lx_unreported_margin(const struct lx_extremum_search *search, double value)
 {
-    return (hunt->costly ? UNTOLD_MARGIN_COSTLY : UNTOLD_MARGIN) * fabs(value);
+    return (search->costly ? UNTOLD_MARGIN_COSTLY : UNTOLD_MARGIN) * fabs(value);
 }
 
 void lx_gather_spot(struct lx_gathering *gathering, const struct lx_spot *spot, double value, double margin)
 {
     struct lx_seeds *seeds = gathering->seeds;
     if (lx_reserve(&seeds->items, &seeds->capacity, seeds->count + 1, sizeof *seeds->items)) {
-        gathering->hunt->short_of_memory = true;
+        gathering->search->short_of_memory = true;
         return;
     }
     seeds->items[seeds->count] = (struct lx_seed){*spot, value, margin, seeds->count};
@@ -42,22 +42,22 @@ bool lx_look_through(struct lx_gathering *gathering, const double screen_mm[2], 
     double at[2];
     for (int i = 0; i < 2; i++)
         at[i] = fmin(fmax(screen_mm[i], gathering->low[i]), gathering->high[i]);
-    const luxel_region *region = gathering->hunt->region;
+    const luxel_region *region = gathering->search->region;
     if (region && region->type == LUXEL_REGION_CIRCLE) {
         double out[2] = {at[0] - region->center_mm[0], at[1] - region->center_mm[1]};
         double share = region->radius_mm / hypot(out[0], out[1]);
         for (int i = 0; i < 2 && share < 1; i++)
             at[i] = region->center_mm[i] + (1 - 1e-12) * share * out[i];
     }
-    return lx_spot_seen(gathering->hunt, at, spot, value);
+    return lx_spot_seen(gathering->search, at, spot, value);
 }
 
-bool lx_look_at_spot(struct lx_hunt *hunt, const struct lx_spot *spot, double *value)
+bool lx_look_at_spot(struct lx_extremum_search *search, const struct lx_spot *spot, double *value)
 {
     double error;
-    if (!lx_brinks_enter(hunt, spot))
+    if (!lx_edges_enter(search, spot))
         return false;
-    *value = lx_piece_value(hunt, spot, &error);
+    *value = lx_piece_value(search, spot, &error);
     return isfinite(*value);
 }
 
@@ -66,22 +66,22 @@ static void add_screen(struct lx_gathering *gathering, const double screen_mm[2]
     struct lx_spot spot;
     double value;
     if (lx_look_through(gathering, screen_mm, &spot, &value))
-        lx_gather_spot(gathering, &spot, value, lx_untold_margin(gathering->hunt, value));
+        lx_gather_spot(gathering, &spot, value, lx_unreported_margin(gathering->search, value));
 }
 
 static void add_place(struct lx_gathering *gathering, const struct lx_spot *spot)
 {
     double place[3], normal[3], screen[2];
-    lx_spot_place(gathering->hunt, spot, place, normal);
-    if (lx_screen_of(gathering->hunt, place, screen))
+    lx_spot_place(gathering->search, spot, place, normal);
+    if (lx_screen_of(gathering->search, place, screen))
         add_screen(gathering, screen);
 }
 
 static void add_if_seen(struct lx_gathering *gathering, const struct lx_spot *spot)
 {
     double value;
-    if (lx_look_at_spot(gathering->hunt, spot, &value))
-        lx_gather_spot(gathering, spot, value, lx_untold_margin(gathering->hunt, value));
+    if (lx_look_at_spot(gathering->search, spot, &value))
+        lx_gather_spot(gathering, spot, value, lx_unreported_margin(gathering->search, value));
 }
 
 /* -- the picture -- */
@@ -93,13 +93,13 @@ struct pixel {
 
 static double pixel_value(const struct lx_gathering *gathering, const luxel_field *field, size_t i)
 {
-    return gathering->hunt->sign * lx_field_value(field, i);
+    return gathering->search->sign * lx_field_value(field, i);
 }
 
 static bool counts(const struct lx_gathering *gathering, const luxel_field *field, unsigned column, unsigned row)
 {
     size_t i = (size_t)row * field->columns + column;
-    return field->mask[i] && luxel_region_holds(gathering->hunt->region, field->x_mm[column], field->y_mm[row]);
+    return field->mask[i] && luxel_region_holds(gathering->search->region, field->x_mm[column], field->y_mm[row]);
 }
 
 /* Whether a pixel is no lower than its neighbours; how much they differ from it. */
@@ -145,19 +145,19 @@ static int compare_pixels(const void *left, const void *right)
 /* A pixel is near enough to the value that is found there: within 1e-3 of the maximum where that is costly. */
 static void add_pixel(struct lx_gathering *gathering, const luxel_field *field, const struct pixel *pixel)
 {
-    struct lx_hunt *hunt = gathering->hunt;
+    struct lx_extremum_search *search = gathering->search;
     struct lx_spot spot;
     double screen[2] = {field->x_mm[pixel->index % field->columns], field->y_mm[pixel->index / field->columns]}, value;
-    double doubt = hunt->costly ? 2e-3 * field->statistics.maximum.value : 1e-5 * fabs(pixel->value);
-    if (hunt->costly ? lx_spot_shown(hunt, screen, &spot) : lx_spot_seen(hunt, screen, &spot, &value))
-        lx_gather_spot(gathering, &spot, hunt->costly ? pixel->value : value, pixel->margin + doubt);
+    double doubt = search->costly ? 2e-3 * field->statistics.maximum.value : 1e-5 * fabs(pixel->value);
+    if (search->costly ? lx_spot_shown(search, screen, &spot) : lx_spot_seen(search, screen, &spot, &value))
+        lx_gather_spot(gathering, &spot, search->costly ? pixel->value : value, pixel->margin + doubt);
 }
 
 /* The best pixels; of many that are equal, as in the dark, some from everywhere. */
 static void add_best_pixels(struct lx_gathering *gathering, const luxel_field *field, struct pixel *pixels,
                             size_t count)
 {
-    bool costly = gathering->hunt->costly;
+    bool costly = gathering->search->costly;
     size_t most = costly ? MOST_PIXELS_COSTLY : MOST_PIXELS, most_equal = costly ? MOST_PIXELS_COSTLY : MOST_EQUAL;
     size_t equal = 0, taken;
     qsort(pixels, count, sizeof *pixels, compare_pixels);
@@ -180,7 +180,7 @@ static void add_pixels(struct lx_gathering *gathering, const luxel_field *field)
     }
     struct pixel *pixels = lx_new_array((size_t)blocks[0] * blocks[1], sizeof *pixels);
     size_t count = 0;
-    gathering->hunt->short_of_memory |= !pixels;
+    gathering->search->short_of_memory |= !pixels;
     for (unsigned i = 0; pixels && i < blocks[0] * blocks[1]; i++) {
         unsigned first[2] = {i % blocks[0] * block[0], i / blocks[0] * block[1]};
         unsigned last[2] = {first[0] + block[0] < size[0] ? first[0] + block[0] : size[0],
@@ -209,42 +209,43 @@ static struct lx_origin origin_of(const struct lx_emitter *emitter)
     return origin;
 }
 
-/* Whether a brink keeps what an emitter would give at a spot from being seen. */
-static bool takes_away(const struct lx_hunt *hunt, size_t brink, size_t emitter, const struct lx_spot *spot)
+/* Whether an edge keeps what an emitter would give at a spot from being seen. */
+static bool takes_away(const struct lx_extremum_search *search, size_t which, size_t emitter,
+                       const struct lx_spot *spot)
 {
-    const struct lx_brink *it = &hunt->brinks[brink];
+    const struct lx_search_edge *it = &search->edges[which];
     struct lx_emitter room;
-    const bool is_own = !lx_brink_is_wall(it) && it->emitter == emitter;
+    const bool is_own = !lx_edge_is_wall(it) && it->emitter == emitter;
     const bool is_cone = /* those of a luminaire's table do not end its light */
-        is_own && it->type == LX_BRINK_CONE &&
-        !lx_emitter_at(&hunt->prepared->emitters, emitter, &room)->profile.luminaire;
-    return (lx_brink_is_wall(it) || (is_own && it->type == LX_BRINK_SHADOW) || is_cone) &&
-           lx_brink_distance(hunt, it, spot) < 0;
+        is_own && it->type == LX_EDGE_CONE &&
+        !lx_emitter_at(&search->prepared->emitters, emitter, &room)->profile.luminaire;
+    return (lx_edge_is_wall(it) || (is_own && it->type == LX_EDGE_SHADOW) || is_cone) &&
+           lx_edge_distance(search, it, spot) < 0;
 }
 
 /* A place where geometry puts a peak; where it is hidden, off the screen or in the shade, also the next place that is
  * not, for the peak may be narrow. */
 static void add_towards(struct lx_gathering *gathering, struct lx_spot spot, size_t emitter)
 {
-    struct lx_hunt *hunt = gathering->hunt;
+    struct lx_extremum_search *search = gathering->search;
     add_place(gathering, &spot);
-    if (!lx_brinks_of(hunt, spot.surface))
+    if (!lx_edges_of(search, spot.surface))
         return;
     bool moved = false;
-    double step_mm = 1e-6 * lx_spot_shape(hunt, &spot)->radius_mm;
-    for (size_t i = 0; i < 2 * hunt->brink_count; i++) { /* twice, for where two of them meet */
-        size_t brink = i % hunt->brink_count;
-        if (!takes_away(hunt, brink, emitter, &spot))
+    double step_mm = 1e-6 * lx_spot_shape(search, &spot)->radius_mm;
+    for (size_t i = 0; i < 2 * search->edge_count; i++) { /* twice, for where two of them meet */
+        size_t which = i % search->edge_count;
+        if (!takes_away(search, which, emitter, &spot))
             continue;
         double inward[2];
-        hunt->sides[brink] = 1;
+        search->sides[which] = 1;
         struct lx_chart chart;
-        if (!lx_brink_reach(hunt, brink, &spot))
+        if (!lx_edge_reach(search, which, &spot))
             return;
-        chart = lx_spot_chart(hunt, &spot);
-        if (!lx_brink_inward(hunt, brink, &spot, &chart, inward))
+        chart = lx_spot_chart(search, &spot);
+        if (!lx_edge_inward(search, which, &spot, &chart, inward))
             return;
-        spot = lx_spot_moved(hunt, &spot, &chart, (double[]){step_mm * inward[0], step_mm * inward[1]});
+        spot = lx_spot_moved(search, &spot, &chart, (double[]){step_mm * inward[0], step_mm * inward[1]});
         moved = true;
     }
     if (moved)
@@ -254,7 +255,7 @@ static void add_towards(struct lx_gathering *gathering, struct lx_spot spot, siz
 /* What the middle of a light's beam hits. */
 static void add_beam(struct lx_gathering *gathering, const struct lx_emitter *emitter)
 {
-    const struct lx_prepared *prepared = gathering->hunt->prepared;
+    const struct lx_prepared *prepared = gathering->search->prepared;
     struct lx_ray ray = {.origin_error = {0}};
     values_of(&emitter->profile.axis, ray.direction);
     memcpy(ray.origin_mm, emitter->position_mm, sizeof ray.origin_mm);
@@ -264,20 +265,20 @@ static void add_beam(struct lx_gathering *gathering, const struct lx_emitter *em
         if (!hit.exists)
             continue;
         values_of(&hit.place_mm, place);
-        if (lx_screen_of(gathering->hunt, place, screen))
+        if (lx_screen_of(gathering->search, place, screen))
             add_screen(gathering, screen);
     }
 }
 
 static void add_light(struct lx_gathering *gathering, size_t surface, size_t index)
 {
-    struct lx_hunt *hunt = gathering->hunt;
+    struct lx_extremum_search *search = gathering->search;
     struct lx_emitter room;
-    const struct lx_emitter *emitter = lx_emitter_at(&hunt->prepared->emitters, index, &room);
-    const struct lx_shape *shape = &hunt->prepared->surfaces[surface].shape;
-    const struct lx_origin light = origin_of(emitter), viewer = lx_viewer_of(hunt);
+    const struct lx_emitter *emitter = lx_emitter_at(&search->prepared->emitters, index, &room);
+    const struct lx_shape *shape = &search->prepared->surfaces[surface].shape;
+    const struct lx_origin light = origin_of(emitter), viewer = lx_viewer_of(search);
     double at[LX_MOST_GUESSES][3] = {{0}};
-    int count = shape->kind->chart->guess ? shape->kind->chart->guess(shape, &light, &viewer, hunt->sign < 0, at) : 0;
+    int count = shape->kind->chart->guess ? shape->kind->chart->guess(shape, &light, &viewer, search->sign < 0, at) : 0;
     for (int i = 0; i < count; i++) {
         struct lx_spot spot = {.surface = surface};
         memcpy(spot.at, at[i], sizeof spot.at);
@@ -287,18 +288,18 @@ static void add_light(struct lx_gathering *gathering, size_t surface, size_t ind
 
 static void add_lights(struct lx_gathering *gathering)
 {
-    struct lx_hunt *hunt = gathering->hunt;
-    const struct lx_emitters *emitters = &hunt->prepared->emitters;
-    size_t most = MOST_PAIRS / hunt->prepared->surface_count;
+    struct lx_extremum_search *search = gathering->search;
+    const struct lx_emitters *emitters = &search->prepared->emitters;
+    size_t most = MOST_PAIRS / search->prepared->surface_count;
     size_t lights = emitters->count > MOST_LIGHTS ? MOST_LIGHTS_OF_MANY : MOST_LIGHTS;
     most = most > lights ? lights : most > 0 ? most : 1;
     size_t stride = emitters->count > most ? (emitters->count + most - 1) / most : 1;
-    for (size_t i = 0; i < emitters->count && lx_hunt_goes_on(hunt); i += stride) {
+    for (size_t i = 0; i < emitters->count && lx_search_goes_on(search); i += stride) {
         struct lx_emitter room;
         const struct lx_emitter *emitter = lx_emitter_at(emitters, i, &room);
         if (lx_is_uniform(emitter))
             continue;
-        for (size_t k = 0; k < hunt->prepared->surface_count; k++)
+        for (size_t k = 0; k < search->prepared->surface_count; k++)
             add_light(gathering, k, i);
         if (lx_is_point(emitter) && !lx_profile_is_isotropic(&emitter->profile))
             add_beam(gathering, emitter);
@@ -315,8 +316,8 @@ static int compare_seeds(const void *left, const void *right)
 
 static void set_box(struct lx_gathering *gathering)
 {
-    const struct lx_screen *screen = &gathering->hunt->prepared->scene->screen;
-    const luxel_region *region = gathering->hunt->region;
+    const struct lx_screen *screen = &gathering->search->prepared->scene->screen;
+    const luxel_region *region = gathering->search->region;
     double half[2] = {screen->width_mm / 2, screen->height_mm / 2};
     for (int i = 0; i < 2; i++) {
         gathering->low[i] = -half[i], gathering->high[i] = half[i];
@@ -328,18 +329,18 @@ static void set_box(struct lx_gathering *gathering)
     }
 }
 
-bool lx_hunt_seeds(struct lx_hunt *hunt, const luxel_field *field, struct lx_seeds *seeds)
+bool lx_search_seeds(struct lx_extremum_search *search, const luxel_field *field, struct lx_seeds *seeds)
 {
-    struct lx_gathering gathering = {.hunt = hunt, .seeds = seeds};
+    struct lx_gathering gathering = {.search = search, .seeds = seeds};
     set_box(&gathering);
     if (!(gathering.low[0] <= gathering.high[0] && gathering.low[1] <= gathering.high[1]))
         return true; /* the region lies off the screen */
     add_pixels(&gathering, field);
     add_lights(&gathering);
     lx_gather_border(&gathering);
-    for (size_t i = 0; i < hunt->prepared->surface_count && lx_hunt_goes_on(hunt); i++) {
-        const struct lx_shape *shape = &hunt->prepared->surfaces[i].shape;
-        const struct lx_origin eye = lx_eye_of(hunt);
+    for (size_t i = 0; i < search->prepared->surface_count && lx_search_goes_on(search); i++) {
+        const struct lx_shape *shape = &search->prepared->surfaces[i].shape;
+        const struct lx_origin eye = lx_eye_of(search);
         struct lx_spot middle = {.surface = i};
         shape->kind->chart->middle(shape, &eye, middle.at);
         add_place(&gathering, &middle);
@@ -347,5 +348,5 @@ bool lx_hunt_seeds(struct lx_hunt *hunt, const luxel_field *field, struct lx_see
     }
     if (seeds->count > 0)
         qsort(seeds->items, seeds->count, sizeof *seeds->items, compare_seeds);
-    return lx_hunt_goes_on(hunt);
+    return lx_search_goes_on(search);
 }

@@ -35,7 +35,7 @@ struct plane {
     lx_bounded3 across, upward, normal;
 };
 
-struct hunt {
+struct search {
     const struct lx_prepared *prepared;
     const struct lx_asking *asking;
     struct plane plane;
@@ -48,7 +48,7 @@ struct hunt {
 
 /* The integral over the light of one emitter. */
 struct task {
-    struct hunt *hunt;
+    struct search *search;
     struct lx_edges edges;
     struct lx_prepared asked;  /* the scene; with no shadows where the edges tell all of them */
     double work;               /* of an element */
@@ -71,10 +71,10 @@ static lx_bounded area_m2(const struct lx_cells *cells)
 /* ---- what surfaces may take ---- */
 
 /* Whether all of a surface lies behind the plane or in it. */
-static bool is_aside(const struct hunt *hunt, const struct lx_prepared_surface *surface)
+static bool is_aside(const struct search *search, const struct lx_prepared_surface *surface)
 {
-    const double normal[3] = {hunt->plane.normal.x.value, hunt->plane.normal.y.value, hunt->plane.normal.z.value};
-    const double *center = hunt->plane.cells->center_mm;
+    const double normal[3] = {search->plane.normal.x.value, search->plane.normal.y.value, search->plane.normal.z.value};
+    const double *center = search->plane.cells->center_mm;
     double level = 0, size = surface->shape.radius_mm;
     for (int i = 0; i < 3; i++) {
         level += normal[i] * center[i];
@@ -84,26 +84,26 @@ static bool is_aside(const struct hunt *hunt, const struct lx_prepared_surface *
 }
 
 /* Whether a surface may stand between the plane and an emitter. */
-static bool may_be_hidden(const struct hunt *hunt, const struct lx_emitter *emitter)
+static bool may_be_hidden(const struct search *search, const struct lx_emitter *emitter)
 {
-    const struct lx_cells *cells = hunt->plane.cells;
+    const struct lx_cells *cells = search->plane.cells;
     const struct lx_ball from = {.radius = hypot(cells->size_mm[0], cells->size_mm[1]) / 2};
     const bool endless = lx_is_endless(emitter);
     struct lx_ball towards = {.radius = 0};
     const bool is_extended = lx_is_extended(emitter);
-    if (lx_is_uniform(emitter) || !hunt->prepared->shadows_on_free ||
-        (is_extended && !hunt->prepared->shadows_extended))
+    if (lx_is_uniform(emitter) || !search->prepared->shadows_on_free ||
+        (is_extended && !search->prepared->shadows_extended))
         return false;
     towards.radius = lx_emitter_radius(emitter);
     lx_emitter_origin(emitter, towards.center);
     for (int i = 0; i < 3 && !endless; i++)
         towards.center[i] -= cells->center_mm[i];
-    for (size_t s = 0; s < hunt->prepared->surface_count; s++) {
-        const struct lx_prepared_surface *surface = &hunt->prepared->surfaces[s];
+    for (size_t s = 0; s < search->prepared->surface_count; s++) {
+        const struct lx_prepared_surface *surface = &search->prepared->surfaces[s];
         struct lx_ball ball = {.radius = surface->shape.radius_mm};
         for (int i = 0; i < 3; i++)
             ball.center[i] = surface->shape.anchor_mm[i] - cells->center_mm[i];
-        if (!hunt->aside[s] && lx_may_block(&ball, &from, &towards, endless))
+        if (!search->aside[s] && lx_may_block(&ball, &from, &towards, endless))
             return true;
     }
     return false;
@@ -188,20 +188,20 @@ static bool in_closed_form(const struct plane *plane, const struct lx_emitter *e
 
 static struct lx_point_value light_at(struct task *task, double u, double v)
 {
-    struct hunt *hunt = task->hunt;
-    const struct lx_cells *cells = hunt->plane.cells;
+    struct search *search = task->search;
+    const struct lx_cells *cells = search->plane.cells;
     const lx_bounded3 place = lx_edges_place(&task->edges, u, v);
     struct lx_free_element asked = {.place_mm = {place.x.value, place.y.value, place.z.value},
                                     .normal = {cells->normal.x.value, cells->normal.y.value, cells->normal.z.value}};
     struct lx_element element = lx_element_at(&task->asked, &asked);
-    element.lobe = &hunt->lobe;
-    hunt->stopped = hunt->stopped || !lx_asking_goes_on(hunt->asking);
-    hunt->work += task->work;
-    if (hunt->stopped)
+    element.lobe = &search->lobe;
+    search->stopped = search->stopped || !lx_asking_goes_on(search->asking);
+    search->work += task->work;
+    if (search->stopped)
         return (struct lx_point_value){.value = 0};
     const struct lx_lighting light = lx_light_element(&task->asked, &element, task->edges.emitter);
     /* a source may touch the plane's edge */
-    hunt->touches = hunt->touches || (light.on_element && fabs(u) < 0.5 && fabs(v) < 0.5);
+    search->touches = search->touches || (light.on_element && fabs(u) < 0.5 && fabs(v) < 0.5);
     if (light.on_element)
         return (struct lx_point_value){.value = 0};
     /* where it is in doubt on which side of an edge the place is, the edge is where the panels end */
@@ -212,10 +212,10 @@ static struct lx_point_value light_at(struct task *task, double u, double v)
 
 static double target(void *data, const struct lx_integral *integral)
 {
-    const struct hunt *hunt = ((const struct task *)data)->hunt;
-    if (hunt->stopped || hunt->touches || hunt->work > hunt->limit)
+    const struct search *search = ((const struct task *)data)->search;
+    if (search->stopped || search->touches || search->work > search->limit)
         return HUGE_VAL;
-    return TOLERANCE * fmax(integral->value, hunt->scale);
+    return TOLERANCE * fmax(integral->value, search->scale);
 }
 
 /* Lines are ten times as exact as the whole, lest what they are off looks like a shape. */
@@ -281,8 +281,8 @@ static struct lx_point_value at_line(void *data, size_t interval, double t)
 /* Notes where a source stands above the plane, where there the rule begins a panel. */
 static void note_foot(struct task *task, const double position_mm[3])
 {
-    const struct lx_cells *cells = task->hunt->plane.cells;
-    lx_bounded3 at = above_plane(&task->hunt->plane, position_mm);
+    const struct lx_cells *cells = task->search->plane.cells;
+    lx_bounded3 at = above_plane(&task->search->plane, position_mm);
     const double feet[2] = {at.x.value / cells->size_mm[0], at.y.value / cells->size_mm[1]};
     for (int side = 0; side < 2; side++)
         if (fabs(feet[side]) < 0.5)
@@ -293,8 +293,8 @@ static void note_foot(struct task *task, const double position_mm[3])
 static void note_aim(struct task *task, const struct lx_emitter *emitter)
 {
     const struct lx_profile *profile = &emitter->profile;
-    lx_bounded3 at = above_plane(&task->hunt->plane, emitter->position_mm);
-    double fall = -lx_dot3(profile->axis, task->hunt->plane.normal).value, met[3];
+    lx_bounded3 at = above_plane(&task->search->plane, emitter->position_mm);
+    double fall = -lx_dot3(profile->axis, task->search->plane.normal).value, met[3];
     const double axis[3] = {profile->axis.x.value, profile->axis.y.value, profile->axis.z.value};
     if (lx_profile_is_isotropic(profile) || !(fall > 0 && at.z.value > 0))
         return;
@@ -351,7 +351,7 @@ static bool integrate(struct task *task, lx_bounded *mean)
     if (is_room) {
         const struct lx_integral integral = lx_integrate_panels(&integrand, &panels);
         const double left_out = 8 * PLACES * (double)(task->end_count + task->most_lit);
-        const double places = task->edges.count > 0 ? left_out * fmax(integral.value, task->hunt->scale) : 0;
+        const double places = task->edges.count > 0 ? left_out * fmax(integral.value, task->search->scale) : 0;
         *mean = (lx_bounded){integral.value, integral.error + integral.inherited + places};
     }
     free(panels.items);
@@ -364,7 +364,7 @@ static bool integrate(struct task *task, lx_bounded *mean)
 static lx_bounded mean_of_lattice(struct task *task, unsigned n)
 {
     lx_bounded mean = lx_exact(0);
-    for (unsigned i = 0; i < n * n && !task->hunt->stopped; i++) {
+    for (unsigned i = 0; i < n * n && !task->search->stopped; i++) {
         const struct lx_point_value light = light_at(task, (i % n + 0.5) / n - 0.5, ((double)(i / n) + 0.5) / n - 0.5);
         mean.value += light.value / ((double)n * n);
         mean.error += light.error / ((double)n * n);
@@ -380,14 +380,14 @@ static lx_bounded mean_of_lattice(struct task *task, unsigned n)
  */
 static bool integrate_penumbrae(struct task *task, size_t emitters, lx_bounded *mean)
 {
-    struct hunt *hunt = task->hunt;
-    const double share = (MOST_WORK - hunt->work) / (double)emitters, end = hunt->work + share;
-    hunt->limit = hunt->work + RULES_SHARE * share;
+    struct search *search = task->search;
+    const double share = (MOST_WORK - search->work) / (double)emitters, end = search->work + share;
+    search->limit = search->work + RULES_SHARE * share;
     if (!integrate(task, mean))
         return false;
-    if (hunt->work <= hunt->limit || hunt->stopped)
+    if (search->work <= search->limit || search->stopped)
         return true;
-    const double places = fmax(end - hunt->work, share / 4) / task->work;
+    const double places = fmax(end - search->work, share / 4) / task->work;
     const unsigned n = (unsigned)sqrt(places / 1.6) | 1; /* odd ones, of which few have a centre in common */
     if (n < LEAST_LATTICE)
         return true;
@@ -397,7 +397,7 @@ static bool integrate_penumbrae(struct task *task, size_t emitters, lx_bounded *
     const double error = fine.error + LATTICE_CAUTION * off;
     if (error < mean->error)
         *mean = (lx_bounded){fine.value, error};
-    return !hunt->stopped;
+    return !search->stopped;
 }
 
 static double work_of(const struct lx_emitter *emitter, bool asks_surfaces)
@@ -410,58 +410,58 @@ static double work_of(const struct lx_emitter *emitter, bool asks_surfaces)
 }
 
 /* The flux of an emitter by its integral; as many are still to come, it among them. */
-static lx_bounded integral_of(struct hunt *hunt, const struct lx_emitter *emitter, bool casts, size_t emitters)
+static lx_bounded integral_of(struct search *search, const struct lx_emitter *emitter, bool casts, size_t emitters)
 {
-    const struct lx_flux_asked asked = {.prepared = hunt->prepared,
-                                        .plane = hunt->plane.cells,
+    const struct lx_flux_asked asked = {.prepared = search->prepared,
+                                        .plane = search->plane.cells,
                                         .emitter = emitter,
-                                        .aside = hunt->aside,
+                                        .aside = search->aside,
                                         .casts = casts,
-                                        .usual = hunt->scale * area_m2(hunt->plane.cells).value,
+                                        .usual = search->scale * area_m2(search->plane.cells).value,
                                         .tolerance = TOLERANCE,
-                                        .asking = hunt->asking};
+                                        .asking = search->asking};
     lx_bounded flux;
     if (lx_luminaire_flux(&asked, &flux))
         return flux;
-    struct task task = {.hunt = hunt, .asked = *hunt->prepared};
+    struct task task = {.search = search, .asked = *search->prepared};
     lx_bounded mean = lx_exact(0);
-    if (lx_edges_make(hunt->prepared, hunt->plane.cells, emitter, hunt->aside, casts, &task.edges) == 0) {
+    if (lx_edges_make(search->prepared, search->plane.cells, emitter, search->aside, casts, &task.edges) == 0) {
         const bool asks_surfaces = casts && !task.edges.knows_shadows;
         task.work = work_of(emitter, asks_surfaces);
         if (!asks_surfaces)
             task.asked.shadows_on_free = task.asked.shadows_extended = false;
         note_feet(&task, emitter);
-        hunt->limit = MOST_WORK;
+        search->limit = MOST_WORK;
         const bool is_whole = asks_surfaces && lx_is_extended(emitter) ? integrate_penumbrae(&task, emitters, &mean)
                                                                        : integrate(&task, &mean);
-        hunt->stopped = !is_whole || hunt->stopped;
+        search->stopped = !is_whole || search->stopped;
     } else
-        hunt->stopped = true;
+        search->stopped = true;
     lx_edges_clear(&task.edges);
     free(task.ends);
-    return lx_mul(mean, area_m2(hunt->plane.cells));
+    return lx_mul(mean, area_m2(search->plane.cells));
 }
 
 /* ---- the whole ---- */
 
-static lx_bounded open_flux(struct hunt *hunt, const struct lx_emitter *emitter, size_t emitters)
+static lx_bounded open_flux(struct search *search, const struct lx_emitter *emitter, size_t emitters)
 {
     lx_bounded flux;
-    return in_closed_form(&hunt->plane, emitter, &flux) ? flux : integral_of(hunt, emitter, false, emitters);
+    return in_closed_form(&search->plane, emitter, &flux) ? flux : integral_of(search, emitter, false, emitters);
 }
 
 /* The flux of an emitter: between 0 and what it would be without anything in the way, whatever an integral over many
  * shadows is off. */
-static lx_bounded flux_of(struct hunt *hunt, const struct lx_emitter *emitter, size_t emitters)
+static lx_bounded flux_of(struct search *search, const struct lx_emitter *emitter, size_t emitters)
 {
-    if (is_behind(&hunt->plane, emitter))
+    if (is_behind(&search->plane, emitter))
         return lx_exact(0);
-    if (!may_be_hidden(hunt, emitter))
-        return open_flux(hunt, emitter, emitters);
-    lx_bounded flux = integral_of(hunt, emitter, true, emitters);
+    if (!may_be_hidden(search, emitter))
+        return open_flux(search, emitter, emitters);
+    lx_bounded flux = integral_of(search, emitter, true, emitters);
     if (flux.error <= flux.value)
         return flux;
-    const lx_bounded open = open_flux(hunt, emitter, emitters);
+    const lx_bounded open = open_flux(search, emitter, emitters);
     const double most = open.value + open.error;
     if (!(flux.value <= most))
         flux.value = most;
@@ -473,26 +473,26 @@ struct lx_flux lx_plane_flux(const struct lx_prepared *prepared, const struct lx
                              const struct lx_asking *asking)
 {
     const struct lx_emitters *emitters = &prepared->emitters;
-    struct hunt hunt = {
+    struct search search = {
         .prepared = prepared,
         .asking = asking,
         .plane = {plane, lx_wide3_direction(plane->pose.across), lx_wide3_direction(plane->pose.upward),
                   lx_wide3_direction(plane->pose.axis)},
         .lobe = lx_lobe_irradiance(),
-        .aside = lx_new_array(prepared->surface_count, sizeof *hunt.aside),
+        .aside = lx_new_array(prepared->surface_count, sizeof *search.aside),
         .scale = usual,
     };
     struct lx_flux flux = {.value = lx_exact(0)};
-    if (!hunt.aside)
+    if (!search.aside)
         return flux;
     for (size_t s = 0; s < prepared->surface_count; s++)
-        hunt.aside[s] = is_aside(&hunt, &prepared->surfaces[s]);
-    for (size_t i = 0; i < emitters->count && !hunt.stopped; i++) {
+        search.aside[s] = is_aside(&search, &prepared->surfaces[s]);
+    for (size_t i = 0; i < emitters->count && !search.stopped; i++) {
         struct lx_emitter room;
-        hunt.stopped = !lx_asking_at_step(asking, i, 64);
-        flux.value = lx_add(flux.value, flux_of(&hunt, lx_emitter_at(emitters, i, &room), emitters->count - i));
+        search.stopped = !lx_asking_at_step(asking, i, 64);
+        flux.value = lx_add(flux.value, flux_of(&search, lx_emitter_at(emitters, i, &room), emitters->count - i));
     }
-    flux.is_known = !hunt.touches && !hunt.stopped;
-    free(hunt.aside);
+    flux.is_known = !search.touches && !search.stopped;
+    free(search.aside);
     return flux;
 }

@@ -389,7 +389,7 @@ const struct lx_kernels TABLE_OF(LX_ISA) = {
     .bound_foot = bound_foot,
     .find_roots = find_roots,
     .facets_single = light_by_facets_single,
-    .light_by_shell = {[LX_FACETS] = light_by_facets_double,
+    .light_by_area_light = {[LX_FACETS] = light_by_facets_double,
                        [LX_DISK] = light_by_disk,
                        [LX_BALL] = light_by_ball,
                        [LX_CYLINDER] = light_by_cylinder},

@@ -98,11 +98,11 @@ enum lx_kernel_light { LX_DISTANT, LX_BY_SQUARE, LX_BY_SUM, LX_UNATTENUATED, LX_
         _Alignas(64) real x[LX_BLOCK], y[LX_BLOCK], z[LX_BLOCK]; /* a direction, of any length */                      \
         real weight[LX_BLOCK];                                                                                         \
     };                                                                                                                 \
-    struct lx_shell_face_##suffix {                                                                                    \
+    struct lx_area_light_face_##suffix {                                                                               \
         real normal[3]; /* unit */                                                                                     \
         real height;    /* of its plane over the source's centre */                                                    \
     };                                                                                                                 \
-    struct lx_shell_edge_##suffix {                                                                                    \
+    struct lx_area_light_edge_##suffix {                                                                               \
         real from[3], to[3], along[3]; /* from the centre; along = to - from */                                        \
         real both[3], product;         /* from + to, from . to */                                                      \
         real moment[3];                /* from x to */                                                                 \
@@ -125,10 +125,10 @@ enum lx_kernel_light { LX_DISTANT, LX_BY_SQUARE, LX_BY_SUM, LX_UNATTENUATED, LX_
  * elements in float64 tell float32 on which side of an edge an element lies; they may be NULL in float64, and where
  * lx_has_edges() says no.
  *
- * lx_shade_samples_single, lx_shade_samples_double: samples of Lambertian shells.  Set sum[0 ... LX_LANES - 1] to the
- * brightness that `count` of them, from the first on, give to the elements from `start` on.  A sample gives
- * gain cos(its angle) a, with a by law: 1/r^2, 1/(k + r), 1; r in mm.  Of a ball gain is area, over R^2, for a unit of
- * x and of the turn, but for sin(angle) d angle/dx; of a side over R for a unit of length and y, but for d angle/dy.
+ * lx_shade_samples_single, lx_shade_samples_double: samples of Lambertian area lights.  Set sum[0 ... LX_LANES - 1] to
+ * the brightness that `count` of them, from the first on, give to the elements from `start` on.  A sample gives gain
+ * cos(its angle) a, with a by law: 1/r^2, 1/(k + r), 1; r in mm.  Of a ball gain is area, over R^2, for a unit of x and
+ * of the turn, but for sin(angle) d angle/dx; of a side over R for a unit of length and y, but for d angle/dy.
  *
  * lx_sum_beams_single, lx_sum_beams_double: what one element makes of light from many directions: the sum of their
  * weights times the highlight, for a specular coefficient of 1 and not cut at the horizon, over the cubes of their
@@ -266,7 +266,7 @@ typedef void lx_find_angles(const struct lx_pointed *luminaire, const double pla
  * where x and y are complex numbers of some region around it (smooth.h): its real part by a change `first` that real
  * x and y could make as well, and by `second` besides; its imaginary part; and by `tile` within the square itself.
  */
-struct lx_leeway {
+struct lx_deviation {
     double first, second, imaginary, tile;
 };
 
@@ -278,7 +278,7 @@ struct lx_vicinity {
      * axis as within the square; infinite on what is no plate */
     double straight;
     double slip; /* what may not be analytic counts for so many times its largest value in the square */
-    struct lx_leeway place_leeway, normal_leeway, view_leeway;
+    struct lx_deviation place_deviation, normal_deviation, view_deviation;
 };
 
 /*
@@ -330,29 +330,29 @@ typedef void lx_block_light(const struct lx_blocker *blocker, const struct lx_bl
 
 /* A convex quadrilateral of a face, whose corners are offsets from the source's centre, counter-clockwise as seen from
  * where it shines to; of a triangle the last corner is the first one. */
-struct lx_shell_quad {
+struct lx_area_light_quad {
     double corners[4][3], normal[3];
 };
 
 /* a(r) = 1/(none + root r + square r^2), r in mm, times what makes mm^2 of the source m^2; as it has poles at negative
  * r, or where their real part is, 1/r is no more than minus `pole` at any of them. */
-struct lx_shell_law {
+struct lx_area_light_law {
     double none, root, square, pole;
 };
 
-/* A place of a rule over a flat part of a shell, from the source's centre, and what it weighs in mm^2. */
-struct lx_shell_node {
+/* A place of a rule over a flat part of an area light, from the source's centre, and what it weighs in mm^2. */
+struct lx_area_light_node {
     double x_double, y_double, z_double, weight_double;
     float x_single, y_single, z_single, weight_single;
 };
 
 /* An extended source, as offsets from the anchor of a surface or from the source's centre. */
-struct lx_shell {
+struct lx_area_light {
     enum lx_emitter_type type; /* for the tables of kernels alone */
     bool is_disk, is_ball, has_side;
     bool is_general; /* no kernels are for it: the reference and integrals light each element */
     double radiance;
-    struct lx_shell_law law;
+    struct lx_area_light_law law;
     double center[3]; /* from the anchor */
     double radius_mm; /* of a sphere about the centre around all of it */
     double touch_mm;  /* heights below this are rounding */
@@ -361,12 +361,12 @@ struct lx_shell {
     double half_mm;   /* half the height of its side */
     double turned_mm2,
         section_mm2; /* of its area what counts as turned to one place at most, and its largest section */
-    struct lx_shell_face_double *faces_double;
-    struct lx_shell_edge_double *edges_double;
-    struct lx_shell_face_single *faces_single; /* NULL where float32 does not do */
-    struct lx_shell_edge_single *edges_single;
+    struct lx_area_light_face_double *faces_double;
+    struct lx_area_light_edge_double *edges_double;
+    struct lx_area_light_face_single *faces_single; /* NULL where float32 does not do */
+    struct lx_area_light_edge_single *edges_single;
     size_t face_count, edge_count;
-    struct lx_shell_quad *quads; /* of all faces, where the law is not 1/r^2 */
+    struct lx_area_light_quad *quads; /* of all faces, where the law is not 1/r^2 */
     size_t quad_count;
     /*
      * Where it is so far from the surface that rules of a few places do for all elements that see all of it; else 0.
@@ -374,7 +374,7 @@ struct lx_shell {
      * ball as many rings, which have no places of their own.
      */
     unsigned nodes_each;
-    struct lx_shell_node *nodes;
+    struct lx_area_light_node *nodes;
     size_t most_patches;            /* that its faces can be cut into (patch.h) */
     const struct lx_facets *facets; /* what they were made of; NULL: it is round */
 };
@@ -384,19 +384,21 @@ struct lx_around {
     double center[3], radius;
 };
 
-/* Add `diffuse` times the irradiance by the law 1/r^2, r in mm and the shell in mm; something else where the work is to
- * stop. */
-typedef void lx_light_by_shell_single(const struct lx_shell *shell, double diffuse, const struct lx_block_single *block,
-                                      size_t count, const struct lx_asking *asking, double *sum);
-typedef void lx_light_by_shell_double(const struct lx_shell *shell, double diffuse, const struct lx_block_double *block,
-                                      size_t count, const struct lx_asking *asking, double *sum);
+/* Add `diffuse` times the irradiance by the law 1/r^2, r in mm and the area light in mm; something else where the work
+ * is to stop. */
+typedef void lx_light_by_area_light_single(const struct lx_area_light *lamp, double diffuse,
+                                           const struct lx_block_single *block, size_t count,
+                                           const struct lx_asking *asking, double *sum);
+typedef void lx_light_by_area_light_double(const struct lx_area_light *lamp, double diffuse,
+                                           const struct lx_block_double *block, size_t count,
+                                           const struct lx_asking *asking, double *sum);
 
 /*
- * Add `diffuse` times the irradiance by the shell's own law, to what the rules are for, and set left[i] to 1, and add
- * nothing, where they do not do as the element is too near; something else where the work is to stop.  In float32 or
- * float64, from elements in float64.
+ * Add `diffuse` times the irradiance by the area light's own law, to what the rules are for, and set left[i] to 1, and
+ * add nothing, where they do not do as the element is too near; something else where the work is to stop.  In float32
+ * or float64, from elements in float64.
  */
-typedef void lx_light_by_law(const struct lx_shell *shell, const struct lx_gauss_rules *rules, double diffuse,
+typedef void lx_light_by_law(const struct lx_area_light *lamp, const struct lx_gauss_rules *rules, double diffuse,
                              const struct lx_block_double *block, size_t count, const struct lx_asking *asking,
                              double *sum, uint8_t *left);
 
@@ -422,9 +424,9 @@ struct lx_kernels {
     lx_bound_smooth *bound_smooth;
     lx_bound_foot *bound_foot;
     lx_find_roots *find_roots;
-    lx_light_by_shell_single *facets_single;
+    lx_light_by_area_light_single *facets_single;
     /* by the type of the emitter; NULL for those that are not extended */
-    lx_light_by_shell_double *light_by_shell[LX_EMITTER_TYPES];
+    lx_light_by_area_light_double *light_by_area_light[LX_EMITTER_TYPES];
     lx_light_by_law *law_single[LX_EMITTER_TYPES], *law_double[LX_EMITTER_TYPES];
     /* by the type of the shape */
     lx_meet_lines *meet_lines[LX_SHAPE_TYPES];

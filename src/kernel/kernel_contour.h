@@ -53,14 +53,14 @@ struct passage {
     double cut; /* whether it does */
 };
 
-LANE struct lane lane_of(const struct lx_shell *shell, const struct lx_block_double *block, size_t i)
+LANE struct lane lane_of(const struct lx_area_light *lamp, const struct lx_block_double *block, size_t i)
 {
     struct lane lane = {.n = {block->nx[i], block->ny[i], block->nz[i]}};
-    lane.c = (struct lane3){shell->center[0] - block->px[i], shell->center[1] - block->py[i],
-                            shell->center[2] - block->pz[i]};
+    lane.c =
+        (struct lane3){lamp->center[0] - block->px[i], lamp->center[1] - block->py[i], lamp->center[2] - block->pz[i]};
     lane.k = cross3(lane.n, lane.c);
     double square = dot3(lane.c, lane.c);
-    lane.inverse = square > 4 * shell->radius_mm * shell->radius_mm ? 1 / square : 0;
+    lane.inverse = square > 4 * lamp->radius_mm * lamp->radius_mm ? 1 / square : 0;
     return lane;
 }
 

@@ -124,7 +124,8 @@ LX_LANE NAME(lanes) NAME(chord_term)(const struct NAME(outlook) * at, const stru
 }
 
 /* What a vector of elements sees of a face: 1 or 0. */
-LX_LANE NAME(lanes) NAME(sees)(const struct NAME(outlook) * at, const struct NAME(lx_shell_face) * face, REAL touch)
+LX_LANE NAME(lanes)
+    NAME(sees)(const struct NAME(outlook) * at, const struct NAME(lx_area_light_face) * face, REAL touch)
 {
     NAME(lanes) height = -NAME(dot)(NAME(same)(face->normal), at->c);
     return NAME(where_above)(height, NAME(all)(face->height + touch), NAME(all)(1), NAME(all)(0));
@@ -156,33 +157,33 @@ static struct lx_around NAME(around)(const struct NAME(lx_block) * block, size_t
 }
 
 /* What all of a block's elements see of a face: 1, they do; -1, none does; 0, some may. */
-static int NAME(side_of)(const struct lx_shell *shell, const struct NAME(lx_shell_face) * face,
+static int NAME(side_of)(const struct lx_area_light *lamp, const struct NAME(lx_area_light_face) * face,
                          const struct lx_around *around)
 {
     double above = -(double)face->height, away = 0;
     for (int i = 0; i < 3; i++) {
-        double offset = around->center[i] - shell->center[i];
+        double offset = around->center[i] - lamp->center[i];
         above += (double)face->normal[i] * offset;
         away += fabs(offset);
     }
-    double rounding = LX_IS_SINGLE ? 0x1p-20 * (away + shell->radius_mm) : 2 * shell->touch_mm;
+    double rounding = LX_IS_SINGLE ? 0x1p-20 * (away + lamp->radius_mm) : 2 * lamp->touch_mm;
     double doubt = around->radius + rounding;
     return above > doubt ? 1 : above < -doubt ? -1 : 0;
 }
 
 /* An edge that elements of a block may have on their contour. */
 struct NAME(candidate) {
-    const struct NAME(lx_shell_edge) * edge;
+    const struct NAME(lx_area_light_edge) * edge;
     REAL weight; /* for all elements; 0: each has its own */
 };
 
-static bool NAME(is_candidate)(const struct lx_shell *shell, const struct lx_around *around,
+static bool NAME(is_candidate)(const struct lx_area_light *lamp, const struct lx_around *around,
                                struct NAME(candidate) * candidate)
 {
-    const struct NAME(lx_shell_edge) *edge = candidate->edge;
-    const struct NAME(lx_shell_face) *faces = shell->NAME(faces);
-    const int left = NAME(side_of)(shell, &faces[edge->left], around);
-    const int right = edge->right < 0 ? -1 : NAME(side_of)(shell, &faces[edge->right], around);
+    const struct NAME(lx_area_light_edge) *edge = candidate->edge;
+    const struct NAME(lx_area_light_face) *faces = lamp->NAME(faces);
+    const int left = NAME(side_of)(lamp, &faces[edge->left], around);
+    const int right = edge->right < 0 ? -1 : NAME(side_of)(lamp, &faces[edge->right], around);
     candidate->weight = left == 0 || right == 0 ? 0 : (REAL)((left - right) / 2);
     return left == 0 || left != right;
 }
@@ -196,24 +197,25 @@ struct NAME(contour) {
 /* What a vector of elements has above its horizon: all of the source, some, nothing. */
 enum NAME(share) { NAME(LX_ALL), NAME(LX_SOME), NAME(LX_NOTHING) };
 
-LX_LANE enum NAME(share) NAME(share_above)(const struct lx_shell *shell, const struct NAME(outlook) * at, double away)
+LX_LANE enum NAME(share)
+    NAME(share_above)(const struct lx_area_light *lamp, const struct NAME(outlook) * at, double away)
 {
     /* with room for rounding, so that no corner of what counts as whole is below by that */
-    const double rounding = (LX_IS_SINGLE ? 0x1p-20 : 0x1p-49) * (away + shell->radius_mm);
-    const NAME(lanes) reach = NAME(all)((REAL)(1.001 * shell->radius_mm + shell->touch_mm + rounding));
+    const double rounding = (LX_IS_SINGLE ? 0x1p-20 : 0x1p-49) * (away + lamp->radius_mm);
+    const NAME(lanes) reach = NAME(all)((REAL)(1.001 * lamp->radius_mm + lamp->touch_mm + rounding));
     if (!NAME(any_above)(at->height, -reach))
         return NAME(LX_NOTHING);
     return NAME(all_above)(at->height, reach) ? NAME(LX_ALL) : NAME(LX_SOME);
 }
 
 LX_LANE struct NAME(outlook)
-    NAME(outlook_of)(const struct lx_shell *shell, const struct NAME(lx_block) * block, size_t i)
+    NAME(outlook_of)(const struct lx_area_light *lamp, const struct NAME(lx_block) * block, size_t i)
 {
-    const REAL far_square = (REAL)(7 * shell->radius_mm * shell->radius_mm); /* 1/sin(22.5 degrees)^2 is 6.83 */
+    const REAL far_square = (REAL)(7 * lamp->radius_mm * lamp->radius_mm); /* 1/sin(22.5 degrees)^2 is 6.83 */
     struct NAME(outlook) at = {.n = {NAME(load)(block->nx + i), NAME(load)(block->ny + i), NAME(load)(block->nz + i)}};
-    at.c.x = (REAL)shell->center[0] - NAME(load)(block->px + i);
-    at.c.y = (REAL)shell->center[1] - NAME(load)(block->py + i);
-    at.c.z = (REAL)shell->center[2] - NAME(load)(block->pz + i);
+    at.c.x = (REAL)lamp->center[0] - NAME(load)(block->px + i);
+    at.c.y = (REAL)lamp->center[1] - NAME(load)(block->py + i);
+    at.c.z = (REAL)lamp->center[2] - NAME(load)(block->pz + i);
     at.square = NAME(dot)(at.c, at.c);
     at.inverse = NAME(inverse)(NAME(greater)(at.square, NAME(all)((REAL)SMALLEST)));
     at.beyond_near = at.square - far_square;
@@ -222,33 +224,33 @@ LX_LANE struct NAME(outlook)
 }
 
 /* The edge's weight for each element, by the faces on its sides. */
-LX_LANE NAME(lanes)
-    NAME(weigh)(const struct lx_shell *shell, const struct NAME(candidate) * candidate, const struct NAME(outlook) * at)
+LX_LANE NAME(lanes) NAME(weigh)(const struct lx_area_light *lamp, const struct NAME(candidate) * candidate,
+                                const struct NAME(outlook) * at)
 {
-    const struct NAME(lx_shell_face) *faces = shell->NAME(faces);
-    const struct NAME(lx_shell_edge) *edge = candidate->edge;
-    const REAL touch = (REAL)shell->touch_mm;
+    const struct NAME(lx_area_light_face) *faces = lamp->NAME(faces);
+    const struct NAME(lx_area_light_edge) *edge = candidate->edge;
+    const REAL touch = (REAL)lamp->touch_mm;
     if (candidate->weight != 0)
         return NAME(all)(candidate->weight);
     NAME(lanes) left = NAME(sees)(at, &faces[edge->left], touch);
     return edge->right < 0 ? left : left - NAME(sees)(at, &faces[edge->right], touch);
 }
 
-LX_LANE struct NAME(edge) NAME(edge_of)(const struct NAME(lx_shell_edge) * edge)
+LX_LANE struct NAME(edge) NAME(edge_of)(const struct NAME(lx_area_light_edge) * edge)
 {
     return (struct NAME(edge)){NAME(same)(edge->from), NAME(same)(edge->along), NAME(same)(edge->moment),
                                NAME(same)(edge->both), NAME(all)(edge->product)};
 }
 
 /* Adds candidates to the contours of a vector of elements. */
-LX_LANE void NAME(add_edges)(const struct lx_shell *shell, const struct NAME(candidate) * candidates, size_t count,
+LX_LANE void NAME(add_edges)(const struct lx_area_light *lamp, const struct NAME(candidate) * candidates, size_t count,
                              const struct NAME(outlook) * at, enum NAME(share) share, struct NAME(contour) * contour)
 {
-    const NAME(lanes) center = at->height + (REAL)shell->touch_mm;
+    const NAME(lanes) center = at->height + (REAL)lamp->touch_mm;
     for (size_t k = 0; k < count; k++) {
-        const struct NAME(lx_shell_edge) *whole = candidates[k].edge;
+        const struct NAME(lx_area_light_edge) *whole = candidates[k].edge;
         const struct NAME(edge) edge = NAME(edge_of)(whole);
-        const NAME(lanes) weight = NAME(weigh)(shell, &candidates[k], at);
+        const NAME(lanes) weight = NAME(weigh)(lamp, &candidates[k], at);
         if (share == NAME(LX_ALL)) {
             contour->sum += weight * NAME(edge_term)(at, &edge);
             continue;
@@ -266,65 +268,65 @@ LX_LANE void NAME(add_edges)(const struct lx_shell *shell, const struct NAME(can
  * Adds candidates to the contours of two vectors of elements, from the i-th on, side by side, if both see the source
  * far away and wholly above the horizon; else does nothing and returns false.
  */
-LX_LANE bool NAME(add_to_two)(const struct lx_shell *shell, const struct NAME(candidate) * candidates, size_t count,
+LX_LANE bool NAME(add_to_two)(const struct lx_area_light *lamp, const struct NAME(candidate) * candidates, size_t count,
                               const struct NAME(lx_block) * block, size_t i, double away,
                               struct NAME(contour) * contours)
 {
     struct NAME(outlook) at[2];
     NAME(lanes) sums[2];
     for (size_t j = 0; j < 2; j++) {
-        at[j] = NAME(outlook_of)(shell, block, i + j * NAME(LX_WIDTH));
+        at[j] = NAME(outlook_of)(lamp, block, i + j * NAME(LX_WIDTH));
         sums[j] = contours[j].sum;
-        if (NAME(share_above)(shell, &at[j], away) != NAME(LX_ALL) || !NAME(all_above)(at[j].beyond_near, NAME(all)(0)))
+        if (NAME(share_above)(lamp, &at[j], away) != NAME(LX_ALL) || !NAME(all_above)(at[j].beyond_near, NAME(all)(0)))
             return false;
     }
     for (size_t k = 0; k < count; k++) {
         const struct NAME(edge) edge = NAME(edge_of)(candidates[k].edge);
         for (int j = 0; j < 2; j++)
-            sums[j] += NAME(weigh)(shell, &candidates[k], &at[j]) * NAME(far_term)(&at[j], &edge);
+            sums[j] += NAME(weigh)(lamp, &candidates[k], &at[j]) * NAME(far_term)(&at[j], &edge);
     }
     for (int j = 0; j < 2; j++)
         contours[j].sum = sums[j];
     return true;
 }
 
-static void NAME(light_by_facets)(const struct lx_shell *shell, double diffuse, const struct NAME(lx_block) * block,
+static void NAME(light_by_facets)(const struct lx_area_light *lamp, double diffuse, const struct NAME(lx_block) * block,
                                   size_t count, const struct lx_asking *asking, double *restrict sum)
 {
     enum { LOT = 64, BETWEEN_CHECKS = 1024 }; /* candidates that are worked off at once; edges that are looked at */
     const size_t width = NAME(LX_WIDTH);
     const struct lx_around around = NAME(around)(block, lx_padded(count));
-    const double gain = -0.5 * diffuse * shell->radiance;
+    const double gain = -0.5 * diffuse * lamp->radiance;
     struct NAME(contour) contours[LX_BLOCK / NAME(LX_WIDTH)];
     _Alignas(LX_VECTOR_BYTES) REAL totals[LX_BLOCK];
     struct NAME(candidate) lot[LOT];
     double away = around.radius;
     for (int i = 0; i < 3; i++)
-        away += fabs(around.center[i] - shell->center[i]);
+        away += fabs(around.center[i] - lamp->center[i]);
     count = lx_padded(count);
     memset(contours, 0, count / width * sizeof *contours);
-    for (size_t next = 0, found = 0; next < shell->edge_count; found = 0) {
-        for (; next < shell->edge_count && found < LOT; next++) {
+    for (size_t next = 0, found = 0; next < lamp->edge_count; found = 0) {
+        for (; next < lamp->edge_count && found < LOT; next++) {
             if (next % BETWEEN_CHECKS == BETWEEN_CHECKS - 1 && !lx_asking_goes_on(asking))
                 return;
-            lot[found].edge = &shell->NAME(edges)[next];
-            found += NAME(is_candidate)(shell, &around, &lot[found]);
+            lot[found].edge = &lamp->NAME(edges)[next];
+            found += NAME(is_candidate)(lamp, &around, &lot[found]);
         }
         if (!lx_asking_goes_on(asking))
             return;
         for (size_t i = 0, vectors; i < count; i += vectors * width) {
             struct NAME(contour) *contour = &contours[i / width];
-            const bool two = i + width < count && NAME(add_to_two)(shell, lot, found, block, i, away, contour);
+            const bool two = i + width < count && NAME(add_to_two)(lamp, lot, found, block, i, away, contour);
             vectors = two ? 2 : 1;
             if (two)
                 continue;
-            const struct NAME(outlook) at = NAME(outlook_of)(shell, block, i);
-            const enum NAME(share) share = NAME(share_above)(shell, &at, away);
+            const struct NAME(outlook) at = NAME(outlook_of)(lamp, block, i);
+            const enum NAME(share) share = NAME(share_above)(lamp, &at, away);
             if (share == NAME(LX_ALL))
-                NAME(add_edges)(shell, lot, found, &at, NAME(LX_ALL), contour);
+                NAME(add_edges)(lamp, lot, found, &at, NAME(LX_ALL), contour);
             else if (share == NAME(LX_SOME))
-                NAME(add_edges)(shell, lot, found, &at, NAME(LX_SOME), contour);
-            if (next == shell->edge_count && NAME(any_above)(contour->passage.cut, NAME(all)(0)))
+                NAME(add_edges)(lamp, lot, found, &at, NAME(LX_SOME), contour);
+            if (next == lamp->edge_count && NAME(any_above)(contour->passage.cut, NAME(all)(0)))
                 contour->sum += NAME(chord_term)(&at, &contour->passage);
         }
     }

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /*
  * The irradiance by sources that are far away, of any law, by rules with few places, in one precision: those of flat
- * parts, which are the same for all elements that see all of the source (shell.c), and product rules over what a
+ * parts, which are the same for all elements that see all of the source (area_light.c), and product rules over what a
  * horizon leaves of a quadrilateral.  Included behind each kernel_space.h.
  */
 
@@ -14,14 +14,14 @@ struct NAME(law) {
     const struct lx_gauss_rules *rules;
 };
 
-LX_LANE struct NAME(law) NAME(law_of)(const struct lx_shell *shell, const struct lx_gauss_rules *rules)
+LX_LANE struct NAME(law) NAME(law_of)(const struct lx_area_light *lamp, const struct lx_gauss_rules *rules)
 {
-    return (struct NAME(law)){.none = (REAL)shell->law.none,
-                              .root = (REAL)shell->law.root,
-                              .square = (REAL)shell->law.square,
+    return (struct NAME(law)){.none = (REAL)lamp->law.none,
+                              .root = (REAL)lamp->law.root,
+                              .square = (REAL)lamp->law.square,
                               .digits = (REAL)rules->digits,
-                              .is_steady = shell->law.root == 0 && shell->law.square == 0,
-                              .pole = (REAL)shell->law.pole,
+                              .is_steady = lamp->law.root == 0 && lamp->law.square == 0,
+                              .pole = (REAL)lamp->law.pole,
                               .rules = rules};
 }
 
@@ -42,7 +42,7 @@ LX_LANE NAME(lanes) NAME(fall_off)(const struct NAME(law) * law, NAME(lanes) squ
 }
 
 /* Adds a flat part by its nodes. */
-LX_LANE void NAME(add_nodes)(const struct NAME(law) * law, const REAL face[3], const struct lx_shell_node *nodes,
+LX_LANE void NAME(add_nodes)(const struct NAME(law) * law, const REAL face[3], const struct lx_area_light_node *nodes,
                              unsigned count, REAL touch, struct NAME(audience) * audience)
 {
     const NAME(lanes) zero = NAME(all)(0);

@@ -95,13 +95,13 @@ static __attribute__((noinline)) void NAME(add_cut_rings)(const struct NAME(law)
     }
 }
 
-LX_LANE void NAME(add_rings)(const struct NAME(law) * law, const struct lx_shell *shell,
+LX_LANE void NAME(add_rings)(const struct NAME(law) * law, const struct lx_area_light *lamp,
                              struct NAME(audience) * audience)
 {
     const NAME(lanes) zero = NAME(all)(0), one = NAME(all)(1);
     const struct NAME(space) *c = &audience->to_center;
     const NAME(lanes) square = NAME(dot)(*c, *c), distance = NAME(root)(square), inverse = NAME(inverse)(distance);
-    struct NAME(ball_view) view = {.distance = distance, .radius = NAME(all)((REAL)shell->round_mm)};
+    struct NAME(ball_view) view = {.distance = distance, .radius = NAME(all)((REAL)lamp->round_mm)};
     const struct NAME(space) turned = NAME(cross)(audience->n, *c);
     const NAME(lanes) sine = view.radius * inverse;
     view.x = NAME(dot)(audience->n, *c) * inverse;
@@ -110,9 +110,9 @@ LX_LANE void NAME(add_rings)(const struct NAME(law) * law, const struct lx_shell
     const NAME(lanes) beyond = (distance - view.radius) * (distance + view.radius);
     const NAME(lanes) off = NAME(root)(NAME(greater)(beyond, zero)) * NAME(inverse)(view.radius);
     const NAME(lanes) others = one - audience->whole;
-    const NAME(lanes) outside = NAME(where_above)(distance, view.radius + (REAL)shell->touch_mm, others, zero);
-    if (shell->nodes_each > 0)
-        audience->total = audience->whole * NAME(few_rings)(law, &view, &law->rules->rules[shell->nodes_each - 1]);
+    const NAME(lanes) outside = NAME(where_above)(distance, view.radius + (REAL)lamp->touch_mm, others, zero);
+    if (lamp->nodes_each > 0)
+        audience->total = audience->whole * NAME(few_rings)(law, &view, &law->rules->rules[lamp->nodes_each - 1]);
     if (!NAME(any_above)(others, zero))
         return;
     const NAME(lanes) from2 = (sine - view.x) * (sine + view.x) * NAME(inverse)(view.q);
@@ -132,17 +132,17 @@ LX_LANE void NAME(add_rings)(const struct NAME(law) * law, const struct lx_shell
         NAME(add_cut_rings)(law, &view, from, off, cut, audience);
 }
 
-void LX_OF_ISA(NAME(lx_ball_by_rings))(const struct lx_shell *shell, const struct lx_gauss_rules *rules, double diffuse,
-                                       const struct lx_block_double *block, size_t count,
+void LX_OF_ISA(NAME(lx_ball_by_rings))(const struct lx_area_light *lamp, const struct lx_gauss_rules *rules,
+                                       double diffuse, const struct lx_block_double *block, size_t count,
                                        const struct lx_asking *asking, double *restrict sum, uint8_t *left)
 {
-    const struct NAME(law) law = NAME(law_of)(shell, rules);
+    const struct NAME(law) law = NAME(law_of)(lamp, rules);
     (void)asking;
     for (size_t start = 0; start < count; start += NAME(LX_WIDTH)) {
-        struct NAME(audience) audience = NAME(audience_of)(shell, block, start);
-        if (!NAME(any_sees)(shell, &audience))
+        struct NAME(audience) audience = NAME(audience_of)(lamp, block, start);
+        if (!NAME(any_sees)(lamp, &audience))
             continue;
-        NAME(add_rings)(&law, shell, &audience);
-        NAME(hand_out)(&audience, diffuse * shell->radiance, start, count, sum, left);
+        NAME(add_rings)(&law, lamp, &audience);
+        NAME(hand_out)(&audience, diffuse * lamp->radiance, start, count, sum, left);
     }
 }

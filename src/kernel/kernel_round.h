@@ -152,11 +152,11 @@ LANE double foot_of(struct lane lane, struct lane3 axis, struct lane3 beside, do
 static const double UNSEEN = 0, WHOLE = 1, CUT = 2, CAP_WHOLE = 3, CAP_CUT = 4;
 
 /* The kind of elements that see the source; below: where the horizon is higher than all of it. */
-LANE double kind_by_horizon(const struct lx_shell *shell, struct lane lane, double whole, double cut)
+LANE double kind_by_horizon(const struct lx_area_light *lamp, struct lane lane, double whole, double cut)
 {
     const double height = dot3(lane.n, lane.c);
     const double away = fabs(lane.c.x) + fabs(lane.c.y) + fabs(lane.c.z);
-    const double reach = 1.001 * shell->radius_mm + shell->touch_mm + 0x1p-49 * away;
+    const double reach = 1.001 * lamp->radius_mm + lamp->touch_mm + 0x1p-49 * away;
     const double above = height > reach ? whole : cut;
     return height < -reach ? UNSEEN : above;
 }
@@ -294,12 +294,12 @@ LANE double outline_rim(struct lane lane, struct outline outline, double side, s
 }
 
 /* A cylinder from beside it: two generators, and of each rim the side that is seen as the outline. */
-LANE double cylinder_irradiance(struct lane lane, struct lane3 axis, struct lane3 beside, const struct lx_shell *shell,
-                                bool cuts)
+LANE double cylinder_irradiance(struct lane lane, struct lane3 axis, struct lane3 beside,
+                                const struct lx_area_light *lamp, bool cuts)
 {
-    const double radius = shell->round_mm;
+    const double radius = lamp->round_mm;
     struct outline outline = {
-        .axis = axis, .radius = radius, .half = shell->half_mm, .touch = shell->touch_mm, .cuts = cuts};
+        .axis = axis, .radius = radius, .half = lamp->half_mm, .touch = lamp->touch_mm, .cuts = cuts};
     outline.height = -dot3(lane.c, axis);
     outline.rho = foot_of(lane, axis, beside, outline.height, &outline.u);
     double inverse = 1 / greatest(outline.rho, radius), cosine = -radius * inverse;
@@ -318,17 +318,18 @@ LANE double cylinder_irradiance(struct lane lane, struct lane3 axis, struct lane
 
 /* What the loops over the elements of a run have in common; the elements of the kind get their light. */
 struct run {
-    const struct lx_shell *shell;
+    const struct lx_area_light *lamp;
     const struct lx_block_double *block;
     struct lane3 axis, beside;
     double gain;
     double *kinds;
 };
 
-LANE struct run run_of(const struct lx_shell *shell, double diffuse, const struct lx_block_double *block, double *kinds)
+LANE struct run run_of(const struct lx_area_light *lamp, double diffuse, const struct lx_block_double *block,
+                       double *kinds)
 {
-    const struct lane3 axis = lane3_of(shell->axis);
-    return (struct run){shell, block, axis, beside3(axis), diffuse * shell->radiance, kinds};
+    const struct lane3 axis = lane3_of(lamp->axis);
+    return (struct run){lamp, block, axis, beside3(axis), diffuse * lamp->radiance, kinds};
 }
 
 /* What of a round source an element is in front of; loops and closed forms are compiled for each. */
@@ -336,13 +337,13 @@ enum part { DISK, BALL, BODY, CAP };
 
 LANE double part_irradiance(struct run run, struct lane lane, enum part part, bool cuts)
 {
-    const double radius = run.shell->round_mm, touch = run.shell->touch_mm, half = run.shell->half_mm;
+    const double radius = run.lamp->round_mm, touch = run.lamp->touch_mm, half = run.lamp->half_mm;
     const double side = dot3(lane.c, run.axis) > 0 ? -1 : 1;
     const struct lane3 middle = {0, 0, 0}, cap = scale3(run.axis, side * half), outwards = scale3(run.axis, side);
     switch (part) {
     case DISK: return disk_irradiance(lane, middle, run.axis, run.beside, radius, touch, cuts);
     case BALL: return ball_irradiance(lane, radius, cuts);
-    case BODY: return cylinder_irradiance(lane, run.axis, run.beside, run.shell, cuts);
+    case BODY: return cylinder_irradiance(lane, run.axis, run.beside, run.lamp, cuts);
     case CAP: return disk_irradiance(lane, cap, outwards, run.beside, radius, touch, cuts);
     }
     return 0;
@@ -353,7 +354,7 @@ LANE void add_kind(struct run run, size_t start, enum part part, double kind, bo
     if (!any_is(run.kinds, kind))
         return;
     for (size_t i = 0; i < LX_LANES; i++) {
-        struct lane lane = lane_of(run.shell, run.block, start + i);
+        struct lane lane = lane_of(run.lamp, run.block, start + i);
         double value = part_irradiance(run, lane, part, cuts);
         sum[start + i] += run.kinds[i] == kind ? run.gain * value : 0;
     }
@@ -362,26 +363,26 @@ LANE void add_kind(struct run run, size_t start, enum part part, double kind, bo
 /* The kind of an element; none is between the caps within the body of a cylinder. */
 LANE double kind_of(struct run run, struct lane lane, enum part part)
 {
-    const double touch = run.shell->touch_mm, outside = run.shell->round_mm + touch, half = run.shell->half_mm;
-    const double height = -dot3(lane.c, run.axis), kind = kind_by_horizon(run.shell, lane, WHOLE, CUT);
+    const double touch = run.lamp->touch_mm, outside = run.lamp->round_mm + touch, half = run.lamp->half_mm;
+    const double height = -dot3(lane.c, run.axis), kind = kind_by_horizon(run.lamp, lane, WHOLE, CUT);
     if (part == DISK)
         return height > touch ? kind : UNSEEN;
     if (part == BALL)
         return sqrt(dot3(lane.c, lane.c)) > outside ? kind : UNSEEN;
     struct lane3 s = along3(lane.c, height, run.axis);
-    double cap = kind_by_horizon(run.shell, lane, CAP_WHOLE, CAP_CUT);
+    double cap = kind_by_horizon(run.lamp, lane, CAP_WHOLE, CAP_CUT);
     cap = fabs(height) > half + touch ? cap : UNSEEN;
     return dot3(s, s) <= outside * outside ? cap : kind;
 }
 
-LANE void light_by(const struct lx_shell *shell, double diffuse, const struct lx_block_double *block, size_t count,
+LANE void light_by(const struct lx_area_light *lamp, double diffuse, const struct lx_block_double *block, size_t count,
                    enum part part, double *restrict sum)
 {
     double kinds[LX_LANES];
-    const struct run run = run_of(shell, diffuse, block, kinds);
+    const struct run run = run_of(lamp, diffuse, block, kinds);
     for (size_t start = 0; start < count; start += LX_LANES) {
         for (size_t i = 0; i < LX_LANES; i++)
-            kinds[i] = kind_of(run, lane_of(shell, block, start + i), part);
+            kinds[i] = kind_of(run, lane_of(lamp, block, start + i), part);
         add_kind(run, start, part, WHOLE, false, sum);
         add_kind(run, start, part, CUT, true, sum);
         if (part == BODY) {
@@ -393,11 +394,11 @@ LANE void light_by(const struct lx_shell *shell, double diffuse, const struct lx
 
 /* A block is done too soon for anybody to be asked whether to go on. */
 #define LX_LIGHT_BY(name, part)                                                                                        \
-    static void name(const struct lx_shell *shell, double diffuse, const struct lx_block_double *block, size_t count,  \
-                     const struct lx_asking *asking, double *restrict sum)                                             \
+    static void name(const struct lx_area_light *lamp, double diffuse, const struct lx_block_double *block,            \
+                     size_t count, const struct lx_asking *asking, double *restrict sum)                               \
     {                                                                                                                  \
         (void)asking;                                                                                                  \
-        light_by(shell, diffuse, block, count, part, sum);                                                             \
+        light_by(lamp, diffuse, block, count, part, sum);                                                              \
     }
 LX_LIGHT_BY(light_by_disk, DISK)
 LX_LIGHT_BY(light_by_ball, BALL)

@@ -397,10 +397,10 @@ LX_LANE struct NAME(space) NAME(normals_of)(const struct lx_block_double *block,
 }
 
 LX_LANE struct NAME(audience)
-    NAME(audience_of)(const struct lx_shell *shell, const struct lx_block_double *block, size_t start)
+    NAME(audience_of)(const struct lx_area_light *lamp, const struct lx_block_double *block, size_t start)
 {
     return (struct NAME(audience)){.n = NAME(normals_of)(block, start),
-                                   .to_center = NAME(ways_to)(shell->center, block, start),
+                                   .to_center = NAME(ways_to)(lamp->center, block, start),
                                    .whole = NAME(all)(0),
                                    .total = NAME(all)(0),
                                    .left = NAME(all)(0)};
@@ -418,18 +418,18 @@ LX_LANE void NAME(hand_out)(const struct NAME(audience) * audience, double gain,
 }
 
 /* Whether some of the source may be above the horizon of any of them; finds those who see all of it. */
-LX_LANE bool NAME(any_sees)(const struct lx_shell *shell, struct NAME(audience) * audience)
+LX_LANE bool NAME(any_sees)(const struct lx_area_light *lamp, struct NAME(audience) * audience)
 {
-    const NAME(lanes) reach = NAME(all)((REAL)(1.001 * shell->radius_mm + shell->touch_mm));
+    const NAME(lanes) reach = NAME(all)((REAL)(1.001 * lamp->radius_mm + lamp->touch_mm));
     const NAME(lanes) up = NAME(dot)(audience->n, audience->to_center);
-    if (shell->nodes_each > 0)
+    if (lamp->nodes_each > 0)
         audience->whole = NAME(where_above)(up, reach, NAME(all)(1), NAME(all)(0));
     return NAME(any_above)(up, -reach);
 }
 
-/* Adds a quadrilateral of the shell for those who do not see all of that, or are near. */
-LX_LANE void NAME(add_shell_quad)(const struct NAME(law) * law, const struct lx_shell_quad *whole, const REAL face[3],
-                                  REAL touch, struct NAME(audience) * audience)
+/* Adds a quadrilateral of the area light for those who do not see all of that, or are near. */
+LX_LANE void NAME(add_area_light_quad)(const struct NAME(law) * law, const struct lx_area_light_quad *whole,
+                                       const REAL face[3], REAL touch, struct NAME(audience) * audience)
 {
     const NAME(lanes) zero = NAME(all)(0), one = NAME(all)(1);
     const struct NAME(space) normal = NAME(same)(face);
@@ -455,27 +455,27 @@ LX_LANE void NAME(add_shell_quad)(const struct NAME(law) * law, const struct lx_
     audience->total += above * part;
 }
 
-void LX_OF_ISA(NAME(lx_facets_by_rows))(const struct lx_shell *shell, const struct lx_gauss_rules *rules,
+void LX_OF_ISA(NAME(lx_facets_by_rows))(const struct lx_area_light *lamp, const struct lx_gauss_rules *rules,
                                         double diffuse, const struct lx_block_double *block, size_t count,
                                         const struct lx_asking *asking, double *restrict sum, uint8_t *left)
 {
     enum { BETWEEN_CHECKS = 64 };
-    const struct NAME(law) law = NAME(law_of)(shell, rules);
-    const REAL touch = (REAL)shell->touch_mm;
+    const struct NAME(law) law = NAME(law_of)(lamp, rules);
+    const REAL touch = (REAL)lamp->touch_mm;
     for (size_t start = 0; start < count; start += NAME(LX_WIDTH)) {
-        struct NAME(audience) audience = NAME(audience_of)(shell, block, start);
-        if (!NAME(any_sees)(shell, &audience))
+        struct NAME(audience) audience = NAME(audience_of)(lamp, block, start);
+        if (!NAME(any_sees)(lamp, &audience))
             continue;
-        for (size_t q = 0; q < shell->quad_count; q++) {
-            const struct lx_shell_quad *quad = &shell->quads[q];
+        for (size_t q = 0; q < lamp->quad_count; q++) {
+            const struct lx_area_light_quad *quad = &lamp->quads[q];
             const REAL face[3] = {(REAL)quad->normal[0], (REAL)quad->normal[1], (REAL)quad->normal[2]};
             if (NAME(any_above)(audience.whole, NAME(all)(0)))
-                NAME(add_nodes)(&law, face, shell->nodes + q * shell->nodes_each, shell->nodes_each, touch, &audience);
+                NAME(add_nodes)(&law, face, lamp->nodes + q * lamp->nodes_each, lamp->nodes_each, touch, &audience);
             if (NAME(any_above)(NAME(all)(1), audience.whole))
-                NAME(add_shell_quad)(&law, quad, face, touch, &audience);
+                NAME(add_area_light_quad)(&law, quad, face, touch, &audience);
             if (!lx_asking_at_step(asking, q, BETWEEN_CHECKS))
                 return;
         }
-        NAME(hand_out)(&audience, diffuse * shell->radiance, start, count, sum, left);
+        NAME(hand_out)(&audience, diffuse * lamp->radiance, start, count, sum, left);
     }
 }

@@ -113,19 +113,19 @@ LX_LANE NAME(lanes)
     return sum * span;
 }
 
-static __attribute__((noinline)) void NAME(add_disk)(const struct NAME(law) * law, const struct lx_shell *shell,
+static __attribute__((noinline)) void NAME(add_disk)(const struct NAME(law) * law, const struct lx_area_light *lamp,
                                                      double side, struct NAME(audience) * audience)
 {
-    const NAME(lanes) zero = NAME(all)(0), one = NAME(all)(1), touch = NAME(all)((REAL)shell->touch_mm);
+    const NAME(lanes) zero = NAME(all)(0), one = NAME(all)(1), touch = NAME(all)((REAL)lamp->touch_mm);
     REAL axis[3], beside[3] = {0, 0, 0}, offset[3];
     const REAL turn = side < 0 ? -1 : 1;
     for (int k = 0; k < 3; k++) {
-        axis[k] = turn * (REAL)shell->axis[k];
-        offset[k] = (REAL)(side * shell->half_mm * shell->axis[k]);
+        axis[k] = turn * (REAL)lamp->axis[k];
+        offset[k] = (REAL)(side * lamp->half_mm * lamp->axis[k]);
     }
     if (NAME(any_above)(audience->whole, zero))
         NAME(add_nodes)
-    (law, axis, shell->nodes + (side < 0 ? shell->nodes_each : 0), shell->nodes_each, (REAL)shell->touch_mm, audience);
+    (law, axis, lamp->nodes + (side < 0 ? lamp->nodes_each : 0), lamp->nodes_each, (REAL)lamp->touch_mm, audience);
     if (!NAME(any_above)(one, audience->whole))
         return;
     const int other = axis[0] * axis[0] > (REAL)0.25 ? 1 : 0; /* beside[other] = 1, made perpendicular */
@@ -134,7 +134,7 @@ static __attribute__((noinline)) void NAME(add_disk)(const struct NAME(law) * la
         beside[k] = scale * ((k == other ? 1 : 0) - along * axis[k]);
     const struct NAME(space) center = NAME(sum_of)(audience->to_center, NAME(same)(offset));
     const struct NAME(disk) disk =
-        NAME(disk_of)(center, NAME(same)(axis), (REAL)shell->round_mm, NAME(same)(beside), audience->n);
+        NAME(disk_of)(center, NAME(same)(axis), (REAL)lamp->round_mm, NAME(same)(beside), audience->n);
     const NAME(lanes) top = disk.height + disk.rise * disk.radius;
     const NAME(lanes) seen =
         NAME(where_above)(disk.above, touch, NAME(where_above)(top, zero, one - audience->whole, zero), zero);
@@ -163,15 +163,16 @@ struct NAME(side) {
     REAL radius, half;
 };
 
-LX_LANE struct NAME(side) NAME(side_of_cylinder)(const struct lx_shell *shell, const struct NAME(audience) * audience)
+LX_LANE struct NAME(side)
+    NAME(side_of_cylinder)(const struct lx_area_light *lamp, const struct NAME(audience) * audience)
 {
     const NAME(lanes) zero = NAME(all)(0), tiny = NAME(all)((REAL)SMALLEST * 16);
-    const REAL axis[3] = {(REAL)shell->axis[0], (REAL)shell->axis[1], (REAL)shell->axis[2]};
+    const REAL axis[3] = {(REAL)lamp->axis[0], (REAL)lamp->axis[1], (REAL)lamp->axis[2]};
     struct NAME(side) side = {.center = audience->to_center,
                               .axis = NAME(same)(axis),
                               .n = audience->n,
-                              .radius = (REAL)shell->round_mm,
-                              .half = (REAL)shell->half_mm};
+                              .radius = (REAL)lamp->round_mm,
+                              .half = (REAL)lamp->half_mm};
     const NAME(lanes) along = NAME(dot)(side.center, side.axis);
     const struct NAME(space) out = NAME(along)(NAME(times)(NAME(all)(-1), side.center), along, side.axis);
     const NAME(lanes) away = NAME(root)(NAME(greater)(NAME(dot)(out, out), tiny));
@@ -254,11 +255,11 @@ LX_LANE NAME(lanes) NAME(side_sum)(const struct NAME(law) * law, const struct NA
     return sum * span;
 }
 
-static __attribute__((noinline)) void NAME(add_side)(const struct NAME(law) * law, const struct lx_shell *shell,
+static __attribute__((noinline)) void NAME(add_side)(const struct NAME(law) * law, const struct lx_area_light *lamp,
                                                      struct NAME(audience) * audience)
 {
-    const NAME(lanes) zero = NAME(all)(0), one = NAME(all)(1), touch = NAME(all)((REAL)shell->touch_mm);
-    const struct NAME(side) side = NAME(side_of_cylinder)(shell, audience);
+    const NAME(lanes) zero = NAME(all)(0), one = NAME(all)(1), touch = NAME(all)((REAL)lamp->touch_mm);
+    const struct NAME(side) side = NAME(side_of_cylinder)(lamp, audience);
     const NAME(lanes) outside = NAME(where_above)(side.above, touch, one, zero);
     if (!NAME(any_above)(outside, zero))
         return;
@@ -306,21 +307,21 @@ static __attribute__((noinline)) void NAME(add_side)(const struct NAME(law) * la
     }
 }
 
-void LX_OF_ISA(NAME(lx_round_by_rows))(const struct lx_shell *shell, const struct lx_gauss_rules *rules, double diffuse,
-                                       const struct lx_block_double *block, size_t count,
+void LX_OF_ISA(NAME(lx_round_by_rows))(const struct lx_area_light *lamp, const struct lx_gauss_rules *rules,
+                                       double diffuse, const struct lx_block_double *block, size_t count,
                                        const struct lx_asking *asking, double *restrict sum, uint8_t *left)
 {
-    const struct NAME(law) law = NAME(law_of)(shell, rules);
+    const struct NAME(law) law = NAME(law_of)(lamp, rules);
     for (size_t start = 0; start < count; start += NAME(LX_WIDTH)) {
-        struct NAME(audience) audience = NAME(audience_of)(shell, block, start);
-        if (!NAME(any_sees)(shell, &audience))
+        struct NAME(audience) audience = NAME(audience_of)(lamp, block, start);
+        if (!NAME(any_sees)(lamp, &audience))
             continue;
-        if (shell->has_side) {
-            NAME(add_side)(&law, shell, &audience);
-            NAME(add_disk)(&law, shell, -1, &audience);
+        if (lamp->has_side) {
+            NAME(add_side)(&law, lamp, &audience);
+            NAME(add_disk)(&law, lamp, -1, &audience);
         }
-        NAME(add_disk)(&law, shell, 1, &audience);
-        NAME(hand_out)(&audience, diffuse * shell->radiance, start, count, sum, left);
+        NAME(add_disk)(&law, lamp, 1, &audience);
+        NAME(hand_out)(&audience, diffuse * lamp->radiance, start, count, sum, left);
         if (!lx_asking_at_step(asking, start, 1))
             return;
     }

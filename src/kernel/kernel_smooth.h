@@ -4,18 +4,18 @@
  * a picture (docs/MATHS.md, "Squares of a picture"), for vectors of lights.  kernel.c includes it once, for float64.
  *
  * A vector w is w' + e + i f: w' is real and what w could be with real x and y, e real as well and of second order, f
- * real.  How far they reach is a struct leeway, as in struct lx_leeway.  Scalars are bounded by parts likewise.  Each
- * step errs on the safe side by more than roundings; there is no need to be exact.
+ * real.  How far they reach is a struct deviation, as in struct lx_deviation.  Scalars are bounded by parts likewise.
+ * Each step errs on the safe side by more than roundings; there is no need to be exact.
  */
 
-struct leeway {
+struct deviation {
     lanes_double first, second, imaginary, tile;
 };
 
-LX_LANE struct leeway leeway_of(const struct lx_leeway *leeway, lanes_double share)
+LX_LANE struct deviation deviation_of(const struct lx_deviation *deviation, lanes_double share)
 {
-    return (struct leeway){leeway->first * share, leeway->second * share, leeway->imaginary * share,
-                           leeway->tile * share};
+    return (struct deviation){deviation->first * share, deviation->second * share, deviation->imaginary * share,
+                              deviation->tile * share};
 }
 
 LX_LANE lanes_double positive(lanes_double a)
@@ -33,12 +33,12 @@ LX_LANE lanes_double chord(lanes_double sine)
  * The range of the unit vector of a way of the length d, which moves by `moves`.  Its part f across it, over the length
  * of the real one, is at most k; what makes it unit again is 1/sqrt(1 - z) with |z| <= k^2.
  */
-LX_LANE struct leeway leeway_of_unit(lanes_double d, struct leeway moves)
+LX_LANE struct deviation deviation_of_unit(lanes_double d, struct deviation moves)
 {
     const lanes_double nearest = d - moves.first - moves.second, inverse = inverse_double(d);
     const lanes_double k = moves.imaginary * inverse_double(nearest);
     const lanes_double more = inverse_root_double(1 - k * k) - 1;
-    return (struct leeway){
+    return (struct deviation){
         .first = chord(moves.first * inverse),
         .second = more * (1 + k) + k * k * (1 + more) + moves.second * inverse_double(nearest),
         .imaginary = k * (1 + more) + more,
@@ -71,7 +71,7 @@ struct bounded_light {
     lanes_double is_lit;         /* 0 where it is not, for certain */
     lanes_double doubt;          /* above 0 where there may be no such function */
     lanes_double x, y, z;        /* L in the middle */
-    struct leeway leeway;        /* of L */
+    struct deviation deviation;  /* of L */
 };
 
 /* 1 where a > b, else 0. */
@@ -90,15 +90,15 @@ LX_LANE lanes_double bound_profile(const struct lx_smooth_lights *lights, size_t
     const lanes_double cosine =
         -(light->x * load_double(lights->axis_x + i) + light->y * load_double(lights->axis_y + i) +
           light->z * load_double(lights->axis_z + i));
-    const lanes_double sine = root_double(positive(1 - cosine * cosine)), tile = light->leeway.tile;
+    const lanes_double sine = root_double(positive(1 - cosine * cosine)), tile = light->deviation.tile;
     const lanes_double least = cosine * root_double(positive(1 - tile * tile)) - sine * tile - margin;
     const lanes_double most = largest_cosine(cosine, sine, tile) + margin;
     *is_dark = is_above_lane(outer, most);
     *doubt = where_above_double(least, inner, zero, one - *is_dark);
-    const lanes_double lowest = cosine - light->leeway.first - light->leeway.second;
+    const lanes_double lowest = cosine - light->deviation.first - light->deviation.second;
     *doubt = greater_double(*doubt, where_above_double(lowest, zero, zero, is_broken));
-    const lanes_double real = largest_cosine(cosine, sine, light->leeway.first) + light->leeway.second;
-    const lanes_double imaginary = light->leeway.imaginary;
+    const lanes_double real = largest_cosine(cosine, sine, light->deviation.first) + light->deviation.second;
+    const lanes_double imaginary = light->deviation.imaginary;
     return most_of_power(real * real + imaginary * imaginary, exponent);
 }
 
@@ -113,7 +113,7 @@ LX_LANE struct bounded_light bound_one(const struct lx_vicinity *at, const struc
     const lanes_double d = square * inverse;
     const lanes_double radius = load_double(lights->radius + i);
     const lanes_double strays = load_double(lights->strays + i), sways = load_double(lights->sways + i);
-    struct leeway way = leeway_of(&at->place_leeway, moves);
+    struct deviation way = deviation_of(&at->place_deviation, moves);
     way.first += strays, way.imaginary += sways, way.tile += radius;
     struct bounded_light light = {.x = x * inverse, .y = y * inverse, .z = z * inverse};
 
@@ -122,8 +122,8 @@ LX_LANE struct bounded_light bound_one(const struct lx_vicinity *at, const struc
     lanes_double is_good = is_above_lane(0.9 * nearest, greater_double(way.imaginary, 0.05 * d));
     is_good *= is_above_lane(nearest - way.imaginary, moves * too_near);
     light.doubt = one - is_good;
-    way = (struct leeway){way.first * is_good, way.second * is_good, way.imaginary * is_good, way.tile * is_good};
-    light.leeway = leeway_of_unit(d, way);
+    way = (struct deviation){way.first * is_good, way.second * is_good, way.imaginary * is_good, way.tile * is_good};
+    light.deviation = deviation_of_unit(d, way);
 
     /* r^2 has no less a real part than this, and r than its root */
     const lanes_double length = d - way.first - way.second, w = length * length - way.imaginary * way.imaginary;
@@ -133,7 +133,7 @@ LX_LANE struct bounded_light bound_one(const struct lx_vicinity *at, const struc
                              load_double(lights->by_none + i));
 
     /* N.D = N.S - level; N is n' + e + i f, f across it, and what it changes by along itself is of second order */
-    const struct lx_leeway *n = &at->normal_leeway;
+    const struct lx_deviation *n = &at->normal_deviation;
     const lanes_double s_square = sx * sx + sy * sy + sz * sz;
     const lanes_double along = at->normal[0] * sx + at->normal[1] * sy + at->normal[2] * sz;
     const lanes_double across = root_double(positive(s_square - along * along)) + 1e-7 * root_double(s_square);
@@ -187,13 +187,13 @@ LX_LANE struct bounded_shine bound_power(const struct lx_lobe_double *lobe, lane
 LX_LANE struct bounded_shine bound_blinn_phong(const struct lx_vicinity *at, const struct lx_lobe_double *lobe,
                                                const struct bounded_light *light)
 {
-    const struct lx_leeway *n = &at->normal_leeway, *v = &at->view_leeway;
+    const struct lx_deviation *n = &at->normal_deviation, *v = &at->view_deviation;
     const lanes_double one = all_double(1), zero = all_double(0), tiny = all_double(1e-200);
     const lanes_double x = light->x + at->view[0], y = light->y + at->view[1], z = light->z + at->view[2];
     const lanes_double inverse = inverse_root_double(x * x + y * y + z * z + tiny);
     const lanes_double m = (x * x + y * y + z * z) * inverse;
-    const struct leeway w = {light->leeway.first + v->first, light->leeway.second + v->second,
-                             light->leeway.imaginary + v->imaginary, light->leeway.tile + v->tile};
+    const struct deviation w = {light->deviation.first + v->first, light->deviation.second + v->second,
+                                light->deviation.imaginary + v->imaginary, light->deviation.tile + v->tile};
     const lanes_double is_good = is_above_lane(m - w.first - w.second - w.imaginary, 0.05 * m + 1e-3);
     const lanes_double cosine = (at->normal[0] * x + at->normal[1] * y + at->normal[2] * z) * inverse;
     const lanes_double sine = root_double(positive(1 - cosine * cosine));
@@ -219,8 +219,8 @@ LX_LANE struct bounded_shine bound_blinn_phong(const struct lx_vicinity *at, con
 LX_LANE struct bounded_shine bound_phong(const struct lx_vicinity *at, const struct lx_lobe_double *lobe,
                                          const struct bounded_light *light)
 {
-    const struct lx_leeway *n = &at->normal_leeway, *v = &at->view_leeway;
-    const struct leeway l = light->leeway;
+    const struct lx_deviation *n = &at->normal_deviation, *v = &at->view_deviation;
+    const struct deviation l = light->deviation;
     const double *normal = at->normal;
     const lanes_double twice = 2 * (normal[0] * light->x + normal[1] * light->y + normal[2] * light->z);
     const lanes_double x = twice * normal[0] - light->x, y = twice * normal[1] - light->y,
@@ -228,7 +228,7 @@ LX_LANE struct bounded_shine bound_phong(const struct lx_vicinity *at, const str
     /* the mirror: its real part is off by `second` besides, the imaginary one is no larger than that */
     const double second = 4 * n->second + 2 * n->second * n->second + 2 * n->imaginary * n->imaginary;
     const double mirrored = 2 * (1 + n->second) * n->imaginary;
-    const struct leeway m = {
+    const struct deviation m = {
         .first = 2 * n->first + l.first,
         .second = second * (1 + l.second) + l.second + mirrored * l.imaginary,
         .imaginary = mirrored * (1 + l.second) + (1 + second) * l.imaginary,

@@ -85,7 +85,7 @@ static struct lx_facets *carry_facets(const struct carrying *carrying, const str
 }
 
 /* Facets that several emitters use one after the other are copied once. */
-static int carry_shell(struct carrying *carrying, struct lx_emitter *emitter)
+static int carry_area_light(struct carrying *carrying, struct lx_emitter *emitter)
 {
     if (carrying->facets != emitter->facets) {
         lx_facets_free(carrying->facets_carried);
@@ -123,7 +123,7 @@ static int carry_one(struct carrying *carrying, struct lx_emitter *emitter)
         return emitter->profile.luminaire ? carry_luminaire(carrying, &emitter->profile) : 0;
     }
     if (emitter->facets)
-        return carry_shell(carrying, emitter) || carry_opening(carrying, emitter) ? -1 : 0;
+        return carry_area_light(carrying, emitter) || carry_opening(carrying, emitter) ? -1 : 0;
     lx_frame_carry(frame, emitter->center_mm, emitter->center_mm);
     emitter->axis = lx_frame_turn_bounded(frame, emitter->axis);
     return carry_opening(carrying, emitter);
@@ -148,12 +148,12 @@ static struct lx_cloud *carry_cloud(const struct carrying *carrying, const struc
     return made;
 }
 
-static int carry_swarm(struct carrying *carrying, struct lx_swarm *swarm)
+static int carry_point_set(struct carrying *carrying, struct lx_point_set *set)
 {
-    swarm->cloud = carry_cloud(carrying, swarm->cloud);
-    swarm->is_owned = swarm->cloud != NULL;
-    lx_frame_carry(carrying->frame, swarm->aim_mm, swarm->aim_mm);
-    return swarm->cloud ? carry_one(carrying, &swarm->model) : -1;
+    set->cloud = carry_cloud(carrying, set->cloud);
+    set->is_owned = set->cloud != NULL;
+    lx_frame_carry(carrying->frame, set->aim_mm, set->aim_mm);
+    return set->cloud ? carry_one(carrying, &set->model) : -1;
 }
 
 static int carry_all(struct carrying *carrying, const struct lx_emitters *emitters)
@@ -164,11 +164,11 @@ static int carry_all(struct carrying *carrying, const struct lx_emitters *emitte
         if (carry_one(carrying, &list->items[i]) || !lx_asking_at_step(carrying->asking, i, BETWEEN_CHECKS))
             return -1;
     }
-    for (; list->swarm_count < emitters->swarm_count; list->swarm_count++) {
-        struct lx_swarm *swarm = &list->swarms[list->swarm_count];
-        *swarm = emitters->swarms[list->swarm_count];
-        if (carry_swarm(carrying, swarm)) {
-            list->swarm_count += swarm->is_owned;
+    for (; list->point_set_count < emitters->point_set_count; list->point_set_count++) {
+        struct lx_point_set *set = &list->point_sets[list->point_set_count];
+        *set = emitters->point_sets[list->point_set_count];
+        if (carry_point_set(carrying, set)) {
+            list->point_set_count += set->is_owned;
             return -1;
         }
     }
@@ -183,13 +183,13 @@ int lx_emitters_carry(const struct lx_emitters *emitters, const struct lx_frame 
     *carried = *emitters;
     carried->asking = NULL;
     carried->items = lx_new_array(items, sizeof *carried->items);
-    carried->swarms = lx_new_array(emitters->swarm_count, sizeof *carried->swarms);
+    carried->point_sets = lx_new_array(emitters->point_set_count, sizeof *carried->point_sets);
     carried->capacity = items;
-    carried->swarm_capacity = emitters->swarm_count;
-    carried->swarm_count = 0;
+    carried->point_set_capacity = emitters->point_set_count;
+    carried->point_set_count = 0;
     carried->turned = NULL;
     carried->turned_count = 0;
-    const int failed = carried->items && carried->swarms ? carry_all(&carrying, emitters) : -1;
+    const int failed = carried->items && carried->point_sets ? carry_all(&carrying, emitters) : -1;
     lx_facets_free(carrying.facets_carried);
     return failed;
 }

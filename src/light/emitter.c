@@ -8,7 +8,7 @@
 #include "../base/rows.h"
 #include "../format/cloud.h"
 #include "emitter.h"
-#include "solid/shell_facets.h"
+#include "solid/area_light_facets.h"
 
 /* Emitters that are appended between two questions whether to go on. */
 enum { BETWEEN_CHECKS = 128 };
@@ -25,36 +25,36 @@ static void count_law(struct lx_emitters *emitters, const struct lx_emitter *emi
         emitters->unattenuated += count;
 }
 
-static bool is_within(const struct lx_emitters *emitters, double items, size_t faces, size_t in_swarms)
+static bool is_within(const struct lx_emitters *emitters, double items, size_t faces, size_t in_point_sets)
 {
-    const bool have_own = emitters->most_in_swarms > 0;
+    const bool have_own = emitters->most_in_point_sets > 0;
     const double counted = (double)(have_own ? lx_item_count(emitters) : emitters->count) + items;
     if (emitters->most == 0)
         return true;
-    if (have_own && in_swarms > emitters->most_in_swarms - emitters->in_swarms)
+    if (have_own && in_point_sets > emitters->most_in_point_sets - emitters->in_point_sets)
         return false;
-    return counted + (have_own ? 0 : (double)in_swarms) <= (double)emitters->most &&
+    return counted + (have_own ? 0 : (double)in_point_sets) <= (double)emitters->most &&
            emitters->faces + faces <= emitters->most;
 }
 
 /* What memory could hold, and more, where it is not known how much there is. */
 static const double MOST_EMITTERS = 1e9;
 
-static bool fits(struct lx_emitters *emitters, double items, size_t faces, size_t in_swarms)
+static bool fits(struct lx_emitters *emitters, double items, size_t faces, size_t in_point_sets)
 {
-    if (!is_within(emitters, items, faces, in_swarms) && emitters->each > 0) {
+    if (!is_within(emitters, items, faces, in_point_sets) && emitters->each > 0) {
         const double available = lx_available_bytes();
         emitters->most = (size_t)fmin(available / emitters->each, MOST_EMITTERS);
-        emitters->most_in_swarms = (size_t)fmin(available / emitters->each_in_swarms, MOST_EMITTERS);
+        emitters->most_in_point_sets = (size_t)fmin(available / emitters->each_in_point_sets, MOST_EMITTERS);
         emitters->each = 0;
     }
-    emitters->is_short = !is_within(emitters, items, faces, in_swarms);
+    emitters->is_short = !is_within(emitters, items, faces, in_point_sets);
     return !emitters->is_short;
 }
 
-int lx_emitters_make_room(struct lx_emitters *emitters, double items, size_t faces, size_t in_swarms)
+int lx_emitters_make_room(struct lx_emitters *emitters, double items, size_t faces, size_t in_point_sets)
 {
-    if (!fits(emitters, items, faces, in_swarms))
+    if (!fits(emitters, items, faces, in_point_sets))
         return -1;
     emitters->faces += faces;
     const size_t before = lx_item_count(emitters);
@@ -89,67 +89,67 @@ int lx_emitters_append(struct lx_emitters *emitters, const struct lx_emitter *em
     return 0;
 }
 
-static void release_cloud(const struct lx_swarm *swarm)
+static void release_cloud(const struct lx_point_set *set)
 {
-    if (swarm->is_owned)
-        lx_kept_release((struct lx_kept *)&swarm->cloud->kept);
+    if (set->is_owned)
+        lx_kept_release((struct lx_kept *)&set->cloud->kept);
 }
 
-int lx_emitters_append_swarm(struct lx_emitters *emitters, const struct lx_swarm *swarm)
+int lx_emitters_append_point_set(struct lx_emitters *emitters, const struct lx_point_set *set)
 {
-    size_t rows = swarm->cloud->count;
+    size_t rows = set->cloud->count;
     if (!fits(emitters, 0, 0, rows) ||
-        lx_reserve(&emitters->swarms, &emitters->swarm_capacity, emitters->swarm_count + 1, sizeof *swarm)) {
-        release_cloud(swarm);
+        lx_reserve(&emitters->point_sets, &emitters->point_set_capacity, emitters->point_set_count + 1, sizeof *set)) {
+        release_cloud(set);
         return -1;
     }
-    struct lx_swarm *added = &emitters->swarms[emitters->swarm_count++];
-    *added = *swarm;
+    struct lx_point_set *added = &emitters->point_sets[emitters->point_set_count++];
+    *added = *set;
     added->model.light = emitters->light;
     added->first = emitters->count;
     added->end = emitters->count += rows;
-    emitters->in_swarms += rows;
-    count_law(emitters, &swarm->model, rows);
+    emitters->in_point_sets += rows;
+    count_law(emitters, &set->model, rows);
     return 0;
 }
 
-lx_bounded3 lx_swarm_axis(const struct lx_swarm *swarm, const double place_mm[3])
+lx_bounded3 lx_point_set_axis(const struct lx_point_set *set, const double place_mm[3])
 {
-    return lx_unit3(lx_sub3(lx_exact3(swarm->aim_mm), lx_exact3(place_mm)));
+    return lx_unit3(lx_sub3(lx_exact3(set->aim_mm), lx_exact3(place_mm)));
 }
 
-/* Makes the model of a swarm, or another point of it, the one of a row. */
-static void set_point(const struct lx_swarm *swarm, size_t row, struct lx_emitter *point)
+/* Makes the model of a point set, or another point of it, the one of a row. */
+static void set_point(const struct lx_point_set *set, size_t row, struct lx_emitter *point)
 {
     double values[LX_CLOUD_COLUMNS];
-    lx_cloud_row(swarm->cloud, row, values);
+    lx_cloud_row(set->cloud, row, values);
     memcpy(point->position_mm, values, sizeof point->position_mm);
     point->strength = values[3];
-    if (swarm->is_aimed)
-        point->profile.axis = lx_swarm_axis(swarm, point->position_mm);
+    if (set->is_aimed)
+        point->profile.axis = lx_point_set_axis(set, point->position_mm);
 }
 
-/* The swarm that emitter i is of; NULL: it is item `*item`. */
-static const struct lx_swarm *swarm_of(const struct lx_emitters *emitters, size_t i, size_t *item)
+/* The point set that emitter i is of; NULL: it is item `*item`. */
+static const struct lx_point_set *point_set_of(const struct lx_emitters *emitters, size_t i, size_t *item)
 {
     *item = i;
-    for (size_t s = 0; s < emitters->swarm_count && i >= emitters->swarms[s].first; s++) {
-        const struct lx_swarm *swarm = &emitters->swarms[s];
-        if (i < swarm->end)
-            return swarm;
-        *item -= swarm->end - swarm->first;
+    for (size_t s = 0; s < emitters->point_set_count && i >= emitters->point_sets[s].first; s++) {
+        const struct lx_point_set *set = &emitters->point_sets[s];
+        if (i < set->end)
+            return set;
+        *item -= set->end - set->first;
     }
     return NULL;
 }
 
-const struct lx_emitter *lx_emitter_in_swarms(const struct lx_emitters *emitters, size_t i, struct lx_emitter *room)
+const struct lx_emitter *lx_emitter_in_point_sets(const struct lx_emitters *emitters, size_t i, struct lx_emitter *room)
 {
     size_t item;
-    const struct lx_swarm *swarm = swarm_of(emitters, i, &item);
-    if (!swarm)
+    const struct lx_point_set *set = point_set_of(emitters, i, &item);
+    if (!set)
         return &emitters->items[item];
-    *room = swarm->model;
-    set_point(swarm, i - swarm->first, room);
+    *room = set->model;
+    set_point(set, i - set->first, room);
     return room;
 }
 
@@ -159,11 +159,11 @@ bool lx_emitters_next(const struct lx_emitters *emitters, struct lx_emitter_span
     *span = (struct lx_emitter_span){.first = span->end};
     if (span->first == emitters->count)
         return false;
-    span->swarm = swarm_of(emitters, span->first, &item);
-    span->items = span->swarm ? NULL : &emitters->items[item];
-    span->end = span->swarm ? span->swarm->end : emitters->count;
-    for (size_t s = 0; !span->swarm && s < emitters->swarm_count; s++) {
-        size_t next = emitters->swarms[s].first;
+    span->set = point_set_of(emitters, span->first, &item);
+    span->items = span->set ? NULL : &emitters->items[item];
+    span->end = span->set ? span->set->end : emitters->count;
+    for (size_t s = 0; !span->set && s < emitters->point_set_count; s++) {
+        size_t next = emitters->point_sets[s].first;
         if (next > span->first && next < span->end)
             span->end = next;
     }
@@ -175,17 +175,17 @@ const struct lx_emitter *lx_span_at(const struct lx_emitter_span *span, size_t i
     if (span->items)
         return &span->items[i - span->first];
     if (i == span->first)
-        *room = span->swarm->model;
-    set_point(span->swarm, i - span->first, room);
+        *room = span->set->model;
+    set_point(span->set, i - span->first, room);
     return room;
 }
 
 void lx_emitter_row(const struct lx_emitters *emitters, size_t i, double row[4])
 {
     size_t item;
-    const struct lx_swarm *swarm = swarm_of(emitters, i, &item);
-    if (swarm) {
-        lx_cloud_row(swarm->cloud, i - swarm->first, row);
+    const struct lx_point_set *set = point_set_of(emitters, i, &item);
+    if (set) {
+        lx_cloud_row(set->cloud, i - set->first, row);
         return;
     }
     memcpy(row, emitters->items[item].position_mm, 3 * sizeof *row);
@@ -200,12 +200,12 @@ void lx_emitters_clear(struct lx_emitters *emitters)
             lx_facets_free(emitters->items[i].facets);
             left--;
         }
-    for (size_t i = 0; i < emitters->swarm_count; i++)
-        release_cloud(&emitters->swarms[i]);
+    for (size_t i = 0; i < emitters->point_set_count; i++)
+        release_cloud(&emitters->point_sets[i]);
     for (size_t i = 0; i < emitters->turned_count; i++)
         free(emitters->turned[i]);
     free((void *)emitters->turned);
     free(emitters->items);
-    free(emitters->swarms);
+    free(emitters->point_sets);
     *emitters = (struct lx_emitters){0};
 }

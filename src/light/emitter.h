@@ -7,7 +7,7 @@
  * point      a point with radiant intensity I, an attenuation law a(r) and an angular profile g (profile.h):
  *            E_perp = I g a(r), r in metres
  * facets, disk, ball, cylinder
- *            shells of uniform radiance; extended.h says more.  With the profile of a luminaire they are its luminous
+ * area lights of uniform radiance; extended.h says more.  With the profile of a luminaire they are its luminous
  *            opening: each part of them is a point with all of the distribution, and `radiance` says how much
  *            intensity there is for an area
  *
@@ -121,11 +121,11 @@ static inline bool lx_has_closed_form(const struct lx_emitter *emitter)
 
 struct lx_cloud;
 
-/* A face that is cut into so many parts each way becomes a swarm: a million emitters would be ten times as large. */
-enum { LX_LEAST_IN_SWARM = 64 };
+/* A face cut into so many parts each way becomes a point set: a million emitters would be ten times as large. */
+enum { LX_LEAST_IN_POINT_SET = 64 };
 
 /* Many points that differ in place, intensity and, where they are aimed, axis: as the rows of a cloud say. */
-struct lx_swarm {
+struct lx_point_set {
     const struct lx_cloud *cloud; /* outlives the list, */
     bool is_owned;                /* or is the list's */
     struct lx_emitter model;      /* all else */
@@ -136,18 +136,19 @@ struct lx_swarm {
 
 /*
  * A growing list; zero-initialise, free with lx_emitters_clear().  lx_emitter_at() gives each by its number; all but
- * the points of swarms are items.
+ * the points of point sets are items.
  */
 struct lx_emitters {
     struct lx_emitter *items;
-    size_t count, capacity; /* the count includes those of swarms */
-    struct lx_swarm *swarms;
-    size_t swarm_count, swarm_capacity, in_swarms;
-    size_t faces;                   /* of all facets among them */
-    size_t most;                    /* how many it may take, and as many faces; 0: as many as there are */
-    size_t most_in_swarms;          /* how many of swarms instead, which take little room; 0: they count as others */
-    bool is_short;                  /* more of them were to be appended */
-    double each, each_in_swarms;    /* bytes; above 0: beyond `most` it may take as many as the memory holds of these */
+    size_t count, capacity; /* the count includes those of point sets */
+    struct lx_point_set *point_sets;
+    size_t point_set_count, point_set_capacity, in_point_sets;
+    size_t faces;              /* of all facets among them */
+    size_t most;               /* how many it may take, and as many faces; 0: as many as there are */
+    size_t most_in_point_sets; /* how many of point sets instead, which take little room; 0: they count as others */
+    bool is_short;             /* more of them were to be appended */
+    double each,
+        each_in_point_sets;         /* bytes; above 0: beyond `most` it may take as many as the memory holds of these */
     size_t light;                   /* which light those belong to that are appended from now on */
     size_t extended;                /* how many are */
     size_t by_square, unattenuated; /* how many shine by the law 1/r^2 or are distant or uniform; by none */
@@ -157,44 +158,45 @@ struct lx_emitters {
     bool is_whole; /* sources of some size are appended as they are, however many parts they are to be cut into */
 };
 
-/* How many are items: all that are no points of swarms. */
+/* How many are items: all that are no points of point sets. */
 static inline size_t lx_item_count(const struct lx_emitters *emitters)
 {
-    return emitters->count - emitters->in_swarms;
+    return emitters->count - emitters->in_point_sets;
 }
 
 /*
- * Whether there is room for so many more items, which have so many faces, and for so many more of swarms; -> is_short.
- * Where the first two are many it is made at once: 0, or -1 where it is not there.
+ * Whether there is room for so many more items, which have so many faces, and for so many more of point sets; ->
+ * is_short. Where the first two are many it is made at once: 0, or -1 where it is not there.
  */
-int lx_emitters_make_room(struct lx_emitters *emitters, double items, size_t faces, size_t in_swarms);
+int lx_emitters_make_room(struct lx_emitters *emitters, double items, size_t faces, size_t in_point_sets);
 
 /* Appends a copy, which takes over the facets; 0, or -1 when memory or room ran out, or where the work is to stop (then
  * they are freed, too). */
 int lx_emitters_append(struct lx_emitters *emitters, const struct lx_emitter *emitter);
 /* Appends as many points as its cloud has rows, and takes over the cloud where it is to own it; `first` and `end`
  * are set here.  The same answers. */
-int lx_emitters_append_swarm(struct lx_emitters *emitters, const struct lx_swarm *swarm);
+int lx_emitters_append_point_set(struct lx_emitters *emitters, const struct lx_point_set *set);
 void lx_emitters_clear(struct lx_emitters *emitters);
 
 /* For lx_emitter_at(). */
-const struct lx_emitter *lx_emitter_in_swarms(const struct lx_emitters *emitters, size_t i, struct lx_emitter *room);
+const struct lx_emitter *lx_emitter_in_point_sets(const struct lx_emitters *emitters, size_t i,
+                                                  struct lx_emitter *room);
 
-/* Emitter i of the list, made in `room` where it is of a swarm. */
+/* Emitter i of the list, made in `room` where it is of a point set. */
 static inline const struct lx_emitter *lx_emitter_at(const struct lx_emitters *emitters, size_t i,
                                                      struct lx_emitter *room)
 {
-    return emitters->swarm_count > 0 ? lx_emitter_in_swarms(emitters, i, room) : &emitters->items[i];
+    return emitters->point_set_count > 0 ? lx_emitter_in_point_sets(emitters, i, room) : &emitters->items[i];
 }
 
-/* The axis of the point of an aimed swarm that stands there. */
-lx_bounded3 lx_swarm_axis(const struct lx_swarm *swarm, const double place_mm[3]);
+/* The axis of the point of an aimed point set that stands there. */
+lx_bounded3 lx_point_set_axis(const struct lx_point_set *set, const double place_mm[3]);
 
-/* Emitters of a list that follow each other: items, or the points of a swarm. */
+/* Emitters of a list that follow each other: items, or the points of a point set. */
 struct lx_emitter_span {
     size_t first, end;
-    const struct lx_emitter *items; /* NULL: it is a swarm */
-    const struct lx_swarm *swarm;
+    const struct lx_emitter *items; /* NULL: it is a point set */
+    const struct lx_point_set *set;
 };
 
 /* The span behind a span of the same list, zero-initialised at first; false: there is none. */

@@ -194,13 +194,13 @@ static int prepare_points(const void *parameters, struct lx_emitters *emitters)
     const struct lx_shining *shining = &points->shining;
     bool has_axis = lx_pattern_has_axis(&points->pattern);
     struct lx_profile profile = lx_pattern_profile(&points->pattern, lx_unit3(lx_exact3(shining->axis)));
-    struct lx_swarm swarm = {
+    struct lx_point_set set = {
         .cloud = points->cloud,
         .model = lx_shining_emitter(shining, origin, 0, profile),
         .is_aimed = has_axis && lx_is_given(&points_table, points, "aim"),
     };
-    memcpy(swarm.aim_mm, shining->aim_mm, sizeof swarm.aim_mm);
-    return lx_emitters_append_swarm(emitters, &swarm);
+    memcpy(set.aim_mm, shining->aim_mm, sizeof set.aim_mm);
+    return lx_emitters_append_point_set(emitters, &set);
 }
 
 const struct lx_light_kind lx_points_kind = {

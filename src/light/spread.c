@@ -68,8 +68,8 @@ int lx_spread_emit(const struct lx_spread *spread, lx_bounded radiance, struct l
         lx_law_set(&spread->law, emitter);
         const double parts = least_parts(emitter, side);
         const size_t faces = side == 0 && emitter->facets ? emitter->facets->face_count : 0;
-        const bool in_swarms = emitter->facets && side >= LX_LEAST_IN_SWARM;
-        result = lx_emitters_make_room(emitters, in_swarms ? 0 : parts, faces, in_swarms ? (size_t)parts : 0);
+        const bool in_point_sets = emitter->facets && side >= LX_LEAST_IN_POINT_SET;
+        result = lx_emitters_make_room(emitters, in_point_sets ? 0 : parts, faces, in_point_sets ? (size_t)parts : 0);
         if (result == 0 && side == 0) {
             result = lx_emitters_append(emitters, emitter);
             emitter->facets = NULL; /* they are the list's now */

@@ -30,16 +30,16 @@ static double lights_ns(const struct lx_plan *plan, const struct lx_planned_surf
     return sum;
 }
 
-static double shells_ns(const struct lx_plan *plan, const struct lx_planned_surface *surface)
+static double area_lights_ns(const struct lx_plan *plan, const struct lx_planned_surface *surface)
 {
     const double highlight = plan->in_panels ? HIGHLIGHT_NS : INTEGRAL_NS;
     double sum = LAW_NS * (double)surface->by_law_count + highlight * (double)surface->glossy_count;
-    for (size_t s = 0; s < surface->shell_count; s++) {
-        const struct lx_planned_shell *planned = &surface->shells[s];
+    for (size_t s = 0; s < surface->area_light_count; s++) {
+        const struct lx_planned_area_light *planned = &surface->area_lights[s];
         const bool is_summed = surface->glossy_count > 0 || planned->emitter->attenuation != LX_INVERSE_SQUARE;
         sum += planned->by_reference ? REFERENCE_NS : 0;
         sum += planned->blocker_count > 0 ? PENUMBRA_NS + (is_summed ? SEEN_NS : 0) : 0;
-        sum += planned->shell.facets ? EDGE_NS * (double)planned->shell.edge_count : ROUND_NS;
+        sum += planned->lamp.facets ? EDGE_NS * (double)planned->lamp.edge_count : ROUND_NS;
     }
     sum += OPENING_NS * (double)surface->opening_count;
     return sum;
@@ -49,10 +49,10 @@ static double shells_ns(const struct lx_plan *plan, const struct lx_planned_surf
 double lx_effort_of_pixel_ns(const struct lx_plan *plan)
 {
     const double widest = 16;
-    double light = TREE_NS * (double)plan->forest.tree_count;
+    double light = TREE_NS * (double)plan->trees.tree_count;
     for (size_t s = 0; s < plan->surface_count; s++)
-        light +=
-            (lights_ns(plan, &plan->surfaces[s]) + shells_ns(plan, &plan->surfaces[s])) / (double)plan->surface_count;
+        light += (lights_ns(plan, &plan->surfaces[s]) + area_lights_ns(plan, &plan->surfaces[s])) /
+                 (double)plan->surface_count;
     const double geometry = plan->alone ? ALONE_NS : SURFACE_NS * (double)plan->surface_count;
     return (geometry + light) * widest / plan->kernels->width;
 }

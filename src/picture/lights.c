@@ -185,9 +185,9 @@ int lx_lights_append(struct lx_lights *lights, const struct lx_emitter *emitter)
     return 0;
 }
 
-int lx_lights_append_swarm(struct lx_lights *lights, const struct lx_swarm *swarm)
+int lx_lights_append_point_set(struct lx_lights *lights, const struct lx_point_set *set)
 {
-    struct lx_emitter_span span = {.first = 0, .end = swarm->end - swarm->first, .swarm = swarm};
+    struct lx_emitter_span span = {.first = 0, .end = set->end - set->first, .set = set};
     struct lx_emitter room;
     for (size_t i = 0; span.end <= LX_MOST_STORED && i < span.end; i++)
         if (lx_lights_append(lights, lx_span_at(&span, i, &room)))
@@ -197,8 +197,8 @@ int lx_lights_append_swarm(struct lx_lights *lights, const struct lx_swarm *swar
     if (lx_reserve(&lights->clouds, &lights->cloud_capacity, lights->cloud_count + 1, sizeof *lights->clouds))
         return -1;
     struct lx_cloud_lights *cloud = &lights->clouds[lights->cloud_count++];
-    *cloud = (struct lx_cloud_lights){.first = lights->count, .end = lights->count + span.end, .swarm = swarm};
-    lx_light_set(&swarm->model, lights->anchor_mm, &cloud->model);
+    *cloud = (struct lx_cloud_lights){.first = lights->count, .end = lights->count + span.end, .set = set};
+    lx_light_set(&set->model, lights->anchor_mm, &cloud->model);
     cloud->model_single = lx_light_single_of(&cloud->model);
     lights->count = cloud->end;
     return 0;
@@ -236,12 +236,12 @@ static void make_doubles(const struct lx_lights *lights, const struct lx_cloud_l
 {
     for (size_t k = 0; k < count; k++) {
         double row[LX_CLOUD_COLUMNS];
-        lx_cloud_row(cloud->swarm->cloud, first + k - cloud->first, row);
+        lx_cloud_row(cloud->set->cloud, first + k - cloud->first, row);
         lx_light_move(lights->anchor_mm, row, &room[k]);
         put_behind(lights, &room[k]);
-        if (!cloud->swarm->is_aimed)
+        if (!cloud->set->is_aimed)
             continue;
-        const lx_bounded3 axis = lx_swarm_axis(cloud->swarm, row);
+        const lx_bounded3 axis = lx_point_set_axis(cloud->set, row);
         room[k].axis_x = axis.x.value;
         room[k].axis_y = axis.y.value;
         room[k].axis_z = axis.z.value;
@@ -257,13 +257,13 @@ static void make_singles(const struct lx_lights *lights, const struct lx_cloud_l
     for (size_t k = 0; k < count; k++) {
         row_of_four values;
         double row[LX_CLOUD_COLUMNS];
-        lx_cloud_row(cloud->swarm->cloud, first + k - cloud->first, row);
+        lx_cloud_row(cloud->set->cloud, first + k - cloud->first, row);
         memcpy(&values, row, sizeof values);
         const singles_of_four made = __builtin_convertvector(values * scale - origin, singles_of_four);
         memcpy(&room[k].x, &made, sizeof made);
-        if (!cloud->swarm->is_aimed)
+        if (!cloud->set->is_aimed)
             continue;
-        const lx_bounded3 axis = lx_swarm_axis(cloud->swarm, row);
+        const lx_bounded3 axis = lx_point_set_axis(cloud->set, row);
         room[k].axis_x = (float)axis.x.value;
         room[k].axis_y = (float)axis.y.value;
         room[k].axis_z = (float)axis.z.value;

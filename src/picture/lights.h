@@ -17,7 +17,7 @@ enum { LX_MOST_STORED = 4096 };
 /* The lights of a cloud that are not stored. */
 struct lx_cloud_lights {
     size_t first, end; /* of the surface's lights */
-    const struct lx_swarm *swarm;
+    const struct lx_point_set *set;
     struct lx_light_double model; /* what they have in common */
     struct lx_light_single model_single;
 };
@@ -56,9 +56,9 @@ struct lx_exponent_double lx_exponent_of(double exponent);
 /* Makes room at once for as many lights as are to be stored.  0, or -1 when memory ran out. */
 int lx_lights_make_room(struct lx_lights *lights, size_t count);
 
-/* Appends a light, or those of a swarm.  0, or -1 when memory ran out. */
+/* Appends a light, or those of a point set.  0, or -1 when memory ran out. */
 int lx_lights_append(struct lx_lights *lights, const struct lx_emitter *emitter);
-int lx_lights_append_swarm(struct lx_lights *lights, const struct lx_swarm *swarm);
+int lx_lights_append_point_set(struct lx_lights *lights, const struct lx_point_set *set);
 void lx_lights_clear(struct lx_lights *lights);
 
 /* What a kernel knows of a light when it is compiled. */

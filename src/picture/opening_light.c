@@ -10,7 +10,7 @@
 #include "../light/solid/elliptic.h"
 #include "../light/solid/extended.h"
 #include "../world/integral/adaptive.h"
-#include "shell.h"
+#include "area_light.h"
 
 enum { MOST_CUTS = 128, MOST_PANELS = 256, MOST_PIECES = 64 };
 
@@ -31,7 +31,7 @@ struct work {
     const struct lx_pointed *luminaire;
     const struct lx_gauss_rules *rules;
     const struct lx_asking *asking;
-    struct lx_shell_law law;
+    struct lx_area_light_law law;
     double normal[3];
     double origin[3], a[3], b[3]; /* from the element: a corner and two sides; of a disk its centre and two half axes */
     double area;                  /* of the parallelogram of the two */

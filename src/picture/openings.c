@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * Luminous openings in pictures.  They are no shells: nothing of them has a closed form.  An element that sees all of a
- * flat one sums lines over it (opening_light.h); of other openings, of those that are hidden in part, in float64, and
- * for highlights that matter the reference's integrals are taken, to the picture's accuracy.
+ * Luminous openings in pictures.  They are no area lights: nothing of them has a closed form.  An element that sees all
+ * of a flat one sums lines over it (opening_light.h); of other openings, of those that are hidden in part, in float64,
+ * and for highlights that matter the reference's integrals are taken, to the picture's accuracy.
  */
 #include <math.h>
 #include <stdlib.h>
@@ -14,7 +14,7 @@
 #include "../world/integral/cubature.h"
 #include "opening_light.h"
 #include "openings.h"
-#include "shell.h"
+#include "area_light.h"
 
 /* ---- plan ---- */
 
@@ -36,13 +36,13 @@ luxel_status lx_plan_openings(struct lx_plan *plan, struct lx_control *control, 
     for (size_t i = 0; i < items; i++) {
         if (!lx_is_opening(&emitters->items[i]) || lx_is_set_in(surface, &emitters->items[i]))
             continue;
-        struct lx_planned_shell *planned = &surface->openings[surface->opening_count];
+        struct lx_planned_area_light *planned = &surface->openings[surface->opening_count];
         planned->emitter = &emitters->items[i];
-        const luxel_status status = lx_shell_make(planned->emitter, &surface->shape, &asking, &planned->shell);
+        const luxel_status status = lx_area_light_make(planned->emitter, &surface->shape, &asking, &planned->lamp);
         surface->opening_count++;
         if (status != LUXEL_OK)
             return status;
-        if (lx_find_shell_blockers(plan, surface, planned))
+        if (lx_find_area_light_blockers(plan, surface, planned))
             return LUXEL_ERROR_MEMORY;
         if (!lx_asking_goes_on(&asking))
             return LUXEL_CANCELLED;
@@ -53,7 +53,7 @@ luxel_status lx_plan_openings(struct lx_plan *plan, struct lx_control *control, 
 void lx_openings_clear(struct lx_planned_surface *surface)
 {
     for (size_t i = 0; i < surface->opening_count; i++) {
-        lx_shell_clear(&surface->openings[i].shell);
+        lx_area_light_clear(&surface->openings[i].lamp);
         free(surface->openings[i].blockers);
     }
     free(surface->openings);
@@ -65,7 +65,7 @@ void lx_openings_clear(struct lx_planned_surface *surface)
 struct lit {
     const struct lx_plan *plan;
     const struct lx_planned_surface *surface;
-    const struct lx_planned_shell *planned;
+    const struct lx_planned_area_light *planned;
     struct lx_element element;
     double place[3], normal[3], view[3];
     double known; /* the picture's maximum, or more that this element has */
@@ -122,21 +122,21 @@ static double matte_of_all(const struct lit *lit)
 /* How great the highlight may be at most: all of the opening as a point at its nearest, where the lobe is greatest. */
 static double most_of_highlight(const struct lit *lit)
 {
-    const struct lx_shell *shell = &lit->planned->shell;
+    const struct lx_area_light *lamp = &lit->planned->lamp;
     const struct lx_lobe *lobe = &lit->surface->lobe;
     struct lx_lobe_at at;
     double towards[3];
     for (int k = 0; k < 3; k++)
-        towards[k] = shell->center[k] + lit->surface->shape.anchor_mm[k] - lit->place[k];
-    const double distance = lx_normalize(towards), nearest = distance - shell->radius_mm;
+        towards[k] = lamp->center[k] + lit->surface->shape.anchor_mm[k] - lit->place[k];
+    const double distance = lx_normalize(towards), nearest = distance - lamp->radius_mm;
     if (!(nearest > 0))
         return HUGE_VAL;
-    const double spread = asin(shell->radius_mm / distance);
+    const double spread = asin(lamp->radius_mm / distance);
     lx_lobe_at_set(lit->normal, lit->view, &at);
     const double off = lx_power_lobe_of(lobe->model)->least_angle(&at, towards, spread);
     const double cosine = off > 0 ? fmax(cos(fmin(off, M_PI)), 0) : 1;
-    const double law = 1 / (shell->law.none + nearest * (shell->law.root + nearest * shell->law.square));
-    return shell->radiance * lx_extended_area_mm2(lit->planned->emitter).value * law * lobe->specular.value *
+    const double law = 1 / (lamp->law.none + nearest * (lamp->law.root + nearest * lamp->law.square));
+    return lamp->radiance * lx_extended_area_mm2(lit->planned->emitter).value * law * lobe->specular.value *
            pow(cosine, lobe->exponent);
 }
 
@@ -169,23 +169,24 @@ static double light_of(const struct lit *lit, size_t i, struct lx_penumbra *penu
 /* Whether any of the light may arrive: from above the horizon, and from the side that shines. */
 static bool may_arrive(const struct lit *lit)
 {
-    const struct lx_shell *shell = &lit->planned->shell;
+    const struct lx_area_light *lamp = &lit->planned->lamp;
     const bool looks_below = lx_lobe_reaches_below(&lit->surface->lobe);
     double away[3];
     for (int k = 0; k < 3; k++)
-        away[k] = lit->place[k] - shell->center[k] - lit->surface->shape.anchor_mm[k];
-    if (!looks_below && lx_dot(lit->normal, away) > shell->radius_mm + shell->touch_mm)
+        away[k] = lit->place[k] - lamp->center[k] - lit->surface->shape.anchor_mm[k];
+    if (!looks_below && lx_dot(lit->normal, away) > lamp->radius_mm + lamp->touch_mm)
         return false;
-    if (shell->is_disk)
-        return lx_dot(shell->axis, away) > -shell->touch_mm;
-    for (size_t f = 0; f < shell->face_count; f++)
-        if (lx_dot(shell->faces_double[f].normal, away) > shell->faces_double[f].height - shell->touch_mm)
+    if (lamp->is_disk)
+        return lx_dot(lamp->axis, away) > -lamp->touch_mm;
+    for (size_t f = 0; f < lamp->face_count; f++)
+        if (lx_dot(lamp->faces_double[f].normal, away) > lamp->faces_double[f].height - lamp->touch_mm)
             return true;
-    return !shell->facets;
+    return !lamp->facets;
 }
 
 static bool may_arrive_at_any(const struct lx_plan *plan, const struct lx_planned_surface *surface,
-                              const struct lx_planned_shell *planned, const struct lx_block_double *block, size_t count)
+                              const struct lx_planned_area_light *planned, const struct lx_block_double *block,
+                              size_t count)
 {
     for (size_t i = 0; i < count; i++) {
         struct lit lit = lit_of(plan, surface, block, i, NULL);
@@ -201,7 +202,7 @@ void lx_light_by_openings(const struct lx_plan *plan, const struct lx_planned_su
 {
     const struct lx_block_double *block = &memory->seen.block;
     for (size_t s = 0; s < surface->opening_count; s++) {
-        const struct lx_planned_shell *planned = &surface->openings[s];
+        const struct lx_planned_area_light *planned = &surface->openings[s];
         if (!may_arrive_at_any(plan, surface, planned, block, count))
             continue;
         lx_find_sight(plan, surface, planned, block, 0, count, &memory->penumbra);

@@ -5,8 +5,8 @@
 
 #include "shader_memory.h"
 
-/* Openings of luminaires are apart from the shells, the other emitters of some size. */
-static inline bool lx_is_shell(const struct lx_emitter *emitter)
+/* Openings of luminaires are apart from the area lights, the other emitters of some size. */
+static inline bool lx_is_area_light(const struct lx_emitter *emitter)
 {
     return lx_is_extended(emitter) && !lx_is_opening(emitter);
 }

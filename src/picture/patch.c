@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Patches of shells, their cells, and samples of them. */
+/* Patches of area lights, their cells, and samples of them. */
 #include <math.h>
 #include <string.h>
 
@@ -39,9 +39,9 @@ static void make_frame(const double n[3], double a[3], double b[3])
     lx_cross(b, n, a);
 }
 
-size_t lx_patch_limit(const struct lx_shell *shell)
+size_t lx_patch_limit(const struct lx_area_light *lamp)
 {
-    return shell->facets ? shell->most_patches : LX_MOST_ROUND_PATCHES;
+    return lamp->facets ? lamp->most_patches : LX_MOST_ROUND_PATCHES;
 }
 
 static void set_areas(struct lx_patch *patch)
@@ -55,9 +55,9 @@ static void set_areas(struct lx_patch *patch)
 }
 
 /* A face as quadrilaterals that share its first corner, the last one maybe a triangle. */
-static size_t cut_face(const struct lx_shell *shell, size_t face_index, struct lx_patch *patches)
+static size_t cut_face(const struct lx_area_light *lamp, size_t face_index, struct lx_patch *patches)
 {
-    const struct lx_facets *facets = shell->facets;
+    const struct lx_facets *facets = lamp->facets;
     const struct lx_face *face = &facets->faces[face_index];
     const unsigned *loop = facets->loop + face->first;
     lx_wide3 center = lx_wide3_of(facets->center_mm), first = facets->corners_mm[loop[0]];
@@ -66,7 +66,7 @@ static size_t cut_face(const struct lx_shell *shell, size_t face_index, struct l
         struct lx_patch *patch = &patches[count++];
         bool is_triangle = k + 2 == face->count;
         *patch = (struct lx_patch){.kind = LX_PATCH_FLAT};
-        memcpy(patch->n, shell->faces_double[face_index].normal, sizeof patch->n);
+        memcpy(patch->n, lamp->faces_double[face_index].normal, sizeof patch->n);
         value_of3(lx_wide3_sub(first, center), patch->o);
         lx_wide3 a = lx_wide3_sub(facets->corners_mm[loop[k]], first);
         lx_wide3 c = lx_wide3_sub(facets->corners_mm[loop[k + 1]], first);
@@ -75,48 +75,48 @@ static size_t cut_face(const struct lx_shell *shell, size_t face_index, struct l
         value_of3(b, patch->b);
         value_of3(lx_wide3_sub(lx_wide3_sub(c, a), b), patch->g);
         for (int i = 0; i < 3; i++)
-            patch->o[i] += shell->center[i];
+            patch->o[i] += lamp->center[i];
         set_areas(patch);
     }
     return count;
 }
 
-static size_t facet_patches(const struct lx_shell *shell, const struct lx_around *around,
+static size_t facet_patches(const struct lx_area_light *lamp, const struct lx_around *around,
                             const struct lx_asking *asking, struct lx_patch *patches)
 {
     size_t count = 0;
-    for (size_t i = 0; i < shell->face_count && lx_asking_at_step(asking, i, BETWEEN_CHECKS); i++) {
-        const struct lx_shell_face_double *face = &shell->faces_double[i];
+    for (size_t i = 0; i < lamp->face_count && lx_asking_at_step(asking, i, BETWEEN_CHECKS); i++) {
+        const struct lx_area_light_face_double *face = &lamp->faces_double[i];
         double above = -face->height;
         for (int k = 0; k < 3; k++)
-            above += face->normal[k] * (around->center[k] - shell->center[k]);
-        if (above + around->radius > shell->touch_mm)
-            count += cut_face(shell, i, patches + count);
+            above += face->normal[k] * (around->center[k] - lamp->center[k]);
+        if (above + around->radius > lamp->touch_mm)
+            count += cut_face(lamp, i, patches + count);
     }
     return count;
 }
 
-static size_t disk_patch(const struct lx_shell *shell, const struct lx_around *around, double side,
+static size_t disk_patch(const struct lx_area_light *lamp, const struct lx_around *around, double side,
                          struct lx_patch *patch)
 {
     double above = around->radius;
-    *patch = (struct lx_patch){.kind = LX_PATCH_DISK, .radius = shell->round_mm};
+    *patch = (struct lx_patch){.kind = LX_PATCH_DISK, .radius = lamp->round_mm};
     for (int i = 0; i < 3; i++) {
-        patch->n[i] = (side < 0 ? -1 : 1) * shell->axis[i];
-        patch->o[i] = shell->center[i] + side * shell->half_mm * shell->axis[i];
+        patch->n[i] = (side < 0 ? -1 : 1) * lamp->axis[i];
+        patch->o[i] = lamp->center[i] + side * lamp->half_mm * lamp->axis[i];
         above += patch->n[i] * (around->center[i] - patch->o[i]);
     }
     make_frame(patch->n, patch->a, patch->b);
-    return above > shell->touch_mm;
+    return above > lamp->touch_mm;
 }
 
-static size_t ball_patch(const struct lx_shell *shell, const struct lx_around *around, struct lx_patch *patch)
+static size_t ball_patch(const struct lx_area_light *lamp, const struct lx_around *around, struct lx_patch *patch)
 {
-    *patch = (struct lx_patch){.kind = LX_PATCH_BALL, .radius = shell->round_mm};
+    *patch = (struct lx_patch){.kind = LX_PATCH_BALL, .radius = lamp->round_mm};
     double towards[3];
     for (int i = 0; i < 3; i++) {
-        patch->o[i] = shell->center[i];
-        towards[i] = around->center[i] - shell->center[i];
+        patch->o[i] = lamp->center[i];
+        towards[i] = around->center[i] - lamp->center[i];
     }
     double distance = sqrt(lx_dot(towards, towards));
     for (int i = 0; i < 3; i++)
@@ -125,14 +125,14 @@ static size_t ball_patch(const struct lx_shell *shell, const struct lx_around *a
     return distance + around->radius > patch->radius;
 }
 
-static size_t side_patch(const struct lx_shell *shell, const struct lx_around *around, struct lx_patch *patch)
+static size_t side_patch(const struct lx_area_light *lamp, const struct lx_around *around, struct lx_patch *patch)
 {
-    *patch = (struct lx_patch){.kind = LX_PATCH_SIDE, .radius = shell->round_mm, .length = 2 * shell->half_mm};
+    *patch = (struct lx_patch){.kind = LX_PATCH_SIDE, .radius = lamp->round_mm, .length = 2 * lamp->half_mm};
     double offset[3], across[3];
     for (int i = 0; i < 3; i++) {
-        patch->o[i] = shell->center[i];
-        patch->n[i] = shell->axis[i];
-        offset[i] = around->center[i] - shell->center[i];
+        patch->o[i] = lamp->center[i];
+        patch->n[i] = lamp->axis[i];
+        offset[i] = around->center[i] - lamp->center[i];
     }
     lx_cross(offset, patch->n, across);
     const double farthest = sqrt(lx_dot(across, across)) + around->radius;
@@ -308,17 +308,17 @@ struct lx_cell lx_cell_fourth(const struct lx_patch *patch, const struct lx_cell
 
 /* ---- the patches that are seen ---- */
 
-static size_t make_patches(const struct lx_shell *shell, const struct lx_around *around, const struct lx_asking *asking,
-                           struct lx_patch *patches)
+static size_t make_patches(const struct lx_area_light *lamp, const struct lx_around *around,
+                           const struct lx_asking *asking, struct lx_patch *patches)
 {
     size_t count = 0;
-    if (shell->facets)
-        return facet_patches(shell, around, asking, patches);
-    if (!shell->has_side)
-        return shell->is_ball ? ball_patch(shell, around, patches) : disk_patch(shell, around, 0, patches);
-    count += side_patch(shell, around, patches);
-    count += disk_patch(shell, around, 1, patches + count);
-    count += disk_patch(shell, around, -1, patches + count);
+    if (lamp->facets)
+        return facet_patches(lamp, around, asking, patches);
+    if (!lamp->has_side)
+        return lamp->is_ball ? ball_patch(lamp, around, patches) : disk_patch(lamp, around, 0, patches);
+    count += side_patch(lamp, around, patches);
+    count += disk_patch(lamp, around, 1, patches + count);
+    count += disk_patch(lamp, around, -1, patches + count);
     return count;
 }
 
@@ -342,10 +342,10 @@ static bool is_near(const struct lx_patch *patch, const struct lx_around *around
     return size > NEAR * distance;
 }
 
-size_t lx_patches_make(const struct lx_shell *shell, const struct lx_around *around, const struct lx_asking *asking,
+size_t lx_patches_make(const struct lx_area_light *lamp, const struct lx_around *around, const struct lx_asking *asking,
                        struct lx_patch *patches)
 {
-    const size_t count = make_patches(shell, around, asking, patches);
+    const size_t count = make_patches(lamp, around, asking, patches);
     for (size_t i = 0; i < count; i++)
         patches[i].is_near = is_near(&patches[i], around);
     return count;

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * Patches: the smooth parts of an extended source's shell, and their cutting into cells and samples, over which
+ * Patches: the smooth parts of an extended source's area light, and their cutting into cells and samples, over which
  * highlights are integrated.
  *
  * A patch that is large against its distance is near: some of it is seen at many times the size of the rest, and its
@@ -10,10 +10,10 @@
 #ifndef LX_PICTURE_PATCH_H
 #define LX_PICTURE_PATCH_H
 
-#include "shell.h"
+#include "area_light.h"
 
 /*
- * A smooth part of a shell over the unit square (s, t).
+ * A smooth part of an area light over the unit square (s, t).
  *
  * flat   o + s a + t b + s t g
  * disk   o + s radius (a cos + b sin)(2 pi t)
@@ -33,11 +33,11 @@ struct lx_patch {
     bool is_near;   /* large against its distance from some place that may see it */
 };
 
-/* The patches of a shell that some place within a ball may see; at most lx_patch_limit() of them.  Not all of them
- * where the work is to stop. */
+/* The patches of an area light that some place within a ball may see; at most lx_patch_limit() of them.  Not all of
+ * them where the work is to stop. */
 enum { LX_MOST_ROUND_PATCHES = 3 }; /* of what has no facets: a side and two ends */
-size_t lx_patch_limit(const struct lx_shell *shell);
-size_t lx_patches_make(const struct lx_shell *shell, const struct lx_around *around, const struct lx_asking *asking,
+size_t lx_patch_limit(const struct lx_area_light *lamp);
+size_t lx_patches_make(const struct lx_area_light *lamp, const struct lx_around *around, const struct lx_asking *asking,
                        struct lx_patch *patches);
 
 /* A part of a patch: s from s to s + ds, t from t to t + dt. */

@@ -12,8 +12,8 @@
 #include "../world/among.h"
 #include "../world/blocking.h"
 #include "../world/integral/cubature.h"
-#include "../world/visibility/skyline.h"
-#include "glimpse.h"
+#include "../world/visibility/boundary.h"
+#include "partial_highlight.h"
 
 /* Elements next to each other in whose way the same surfaces are looked for. */
 enum { RUN = 16 };
@@ -89,8 +89,8 @@ static bool are_before_wall(const struct lx_shape *wall, const struct lx_shape *
            lowest_before(wall, emitter) > 2 * wall->touch_mm - wall->behind_mm;
 }
 
-int lx_find_shell_blockers(const struct lx_plan *plan, const struct lx_planned_surface *surface,
-                           struct lx_planned_shell *planned)
+int lx_find_area_light_blockers(const struct lx_plan *plan, const struct lx_planned_surface *surface,
+                                struct lx_planned_area_light *planned)
 {
     const struct lx_ball whole = {.radius = surface->shape.radius_mm};
     const struct lx_shaft shaft = shaft_from(surface, &whole, planned->emitter);
@@ -112,7 +112,7 @@ int lx_find_shell_blockers(const struct lx_plan *plan, const struct lx_planned_s
 }
 
 /* Those of many blockers that may stand in a shaft. */
-static bool find_blockers(const struct lx_plan *plan, const struct lx_planned_shell *planned,
+static bool find_blockers(const struct lx_plan *plan, const struct lx_planned_area_light *planned,
                           const struct lx_shaft *shaft, struct lx_found *found)
 {
     size_t kept = 0;
@@ -125,8 +125,8 @@ static bool find_blockers(const struct lx_plan *plan, const struct lx_planned_sh
     return true;
 }
 
-bool lx_shell_may_be_hidden(const struct lx_plan *plan, const struct lx_planned_surface *surface,
-                            const struct lx_planned_shell *planned, const struct lx_ball *ball)
+bool lx_area_light_may_be_hidden(const struct lx_plan *plan, const struct lx_planned_surface *surface,
+                                 const struct lx_planned_area_light *planned, const struct lx_ball *ball)
 {
     const struct lx_shaft shaft = shaft_from(surface, ball, planned->emitter);
     struct lx_found found;
@@ -167,8 +167,8 @@ static bool looks_below(const struct lx_planned_surface *surface)
 
 /* Gathers what is in the way of a single element. */
 static enum lx_share_seen look(const struct lx_plan *plan, const struct lx_planned_surface *surface,
-                               const struct lx_planned_shell *planned, const double place_mm[3], const double normal[3],
-                               struct lx_occlusion *occlusion)
+                               const struct lx_planned_area_light *planned, const double place_mm[3],
+                               const double normal[3], struct lx_occlusion *occlusion)
 {
     const struct lx_emitter *emitter = planned->emitter;
     bool failed = false;
@@ -196,7 +196,7 @@ static void place_of(const struct lx_planned_surface *surface, const struct lx_b
 }
 
 /* Whether what these elements of a block see of a source was asked for last. */
-static bool is_known(const struct lx_penumbra *penumbra, const struct lx_planned_shell *planned,
+static bool is_known(const struct lx_penumbra *penumbra, const struct lx_planned_area_light *planned,
                      const double *const elements[6], size_t first, size_t end)
 {
     bool known = penumbra->source == planned && penumbra->first <= first && penumbra->end >= end;
@@ -224,11 +224,11 @@ static void keep(struct lx_penumbra *penumbra, size_t i)
 
 /* Looks at a run of elements. */
 static void look_at_run(const struct lx_plan *plan, const struct lx_planned_surface *surface,
-                        const struct lx_planned_shell *planned, const struct lx_block_double *block, size_t from,
+                        const struct lx_planned_area_light *planned, const struct lx_block_double *block, size_t from,
                         size_t to, struct lx_penumbra *penumbra)
 {
     const struct lx_ball ball = ball_around(block, from, to);
-    if (!lx_shell_may_be_hidden(plan, surface, planned, &ball))
+    if (!lx_area_light_may_be_hidden(plan, surface, planned, &ball))
         return;
     for (size_t i = from; i < to; i++) {
         double place[3];
@@ -241,7 +241,7 @@ static void look_at_run(const struct lx_plan *plan, const struct lx_planned_surf
 }
 
 bool lx_find_sight(const struct lx_plan *plan, const struct lx_planned_surface *surface,
-                   const struct lx_planned_shell *planned, const struct lx_block_double *block, size_t first,
+                   const struct lx_planned_area_light *planned, const struct lx_block_double *block, size_t first,
                    size_t end, struct lx_penumbra *penumbra)
 {
     const double *const elements[6] = {block->px, block->py, block->pz, block->nx, block->ny, block->nz};
@@ -268,7 +268,7 @@ bool lx_find_sight(const struct lx_plan *plan, const struct lx_planned_surface *
 }
 
 void lx_look_again(const struct lx_plan *plan, const struct lx_planned_surface *surface,
-                   const struct lx_planned_shell *planned, const struct lx_element *element, size_t i,
+                   const struct lx_planned_area_light *planned, const struct lx_element *element, size_t i,
                    struct lx_penumbra *penumbra)
 {
     const double place[3] = {element->place_mm.x.value, element->place_mm.y.value, element->place_mm.z.value};
@@ -282,8 +282,8 @@ void lx_look_again(const struct lx_plan *plan, const struct lx_planned_surface *
         look(plan, surface, planned, place, normal, &penumbra->occlusion);
 }
 
-/* Whether skylines are as exact as the picture: the outline of a cylinder is put together of parts that touch each
- * other, which costs half of the digits. */
+/* Whether visible boundaries are as exact as the picture: the outline of a cylinder is put together of parts that touch
+ * each other, which costs half of the digits. */
 static bool is_closed(const struct lx_plan *plan, const struct lx_emitter *emitter,
                       const struct lx_occlusion *occlusion)
 {
@@ -293,13 +293,13 @@ static bool is_closed(const struct lx_plan *plan, const struct lx_emitter *emitt
     return !has_cylinder || plan->precision != LUXEL_DOUBLE;
 }
 
-static struct lx_glimpse glimpse_of(const struct lx_plan *plan, const struct lx_planned_surface *surface,
-                                    const struct lx_planned_shell *planned, const struct lx_element *element,
-                                    const struct lx_penumbra *penumbra)
+static struct lx_partial_highlight partial_of(const struct lx_plan *plan, const struct lx_planned_surface *surface,
+                                              const struct lx_planned_area_light *planned,
+                                              const struct lx_element *element, const struct lx_penumbra *penumbra)
 {
-    return (struct lx_glimpse){
+    return (struct lx_partial_highlight){
         .kernels = plan->kernels,
-        .source = &surface->glossy[planned - surface->shells],
+        .source = &surface->glossy[planned - surface->area_lights],
         .occlusion = penumbra->used,
         .lobe = &surface->glossy_exact,
         .lobe_single = &surface->glossy_single,
@@ -310,21 +310,21 @@ static struct lx_glimpse glimpse_of(const struct lx_plan *plan, const struct lx_
 
 /* The irradiance of what an element sees, for a radiance of 1, if it is known without an integral over arcs. */
 static bool find_irradiance(const struct lx_plan *plan, const struct lx_planned_surface *surface,
-                            const struct lx_planned_shell *planned, const struct lx_element *element,
+                            const struct lx_planned_area_light *planned, const struct lx_element *element,
                             const struct lx_penumbra *penumbra, double *irradiance)
 {
     const struct lx_emitter *emitter = planned->emitter;
     const double normal[3] = {element->normal.x.value, element->normal.y.value, element->normal.z.value};
     if (emitter->attenuation == LX_INVERSE_SQUARE)
         return is_closed(plan, emitter, penumbra->used) &&
-               lx_skyline_irradiance(emitter, normal, penumbra->used, irradiance);
-    struct lx_glimpse glimpse = glimpse_of(plan, surface, planned, element, penumbra);
-    glimpse.is_matte = true;
-    return plan->precision != LUXEL_DOUBLE && lx_glimpse_sum(&glimpse, irradiance);
+               lx_boundary_irradiance(emitter, normal, penumbra->used, irradiance);
+    struct lx_partial_highlight partial = partial_of(plan, surface, planned, element, penumbra);
+    partial.is_matte = true;
+    return plan->precision != LUXEL_DOUBLE && lx_partial_highlight_sum(&partial, irradiance);
 }
 
 double lx_diffuse_of_part(const struct lx_plan *plan, const struct lx_planned_surface *surface,
-                          const struct lx_planned_shell *planned, const struct lx_element *element, size_t i,
+                          const struct lx_planned_area_light *planned, const struct lx_element *element, size_t i,
                           struct lx_penumbra *penumbra, const struct lx_asking *asking)
 {
     struct lx_lobe matte = surface->lobe;
@@ -345,24 +345,25 @@ double lx_diffuse_of_part(const struct lx_plan *plan, const struct lx_planned_su
     return irradiance > 0 ? matte.diffuse.value * irradiance : 0;
 }
 
-bool lx_glimpse_of_part(const struct lx_plan *plan, const struct lx_planned_surface *surface,
-                        const struct lx_planned_shell *planned, const struct lx_element *element, size_t i,
-                        double known, struct lx_penumbra *penumbra, const struct lx_asking *asking, double *highlight)
+bool lx_partial_highlight_of_part(const struct lx_plan *plan, const struct lx_planned_surface *surface,
+                                  const struct lx_planned_area_light *planned, const struct lx_element *element,
+                                  size_t i, double known, struct lx_penumbra *penumbra, const struct lx_asking *asking,
+                                  double *highlight)
 {
-    if (plan->tolerance < LX_GLIMPSE_TOLERANCE || lx_extended_touches(planned->emitter, element->place_mm))
+    if (plan->tolerance < LX_PARTIAL_HIGHLIGHT_TOLERANCE || lx_extended_touches(planned->emitter, element->place_mm))
         return false;
     lx_look_again(plan, surface, planned, element, i, penumbra);
-    struct lx_glimpse glimpse = glimpse_of(plan, surface, planned, element, penumbra);
-    glimpse.allowed = plan->tolerance / 2 * known;
-    if (penumbra->used->has_outline ? !lx_glimpse_outline(&glimpse, asking, highlight)
-                                    : !lx_glimpse_sum(&glimpse, highlight))
+    struct lx_partial_highlight partial = partial_of(plan, surface, planned, element, penumbra);
+    partial.allowed = plan->tolerance / 2 * known;
+    if (penumbra->used->has_outline ? !lx_partial_highlight_outline(&partial, asking, highlight)
+                                    : !lx_partial_highlight_sum(&partial, highlight))
         return false;
     *highlight *= planned->emitter->radiance.value * surface->glossy_exact.specular;
     return true;
 }
 
 double lx_highlight_of_part(const struct lx_plan *plan, const struct lx_planned_surface *surface,
-                            const struct lx_planned_shell *planned, const struct lx_element *element, size_t i,
+                            const struct lx_planned_area_light *planned, const struct lx_element *element, size_t i,
                             double known, struct lx_penumbra *penumbra, const struct lx_asking *asking)
 {
     if (lx_extended_touches(planned->emitter, element->place_mm))

@@ -37,9 +37,9 @@ struct lx_light_run {
 };
 
 /* An extended emitter over a surface. */
-struct lx_planned_shell {
+struct lx_planned_area_light {
     const struct lx_emitter *emitter;
-    struct lx_shell shell;
+    struct lx_area_light lamp;
     bool in_single;     /* its law, other than 1/r^2, is good enough in float32 */
     bool by_reference;  /* its diffuse light, as float64 would not keep the picture's accuracy */
     uint32_t *blockers; /* which surfaces may hide a part of it (penumbra.h) */
@@ -60,10 +60,10 @@ struct lx_planned_surface {
     size_t blocker_count, blocker_capacity;
     struct lx_rounding_sum rounding; /* of those in float32 */
     struct lx_lobe_limits limits;
-    struct lx_planned_shell *shells;
-    struct lx_sampled *glossy;                      /* all of them, where there is a highlight */
-    size_t shell_count, glossy_count, by_law_count; /* by_law: that shine by laws other than 1/r^2 */
-    struct lx_planned_shell *openings;              /* of luminaires, which are among neither (openings.h) */
+    struct lx_planned_area_light *area_lights;
+    struct lx_sampled *glossy;                           /* all of them, where there is a highlight */
+    size_t area_light_count, glossy_count, by_law_count; /* by_law: that shine by laws other than 1/r^2 */
+    struct lx_planned_area_light *openings;              /* of luminaires, which are among neither (openings.h) */
     size_t opening_count;
     struct lx_lobe_single glossy_single; /* the lobe's two parts */
     struct lx_lobe_double glossy_exact, matte_exact;
@@ -95,7 +95,7 @@ struct lx_plan {
     struct lx_gauss_rules *rules; /* for laws other than 1/r^2; NULL where there are none */
     struct lx_gauss_rules *opening_rules; /* along lines over openings; NULL where there are none */
     struct lx_gauss_rules *node_rules;    /* the same at the nodes of squares, which polynomials make more of */
-    struct lx_forest forest;              /* the points that are clustered */
+    struct lx_light_trees trees;          /* the points that are clustered */
     double light_error; /* how wrong they may make a pixel, relative to the larger of its value and: */
     double least_value;
     size_t every; /* of the lights only each such one is summed: for a look at many */

@@ -64,11 +64,11 @@ static luxel_status plan_rules(struct lx_plan *plan, struct lx_control *control,
         plan->node_rules = lx_gauss_rules_new(LX_NODE_RULES);
     }
     luxel_status status = plan->rules && plan->node_rules ? LUXEL_OK : LUXEL_ERROR_MEMORY;
-    for (size_t s = 0; s < surface->shell_count && status == LUXEL_OK; s++) {
-        struct lx_planned_shell *planned = &surface->shells[s];
+    for (size_t s = 0; s < surface->area_light_count && status == LUXEL_OK; s++) {
+        struct lx_planned_area_light *planned = &surface->area_lights[s];
         if (planned->emitter->attenuation != LX_INVERSE_SQUARE)
             status =
-                lx_shell_set_nodes(plan->rules, lx_gap(&surface->shape, &planned->shell, &asking), &planned->shell);
+                lx_area_light_set_nodes(plan->rules, lx_gap(&surface->shape, &planned->lamp, &asking), &planned->lamp);
         if (!lx_control_goes_on(control, true))
             return LUXEL_CANCELLED;
     }
@@ -78,51 +78,50 @@ static luxel_status plan_rules(struct lx_plan *plan, struct lx_control *control,
 bool lx_is_set_in(const struct lx_planned_surface *surface, const struct lx_emitter *emitter)
 {
     const struct lx_shape *shape = &surface->shape;
-    double nearest;
     return lx_shape_is_flat(shape) && !lx_lobe_reaches_below(&surface->lobe) &&
-           fabs(lx_emitter_extent(emitter, shape->anchor_mm, shape->axis, &nearest)) <=
+           fabs(lx_emitter_extent(emitter, shape->anchor_mm, shape->axis, &(double){0})) <=
                lx_plane_rounding_mm(shape->anchor_mm, lx_distance(lx_emitter_center(emitter), shape->anchor_mm) +
                                                           lx_emitter_radius(emitter));
 }
 
-static luxel_status plan_shells(struct lx_plan *plan, struct lx_control *control, struct lx_planned_surface *surface)
+static luxel_status plan_lamps(struct lx_plan *plan, struct lx_control *control, struct lx_planned_surface *surface)
 {
     const struct lx_emitters *emitters = &plan->prepared->emitters;
     const struct lx_asking asking = {.control = control, .is_caller = true};
     size_t count = 0, patches = 0, items = lx_item_count(emitters);
     for (size_t i = 0; i < items; i++) {
-        count += lx_is_shell(&emitters->items[i]);
+        count += lx_is_area_light(&emitters->items[i]);
         if (!goes_on(control, i))
             return LUXEL_CANCELLED;
     }
     if (count == 0)
         return LUXEL_OK;
-    surface->shells = lx_new_array(count, sizeof *surface->shells);
+    surface->area_lights = lx_new_array(count, sizeof *surface->area_lights);
     surface->glossy = lx_new_array(count, sizeof *surface->glossy);
-    if (!surface->shells || !surface->glossy)
+    if (!surface->area_lights || !surface->glossy)
         return LUXEL_ERROR_MEMORY;
     for (size_t i = 0; i < items; i++) {
         const struct lx_emitter *emitter = &emitters->items[i];
         if (!goes_on(control, i))
             return LUXEL_CANCELLED;
-        if (!lx_is_shell(emitter) || lx_is_set_in(surface, emitter))
+        if (!lx_is_area_light(emitter) || lx_is_set_in(surface, emitter))
             continue;
-        struct lx_planned_shell *planned = &surface->shells[surface->shell_count];
+        struct lx_planned_area_light *planned = &surface->area_lights[surface->area_light_count];
         planned->emitter = emitter;
-        luxel_status status = lx_shell_make(emitter, &surface->shape, &asking, &planned->shell);
-        planned->by_reference = planned->shell.is_general;
-        struct lx_sampled *sampled = &surface->glossy[surface->shell_count++];
+        luxel_status status = lx_area_light_make(emitter, &surface->shape, &asking, &planned->lamp);
+        planned->by_reference = planned->lamp.is_general;
+        struct lx_sampled *sampled = &surface->glossy[surface->area_light_count++];
         surface->glossy_count += lx_lobe_shines(&surface->lobe);
-        if (status == LUXEL_OK && lx_find_shell_blockers(plan, surface, planned))
+        if (status == LUXEL_OK && lx_find_area_light_blockers(plan, surface, planned))
             status = LUXEL_ERROR_MEMORY;
         if (status != LUXEL_OK)
             return status;
-        *sampled = (struct lx_sampled){.emitter = emitter, .shell = &planned->shell, .law = emitter->attenuation};
+        *sampled = (struct lx_sampled){.emitter = emitter, .lamp = &planned->lamp, .law = emitter->attenuation};
         surface->by_law_count += emitter->attenuation != LX_INVERSE_SQUARE;
         sampled->in_double =
             plan->precision == LUXEL_DOUBLE ||
-            !lx_samples_fit_single(&surface->shape, &surface->glossy_exact, &planned->shell, plan->tolerance);
-        patches += lx_patch_limit(&planned->shell);
+            !lx_samples_fit_single(&surface->shape, &surface->glossy_exact, &planned->lamp, plan->tolerance);
+        patches += lx_patch_limit(&planned->lamp);
     }
     plan->most_patches = patches;
     return surface->by_law_count > 0 ? plan_rules(plan, control, surface) : LUXEL_OK;
@@ -161,14 +160,14 @@ static int append_to_runs(struct lx_planned_surface *surface, const struct lx_em
 /* Whether an emitter is a light of the plan: neither extended, nor uniform, nor clustered. */
 static bool is_light(const struct lx_plan *plan, const struct lx_emitter *emitter)
 {
-    return lx_has_one_way(emitter) && !lx_is_clustered(&plan->forest, emitter);
+    return lx_has_one_way(emitter) && !lx_is_clustered(&plan->trees, emitter);
 }
 
 /* The next span of emitters that are lights all of them, or else of one item; false: there is none. */
 static bool next_lights(const struct lx_plan *plan, struct lx_emitter_span *span)
 {
     while (lx_emitters_next(&plan->prepared->emitters, span))
-        if (!span->swarm || is_light(plan, &span->swarm->model))
+        if (!span->set || is_light(plan, &span->set->model))
             return true;
     return false;
 }
@@ -181,10 +180,10 @@ static luxel_status plan_lights(struct lx_plan *plan, struct lx_control *control
     const struct lx_emitters *emitters = &plan->prepared->emitters;
     const size_t most = lx_item_count(emitters);
     lx_lights_set_plane(lights, &surface->shape);
-    if (most > LX_MOST_STORED && plan->forest.tree_count == 0 && lx_lights_make_room(lights, most))
+    if (most > LX_MOST_STORED && plan->trees.tree_count == 0 && lx_lights_make_room(lights, most))
         return LUXEL_ERROR_MEMORY;
     for (struct lx_emitter_span span = {0}; next_lights(plan, &span);) {
-        if (span.swarm && lx_lights_append_swarm(lights, span.swarm))
+        if (span.set && lx_lights_append_point_set(lights, span.set))
             return LUXEL_ERROR_MEMORY;
         for (size_t e = span.first; e < span.end; e++) {
             const struct lx_emitter *emitter = lx_span_at(&span, e, &room);
@@ -192,7 +191,7 @@ static luxel_status plan_lights(struct lx_plan *plan, struct lx_control *control
                 return LUXEL_CANCELLED;
             if (lx_is_uniform(emitter))
                 surface->uniform += surface->lobe.ambient.value * emitter->strength;
-            if (!span.swarm && !is_light(plan, emitter))
+            if (!span.set && !is_light(plan, emitter))
                 continue;
             if (span.items && lx_lights_append(lights, emitter))
                 return LUXEL_ERROR_MEMORY;
@@ -214,7 +213,7 @@ static luxel_status plan_surface(struct lx_plan *plan, struct lx_control *contro
         return LUXEL_OK;
     luxel_status status = plan_lights(plan, control, surface);
     if (status == LUXEL_OK)
-        status = plan_shells(plan, control, surface);
+        status = plan_lamps(plan, control, surface);
     return status == LUXEL_OK ? lx_plan_openings(plan, control, surface) : status;
 }
 
@@ -259,7 +258,7 @@ static luxel_status choose_precision(const struct lx_plan *plan, struct lx_contr
             const struct lx_emitter *emitter = lx_span_at(&span, e, &room);
             if (!goes_on(control, e))
                 status = LUXEL_CANCELLED;
-            if (span.swarm || is_light(plan, emitter))
+            if (span.set || is_light(plan, emitter))
                 bounds[i++] = lx_bound_light(plan->prepared, &surface->shape, &surface->lobe, emitter);
         }
     if (status == LUXEL_OK) {
@@ -280,37 +279,37 @@ static luxel_status choose_precision(const struct lx_plan *plan, struct lx_contr
  * which the reference takes milliseconds for an element.
  */
 static bool needs_reference(const struct lx_plan *plan, const struct lx_planned_surface *surface,
-                            const struct lx_shell *shell, const struct lx_asking *asking)
+                            const struct lx_area_light *lamp, const struct lx_asking *asking)
 {
     enum { MOST_EDGES = 1000 };
     const double promised = plan->precision == LUXEL_DOUBLE ? 1e-11 : 2e-6;
-    const double share = promised * plan->least_maximum / sqrt((double)surface->shell_count);
-    return shell->facets && shell->edge_count <= MOST_EDGES &&
-           lx_bound_shell_double(&surface->shape, surface->lobe_exact.diffuse, shell, asking) > share;
+    const double share = promised * plan->least_maximum / sqrt((double)surface->area_light_count);
+    return lamp->facets && lamp->edge_count <= MOST_EDGES &&
+           lx_bound_area_light_double(&surface->shape, surface->lobe_exact.diffuse, lamp, asking) > share;
 }
 
 /* Leaves the diffuse light of facets to float32, or to float64, where that keeps the picture's accuracy. */
-static luxel_status choose_shells(const struct lx_plan *plan, struct lx_control *control,
-                                  struct lx_planned_surface *surface)
+static luxel_status choose_area_lights(const struct lx_plan *plan, struct lx_control *control,
+                                       struct lx_planned_surface *surface)
 {
     const struct lx_asking asking = {.control = control, .is_caller = true};
     const double diffuse = surface->lobe_exact.diffuse;
-    for (size_t s = 0; s < surface->shell_count && diffuse > 0; s++) {
-        struct lx_planned_shell *planned = &surface->shells[s];
+    for (size_t s = 0; s < surface->area_light_count && diffuse > 0; s++) {
+        struct lx_planned_area_light *planned = &surface->area_lights[s];
         const bool by_law = planned->emitter->attenuation != LX_INVERSE_SQUARE;
-        bool in_single = plan->precision == LUXEL_SINGLE && !planned->shell.is_general;
+        bool in_single = plan->precision == LUXEL_SINGLE && !planned->lamp.is_general;
         if (in_single) {
-            double bound = by_law ? lx_bound_law(&surface->shape, diffuse, &planned->shell, &asking)
-                                  : lx_bound_shell(&surface->shape, diffuse, &planned->shell, &asking);
+            double bound = by_law ? lx_bound_law(&surface->shape, diffuse, &planned->lamp, &asking)
+                                  : lx_bound_area_light(&surface->shape, diffuse, &planned->lamp, &asking);
             in_single = lx_choose_precision(&bound, 1, plan->least_maximum, &asking, &surface->rounding) > 0;
         }
         planned->in_single = by_law && in_single;
         if (by_law)
             continue;
-        planned->by_reference |= !in_single && needs_reference(plan, surface, &planned->shell, &asking);
+        planned->by_reference |= !in_single && needs_reference(plan, surface, &planned->lamp, &asking);
         if (!lx_control_goes_on(control, true))
             return LUXEL_CANCELLED;
-        luxel_status status = in_single ? lx_shell_make_single(&planned->shell, &asking) : LUXEL_OK;
+        luxel_status status = in_single ? lx_area_light_make_single(&planned->lamp, &asking) : LUXEL_OK;
         if (status != LUXEL_OK)
             return status;
     }
@@ -331,7 +330,7 @@ static double sample_row(const struct lx_plan *plan, struct lx_control *control,
     const unsigned columns = sample_count(screen->resolution[0]), rows = sample_count(screen->resolution[1]);
     const double y = lx_row_y_mm(screen, (unsigned)((j + 0.5) / rows * screen->resolution[1]));
     /* Clustered points are cut for each sample alone: together they are too far from each other. */
-    const unsigned step = plan->forest.tree_count > 0 ? 1 : columns;
+    const unsigned step = plan->trees.tree_count > 0 ? 1 : columns;
     double x[LX_LANES], values[LX_LANES], maximum = 0;
     uint8_t mask[LX_LANES];
     _Static_assert((int)SAMPLES <= (int)LX_LANES, "a row of samples fits in one padded block");
@@ -404,7 +403,7 @@ static luxel_status find_accuracy(struct lx_plan *plan, struct lx_control *contr
         if (plan->precision == LUXEL_SINGLE)
             status = choose_precision(plan, control, every > 1, &plan->surfaces[s], &all);
         if (status == LUXEL_OK)
-            status = choose_shells(plan, control, &plan->surfaces[s]);
+            status = choose_area_lights(plan, control, &plan->surfaces[s]);
         *fits = *fits && all;
     }
     return status;
@@ -414,7 +413,7 @@ static luxel_status plan_accuracy(struct lx_plan *plan, struct lx_control *contr
 {
     size_t every = 1;
     bool fits;
-    if (plan->precision == LUXEL_DOUBLE && plan->most_patches == 0 && plan->forest.tree_count == 0 &&
+    if (plan->precision == LUXEL_DOUBLE && plan->most_patches == 0 && plan->trees.tree_count == 0 &&
         !plan->opening_rules && !plan->asks_reference)
         return LUXEL_OK;
     for (size_t s = 0; s < plan->surface_count && plan->most_patches == 0; s++)
@@ -430,9 +429,9 @@ static bool is_in_single(const struct lx_planned_surface *surface)
 {
     bool all = lx_has_kernels(&surface->shape) && surface->by_law_count == 0 && surface->glossy_count == 0;
     all = all && surface->opening_count == 0 && !surface->by_reference;
-    for (size_t s = 0; all && s < surface->shell_count; s++)
-        all = surface->shells[s].shell.edges_single && !surface->shells[s].by_reference &&
-              surface->shells[s].blocker_count == 0;
+    for (size_t s = 0; all && s < surface->area_light_count; s++)
+        all = surface->area_lights[s].lamp.edges_single && !surface->area_lights[s].by_reference &&
+              surface->area_lights[s].blocker_count == 0;
     for (size_t r = 0; all && r < surface->run_count; r++) {
         const struct lx_light_run *run = &surface->runs[r];
         all = !run->in_double && !run->has_edges && run->blocker_count == 0;
@@ -461,14 +460,14 @@ static const struct lx_planned_surface *find_alone(const struct lx_plan *plan)
 
 static void plan_alone(struct lx_plan *plan)
 {
-    if (plan->forest.tree_count > 0 || !plan->prepared->camera.is_parallel)
+    if (plan->trees.tree_count > 0 || !plan->prepared->camera.is_parallel)
         return;
     const struct lx_planned_surface *alone = find_alone(plan);
     if (!alone || !is_in_single(alone))
         return;
     plan->alone = alone;
-    plan->at_once =
-        alone->run_count == 1 && alone->shell_count == 0 && alone->lights.count <= LX_MOST_IN_RUN && plan->every == 1;
+    plan->at_once = alone->run_count == 1 && alone->area_light_count == 0 && alone->lights.count <= LX_MOST_IN_RUN &&
+                    plan->every == 1;
 }
 
 /* Half the size of a surface as it looks on the screen. */
@@ -482,8 +481,8 @@ static double radius_on_screen(const struct lx_plan *plan, const struct lx_plann
 static bool is_smooth(const struct lx_plan *plan, const struct lx_planned_surface *surface)
 {
     const struct lx_screen *screen = &plan->prepared->scene->screen;
-    const size_t all = surface->lights.count + surface->shell_count;
-    const unsigned least = surface->shell_count > 0 || all >= ENOUGH_LIGHTS ? LEAST_PANELS : LEAST_OF_FEW_LIGHTS;
+    const size_t all = surface->lights.count + surface->area_light_count;
+    const unsigned least = surface->area_light_count > 0 || all >= ENOUGH_LIGHTS ? LEAST_PANELS : LEAST_OF_FEW_LIGHTS;
     return lx_curvature(&surface->shape) >= 0 && all > 0 && all <= LX_MOST_SMOOTH &&
            (surface->glossy_count == 0 || lx_has_smooth_highlights(surface)) &&
            radius_on_screen(plan, surface) > least * screen->width_mm / screen->resolution[0] * LX_PANEL_SIDE;
@@ -496,7 +495,7 @@ static luxel_status plan_panels(struct lx_plan *plan, struct lx_control *control
     const struct lx_asking asking = {.control = control, .is_caller = true};
     luxel_status status = LUXEL_OK;
     bool any = false, all = true, has_gloss = false;
-    if (plan->precision != LUXEL_SINGLE || plan->forest.tree_count > 0 || plan->every > 1 ||
+    if (plan->precision != LUXEL_SINGLE || plan->trees.tree_count > 0 || plan->every > 1 ||
         !(plan->least_maximum > 0) || resolution[0] < LX_PANEL_SIDE || resolution[1] < LX_PANEL_SIDE)
         return LUXEL_OK;
     for (size_t s = 0; s < plan->surface_count; s++) {
@@ -560,7 +559,7 @@ luxel_status lx_plan_make(const struct lx_prepared *prepared, const struct lx_ke
     plan->light_error = settings->light_error;
     plan->part_tolerance = settings->precision == LUXEL_DOUBLE ? 1e-12 : 3e-7;
     if (settings->light_error > 0)
-        status = lx_forest_plant(&prepared->emitters, &control, &plan->forest);
+        status = lx_light_trees_build(&prepared->emitters, &control, &plan->trees);
     struct lx_lobe irradiance = lx_lobe_irradiance();
     for (size_t s = 0; s < plan->surface_count && status == LUXEL_OK; s++) {
         const struct lx_lobe *lobe = settings->quantity == LUXEL_IRRADIANCE ? &irradiance : &prepared->surfaces[s].lobe;
@@ -579,14 +578,14 @@ void lx_plan_clear(struct lx_plan *plan)
 {
     for (size_t s = 0; plan->surfaces && s < plan->surface_count; s++) {
         struct lx_planned_surface *surface = &plan->surfaces[s];
-        for (size_t i = 0; i < surface->shell_count; i++)
-            lx_shell_clear(&surface->shells[i].shell), free(surface->shells[i].blockers);
+        for (size_t i = 0; i < surface->area_light_count; i++)
+            lx_area_light_clear(&surface->area_lights[i].lamp), free(surface->area_lights[i].blockers);
         lx_openings_clear(surface);
         lx_lights_clear(&surface->lights);
         lx_smooth_clear(&surface->smooth);
         free(surface->runs);
         free(surface->blockers);
-        free(surface->shells);
+        free(surface->area_lights);
         free(surface->glossy);
     }
     free(plan->surfaces);
@@ -595,7 +594,7 @@ void lx_plan_clear(struct lx_plan *plan)
     free(plan->rules);
     free(plan->node_rules);
     free(plan->opening_rules);
-    lx_forest_clear(&plan->forest);
+    lx_light_trees_clear(&plan->trees);
     lx_prepared_free(plan->carried);
     *plan = (struct lx_plan){0};
 }

@@ -18,7 +18,7 @@
 #include "../light/solid/extended.h"
 #include "../world/camera.h"
 #include "precision.h"
-#include "shell.h"
+#include "area_light.h"
 
 static const double unit = 5.9604644775390625e-08; /* u = 2^-24 */
 
@@ -157,7 +157,7 @@ double lx_bound_light(const struct lx_prepared *prepared, const struct lx_shape 
     return lx_bound_stand(shape, lobe, emitter, emitter->strength, &stand);
 }
 
-/* Bounds, or edges of shells, between two questions whether to go on. */
+/* Bounds, or edges of area lights, between two questions whether to go on. */
 enum { BETWEEN_CHECKS = 4096 };
 
 static bool goes_on(const struct lx_asking *asking, size_t i)
@@ -165,37 +165,37 @@ static bool goes_on(const struct lx_asking *asking, size_t i)
     return i % BETWEEN_CHECKS != BETWEEN_CHECKS - 1 || lx_asking_goes_on(asking);
 }
 
-/* The corner of a shell that is farthest against a direction, from the anchor. */
-static void farthest_corner(const struct lx_shell *shell, const double direction[3], const struct lx_asking *asking,
+/* The corner of an area light that is farthest against a direction, from the anchor. */
+static void farthest_corner(const struct lx_area_light *lamp, const double direction[3], const struct lx_asking *asking,
                             double corner[3])
 {
-    const struct lx_shell_edge_double *edges = shell->edges_double;
+    const struct lx_area_light_edge_double *edges = lamp->edges_double;
     double least = HUGE_VAL;
     size_t best = 0;
-    for (size_t i = 0; i < shell->edge_count && goes_on(asking, i); i++) {
+    for (size_t i = 0; i < lamp->edge_count && goes_on(asking, i); i++) {
         double height = fmin(lx_dot(direction, edges[i].from), lx_dot(direction, edges[i].to));
         best = height < least ? i : best;
         least = fmin(height, least);
     }
     const double *from = edges[best].from, *to = edges[best].to;
     for (int i = 0; i < 3; i++)
-        corner[i] = shell->center[i] + (lx_dot(direction, from) < lx_dot(direction, to) ? from : to)[i];
+        corner[i] = lamp->center[i] + (lx_dot(direction, from) < lx_dot(direction, to) ? from : to)[i];
 }
 
 /*
- * No place of the shell is nearer to the surface than this.  The shortest way between two convex bodies is the nearest
- * point to 0 of the differences of their places: it is approached as Frank and Wolfe do (1956), and every direction on
- * the way gives a bound.  Less than 0 where they may meet.
+ * No place of the area light is nearer to the surface than this.  The shortest way between two convex bodies is the
+ * nearest point to 0 of the differences of their places: it is approached as Frank and Wolfe do (1956), and every
+ * direction on the way gives a bound.  Less than 0 where they may meet.
  */
-static double least_gap(const struct lx_shape *shape, const struct lx_shell *shell, const struct lx_asking *asking)
+static double least_gap(const struct lx_shape *shape, const struct lx_area_light *lamp, const struct lx_asking *asking)
 {
     enum { MOST_STEPS = 40 };
-    double way[3] = {shell->center[0], shell->center[1], shell->center[2]}, best = -HUGE_VAL, radius = 0;
+    double way[3] = {lamp->center[0], lamp->center[1], lamp->center[2]}, best = -HUGE_VAL, radius = 0;
     for (int step = 0; step < MOST_STEPS; step++) {
         double corner[3], point[3], length = sqrt(lx_dot(way, way)), along = 0, square = 0;
         if (!(length > 0))
             break;
-        farthest_corner(shell, way, asking, corner);
+        farthest_corner(lamp, way, asking, corner);
         radius = shape->kind->bounds->support(shape, way, point);
         for (int i = 0; i < 3; i++) {
             corner[i] -= point[i];
@@ -212,24 +212,25 @@ static double least_gap(const struct lx_shape *shape, const struct lx_shell *she
     return best - radius;
 }
 
-double lx_gap(const struct lx_shape *shape, const struct lx_shell *shell, const struct lx_asking *asking)
+double lx_gap(const struct lx_shape *shape, const struct lx_area_light *lamp, const struct lx_asking *asking)
 {
     if (!shape->kind->bounds)
         return -HUGE_VAL;
-    return shell->facets ? least_gap(shape, shell, asking) : least_distance(shape, shell->center) - shell->radius_mm;
+    return lamp->facets ? least_gap(shape, lamp, asking) : least_distance(shape, lamp->center) - lamp->radius_mm;
 }
 
 /*
- * What the terms of a shell's sum add up to at most, for a radiance of 1 and twice over: where the source is near, the
- * angles of the edges, all of which are at most 2 pi; where it is far, |edge| radius/c^2, as kernel_facets.h has it.
+ * What the terms of an area light's sum add up to at most, for a radiance of 1 and twice over: where the source is
+ * near, the angles of the edges, all of which are at most 2 pi; where it is far, |edge| radius/c^2, as kernel_facets.h
+ * has it.
  */
-static double terms_of(const struct lx_shape *shape, const struct lx_shell *shell, double nearest,
+static double terms_of(const struct lx_shape *shape, const struct lx_area_light *lamp, double nearest,
                        const struct lx_asking *asking)
 {
-    const double radius = shell->radius_mm, middle = fmax(least_distance(shape, shell->center), sqrt(7) * radius);
+    const double radius = lamp->radius_mm, middle = fmax(least_distance(shape, lamp->center), sqrt(7) * radius);
     double edges = 0;
-    for (size_t i = 0; i < shell->edge_count && goes_on(asking, i); i++)
-        edges += sqrt(lx_dot(shell->edges_double[i].along, shell->edges_double[i].along));
+    for (size_t i = 0; i < lamp->edge_count && goes_on(asking, i); i++)
+        edges += sqrt(lx_dot(lamp->edges_double[i].along, lamp->edges_double[i].along));
     edges = fmin(edges, 4 * M_PI * radius); /* those of the contour alone */
     const double far = edges * radius / (middle * middle), near = nearest > 0 ? edges / nearest : HUGE_VAL;
     return middle <= sqrt(7) * radius ? fmax(far, fmin(near, 2 * M_PI)) : far;
@@ -242,29 +243,28 @@ static double terms_of(const struct lx_shape *shape, const struct lx_shell *shel
  */
 static const double roundings = 2;
 
-double lx_bound_shell(const struct lx_shape *shape, double diffuse, const struct lx_shell *shell,
-                      const struct lx_asking *asking)
+double lx_bound_area_light(const struct lx_shape *shape, double diffuse, const struct lx_area_light *lamp,
+                           const struct lx_asking *asking)
 {
-    if (!shell->facets || !shape->kind->bounds)
+    if (!lamp->facets || !shape->kind->bounds)
         return HUGE_VAL;
-    const double radius = shell->radius_mm, greatest = diffuse * shell->radiance;
-    const double away = distance(shell->center, (double[]){0, 0, 0}), nearest = least_gap(shape, shell, asking);
+    const double radius = lamp->radius_mm, greatest = diffuse * lamp->radiance;
+    const double away = distance(lamp->center, (double[]){0, 0, 0}), nearest = least_gap(shape, lamp, asking);
     const double off = unit * (1 + (away + shape->radius_mm) / nearest);
     bool moderate = is_moderate(shape->radius_mm) && is_moderate(away) && is_moderate(nearest) && is_moderate(radius) &&
-                    is_moderate(shell->radiance) && is_moderate(diffuse) && is_moderate(greatest);
-    return nearest > 0 && moderate ? greatest * terms_of(shape, shell, nearest, asking) / 2 * roundings * off
-                                   : HUGE_VAL;
+                    is_moderate(lamp->radiance) && is_moderate(diffuse) && is_moderate(greatest);
+    return nearest > 0 && moderate ? greatest * terms_of(shape, lamp, nearest, asking) / 2 * roundings * off : HUGE_VAL;
 }
 
-double lx_bound_shell_double(const struct lx_shape *shape, double diffuse, const struct lx_shell *shell,
-                             const struct lx_asking *asking)
+double lx_bound_area_light_double(const struct lx_shape *shape, double diffuse, const struct lx_area_light *lamp,
+                                  const struct lx_asking *asking)
 {
-    return diffuse * shell->radiance * terms_of(shape, shell, 0, asking) / 2 * roundings * DBL_EPSILON / 2;
+    return diffuse * lamp->radiance * terms_of(shape, lamp, 0, asking) / 2 * roundings * DBL_EPSILON / 2;
 }
 
-/* The most that all of a shell's area would give to who faces every part of it straight: the nearer a part is, the less
- * there can be of it, as if it were a disk over whose middle the element stood so near. */
-static double greatest_flow(const struct lx_shell_law *law, double area, double nearest)
+/* The most that all of an area light's area would give to who faces every part of it straight: the nearer a part is,
+ * the less there can be of it, as if it were a disk over whose middle the element stood so near. */
+static double greatest_flow(const struct lx_area_light_law *law, double area, double nearest)
 {
     enum { STEPS_OUT = 32 };
     const double turns = log1p(area / (M_PI * nearest * nearest)); /* r^2 = nearest^2 exp(turns y) */
@@ -282,20 +282,20 @@ static double greatest_flow(const struct lx_shell_law *law, double area, double 
  * units of what the source could give at most; the worst of random spheres comes to half of the bound (tests/unit/
  * test_laws.c).  Of a ball the way is what is left of the one to its centre.
  */
-double lx_bound_law(const struct lx_shape *shape, double diffuse, const struct lx_shell *shell,
+double lx_bound_law(const struct lx_shape *shape, double diffuse, const struct lx_area_light *lamp,
                     const struct lx_asking *asking)
 {
-    const double units = 16, radius = shell->radius_mm, away = distance(shell->center, (double[]){0, 0, 0});
-    const double nearest = lx_gap(shape, shell, asking), farthest = away + shape->radius_mm + radius;
-    const struct lx_shell_law *law = &shell->law;
+    const double units = 16, radius = lamp->radius_mm, away = distance(lamp->center, (double[]){0, 0, 0});
+    const double nearest = lx_gap(shape, lamp, asking), farthest = away + shape->radius_mm + radius;
+    const struct lx_area_light_law *law = &lamp->law;
     if (!(nearest > 0))
         return HUGE_VAL;
-    const double greatest = diffuse * shell->radiance * greatest_flow(law, shell->turned_mm2, nearest);
+    const double greatest = diffuse * lamp->radiance * greatest_flow(law, lamp->turned_mm2, nearest);
     const double least = nearest * nearest * (law->none + nearest * (law->root + nearest * law->square));
     const double most = farthest * farthest * (law->none + farthest * (law->root + farthest * law->square));
     const bool moderate = is_moderate(shape->radius_mm) && is_moderate(away) && is_moderate(nearest) &&
                           is_moderate(radius) && is_moderate(greatest) && least > 1e-20 && most < 1e30;
-    const double shared = shell->is_ball ? 1 + radius / nearest : 1;
+    const double shared = lamp->is_ball ? 1 + radius / nearest : 1;
     return moderate ? units * unit * shared * greatest : HUGE_VAL;
 }
 
@@ -333,31 +333,31 @@ size_t lx_choose_precision(double *bounds, size_t count, double least_maximum, c
 
 /* No place of a cylinder is nearer to the surface than this: those of its axis between two that are looked at are no
  * farther from the nearer of them than half their distance. */
-static double cylinder_gap(const struct lx_shape *shape, const struct lx_shell *shell)
+static double cylinder_gap(const struct lx_shape *shape, const struct lx_area_light *lamp)
 {
     enum { PLACES = 32 };
     double nearest = HUGE_VAL;
     for (int i = 0; i < PLACES; i++) {
-        const double along = shell->half_mm * ((2 * i + 1) / (double)PLACES - 1);
+        const double along = lamp->half_mm * ((2 * i + 1) / (double)PLACES - 1);
         double place[3];
         for (int k = 0; k < 3; k++)
-            place[k] = shell->center[k] + along * shell->axis[k];
+            place[k] = lamp->center[k] + along * lamp->axis[k];
         nearest = fmin(nearest, least_distance(shape, place));
     }
-    return nearest - shell->half_mm / PLACES - shell->round_mm;
+    return nearest - lamp->half_mm / PLACES - lamp->round_mm;
 }
 
 bool lx_samples_fit_single(const struct lx_shape *shape, const struct lx_lobe_double *lobe,
-                           const struct lx_shell *shell, double tolerance)
+                           const struct lx_area_light *lamp, double tolerance)
 {
     const double margin = 200; /* between roundings and the tolerance, and for what is not looked at here */
-    double away = distance(shell->center, (double[]){0, 0, 0});
-    double nearest = least_distance(shape, shell->center) - shell->radius_mm;
-    if (shell->has_side)
-        nearest = fmax(nearest, cylinder_gap(shape, shell));
-    double off = unit * (away + shell->radius_mm + shape->radius_mm) / nearest + 4 * unit;
+    double away = distance(lamp->center, (double[]){0, 0, 0});
+    double nearest = least_distance(shape, lamp->center) - lamp->radius_mm;
+    if (lamp->has_side)
+        nearest = fmax(nearest, cylinder_gap(shape, lamp));
+    double off = unit * (away + lamp->radius_mm + shape->radius_mm) / nearest + 4 * unit;
     double error = off * fmax(1, lx_power_slope(lobe->exponent.value));
-    bool moderate = is_moderate(away) && is_moderate(nearest) && is_moderate(shell->radius_mm) &&
-                    is_moderate(shape->radius_mm) && is_moderate(shell->radiance) && is_moderate(lobe->specular);
+    bool moderate = is_moderate(away) && is_moderate(nearest) && is_moderate(lamp->radius_mm) &&
+                    is_moderate(shape->radius_mm) && is_moderate(lamp->radiance) && is_moderate(lobe->specular);
     return nearest > 0 && moderate && error * margin <= tolerance;
 }

@@ -7,7 +7,7 @@
 #include "../world/prepared.h"
 #include "lights.h"
 
-struct lx_shell;
+struct lx_area_light;
 
 /* The sum of the rounding errors, and that of their squares, of what is in float32. */
 struct lx_rounding_sum {
@@ -28,12 +28,12 @@ double lx_bound_light(const struct lx_prepared *prepared, const struct lx_shape 
 double lx_bound_stand(const struct lx_shape *shape, const struct lx_lobe *lobe, const struct lx_emitter *emitter,
                       double strength, const struct lx_stand *stand);
 
-/* A bound of the error of a shell's diffuse light in float32; infinite unless it is of facets. */
-double lx_bound_shell(const struct lx_shape *shape, double diffuse, const struct lx_shell *shell,
-                      const struct lx_asking *asking);
-/* A bound of the error in float64 of a shell of facets, for places that are exact. */
-double lx_bound_shell_double(const struct lx_shape *shape, double diffuse, const struct lx_shell *shell,
-                             const struct lx_asking *asking);
+/* A bound of the error of an area light's diffuse light in float32; infinite unless it is of facets. */
+double lx_bound_area_light(const struct lx_shape *shape, double diffuse, const struct lx_area_light *lamp,
+                           const struct lx_asking *asking);
+/* A bound of the error in float64 of an area light of facets, for places that are exact. */
+double lx_bound_area_light_double(const struct lx_shape *shape, double diffuse, const struct lx_area_light *lamp,
+                                  const struct lx_asking *asking);
 
 /* What the rules for laws other than 1/r^2 are made for in pictures of float32 and of float64, and at nodes of squares
  * (smooth.h). */
@@ -41,11 +41,11 @@ double lx_bound_shell_double(const struct lx_shape *shape, double diffuse, const
 #define LX_DOUBLE_RULES 1e-14
 #define LX_NODE_RULES 1e-9
 
-/* No place of a shell is nearer to a shape than this; less than 0 where they may meet. */
-double lx_gap(const struct lx_shape *shape, const struct lx_shell *shell, const struct lx_asking *asking);
+/* No place of an area light is nearer to a shape than this; less than 0 where they may meet. */
+double lx_gap(const struct lx_shape *shape, const struct lx_area_light *lamp, const struct lx_asking *asking);
 
-/* A bound for the diffuse light of a shell by its own law, which rules sum; infinite for a ball, which has none. */
-double lx_bound_law(const struct lx_shape *shape, double diffuse, const struct lx_shell *shell,
+/* A bound for the diffuse light of an area light by its own law, which rules sum; infinite for a ball: it has none. */
+double lx_bound_law(const struct lx_shape *shape, double diffuse, const struct lx_area_light *lamp,
                     const struct lx_asking *asking);
 
 /*
@@ -56,8 +56,8 @@ double lx_bound_law(const struct lx_shape *shape, double diffuse, const struct l
 size_t lx_choose_precision(double *bounds, size_t count, double least_maximum, const struct lx_asking *asking,
                            struct lx_rounding_sum *rounding);
 
-/* Whether float32 samples of a shell are good enough for a tolerance. */
+/* Whether float32 samples of an area light are good enough for a tolerance. */
 bool lx_samples_fit_single(const struct lx_shape *shape, const struct lx_lobe_double *lobe,
-                           const struct lx_shell *shell, double tolerance);
+                           const struct lx_area_light *lamp, double tolerance);
 
 #endif

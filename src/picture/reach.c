@@ -43,7 +43,7 @@ static bool has_stretches(const struct lx_prepared *prepared)
 {
     const struct lx_emitters *emitters = &prepared->emitters;
     bool all = prepared->surface_count == 1 && prepared->surfaces->kind->lit_range &&
-               !prepared->camera.is_perspective && emitters->swarm_count == 0 && emitters->count <= MOST_STRETCHES;
+               !prepared->camera.is_perspective && emitters->point_set_count == 0 && emitters->count <= MOST_STRETCHES;
     for (size_t i = 0; all && i < emitters->count; i++)
         all = !lx_is_extended(&emitters->items[i]);
     return all;
@@ -63,13 +63,13 @@ luxel_status lx_reach_open(struct lx_reach *reach, const struct lx_scene_paramet
         return atomic_load(&control.stop) ? LUXEL_CANCELLED : LUXEL_ERROR_MEMORY;
     struct lx_emitters *emitters = &reach->prepared.emitters;
     reach->has_ambient = has_ambient_light(emitters);
-    reach->has_direct = emitters->in_swarms > 0;
+    reach->has_direct = emitters->in_point_sets > 0;
     for (size_t i = 0; i < lx_item_count(emitters); i++) {
         make_plain(&emitters->items[i]);
         reach->has_direct = reach->has_direct || shines(&emitters->items[i]);
     }
-    for (size_t i = 0; i < emitters->swarm_count; i++)
-        make_plain(&emitters->swarms[i].model);
+    for (size_t i = 0; i < emitters->point_set_count; i++)
+        make_plain(&emitters->point_sets[i].model);
     const luxel_status status = lx_plan_make(&reach->prepared, kernels, &own, &reach->plan);
     reach->has_stretches = status == LUXEL_OK && has_stretches(reach->plan.prepared);
     reach->plan.part_tolerance = 1e-3; /* what is hidden in part is lit, however much of it is left */

@@ -13,7 +13,7 @@
 #include "../base/larger.h"
 #include "../base/vector.h"
 
-double lx_distance_from_axis(const struct lx_shell *cylinder, const double from_center[3])
+double lx_distance_from_axis(const struct lx_area_light *cylinder, const double from_center[3])
 {
     const double along = lx_dot(cylinder->axis, from_center);
     return sqrt(lx_larger(lx_dot(from_center, from_center) - along * along, 0));
@@ -24,7 +24,7 @@ double lx_distance_from_axis(const struct lx_shell *cylinder, const double from_
  * E = E0 - (u.E0)(u + u0)/(1 + u.u0).  By real ways E moves no farther than u; else, with v = u - u0, by no more than
  * (1 + |v|/(2 - |v|))^2 as far.
  */
-static bool move_with_ball(double radius, double least, double u_square, const struct lx_leeway *place,
+static bool move_with_ball(double radius, double least, double u_square, const struct lx_deviation *place,
                            struct lx_round_view *view)
 {
     const double q = view->share, rho = radius / sqrt(1 - q), longer = radius * q / ((1 - q) * sqrt(1 - q));
@@ -40,7 +40,7 @@ static bool move_with_ball(double radius, double least, double u_square, const s
  * as |(1 + t^2) + r (1 - t^2)| is no less than 1 + t^2.  A rotation by the complex angle f is no larger than
  * exp|Im f|.
  */
-static void move_with_side(double radius, double least, double u_square, const struct lx_leeway *place,
+static void move_with_side(double radius, double least, double u_square, const struct lx_deviation *place,
                            struct lx_round_view *view)
 {
     const double turns = sqrt(view->share / (1 - view->share)), beyond = lx_beyond_real(place);
@@ -48,16 +48,16 @@ static void move_with_side(double radius, double least, double u_square, const s
     view->aside = radius / least * exp(turns * sqrt(u_square) * beyond / least) * u_square * (1 + turns);
 }
 
-bool lx_round_view_of(const struct lx_shell *shell, const struct lx_vicinity *at, struct lx_round_view *view)
+bool lx_round_view_of(const struct lx_area_light *lamp, const struct lx_vicinity *at, struct lx_round_view *view)
 {
     const double densest = 0.8; /* the share from which on bounds are of no use */
-    const struct lx_leeway *place = &at->place_leeway;
-    const double radius = shell->round_mm;
-    const double from_center[3] = {at->place[0] - shell->center[0], at->place[1] - shell->center[1],
-                                   at->place[2] - shell->center[2]};
+    const struct lx_deviation *place = &at->place_deviation;
+    const double radius = lamp->round_mm;
+    const double from_center[3] = {at->place[0] - lamp->center[0], at->place[1] - lamp->center[1],
+                                   at->place[2] - lamp->center[2]};
     const double distance =
-        shell->is_ball ? sqrt(lx_dot(from_center, from_center)) : lx_distance_from_axis(shell, from_center);
-    const double margin = 1e-9 * distance + shell->touch_mm, moved = place->first + place->second + margin;
+        lamp->is_ball ? sqrt(lx_dot(from_center, from_center)) : lx_distance_from_axis(lamp, from_center);
+    const double margin = 1e-9 * distance + lamp->touch_mm, moved = place->first + place->second + margin;
     const double nearest = distance - moved, imaginary = place->imaginary;
     if (!(nearest > imaginary))
         return false;
@@ -71,7 +71,7 @@ bool lx_round_view_of(const struct lx_shell *shell, const struct lx_vicinity *at
     };
     if (!(view->share < densest))
         return false;
-    if (shell->is_ball)
+    if (lamp->is_ball)
         return move_with_ball(radius, least, u_square, place, view);
     move_with_side(radius, least, u_square, place, view);
     return true;

@@ -23,13 +23,13 @@ struct lx_round_view {
 };
 
 /* False: some places of the vicinity may not be outside. */
-bool lx_round_view_of(const struct lx_shell *shell, const struct lx_vicinity *at, struct lx_round_view *view);
+bool lx_round_view_of(const struct lx_area_light *lamp, const struct lx_vicinity *at, struct lx_round_view *view);
 
 /* The distance of a place from a cylinder's axis. */
-double lx_distance_from_axis(const struct lx_shell *cylinder, const double from_center[3]);
+double lx_distance_from_axis(const struct lx_area_light *cylinder, const double from_center[3]);
 
 /* What is beyond the real ways of places: the length that `aside` is for. */
-static inline double lx_beyond_real(const struct lx_leeway *place)
+static inline double lx_beyond_real(const struct lx_deviation *place)
 {
     return place->second + place->imaginary;
 }

@@ -80,7 +80,7 @@ struct run {
     const struct lx_block_single *copy;
     size_t start;
     struct lx_around around;
-    struct lx_viewers viewers;
+    struct lx_receivers receivers;
     double known[LX_LANES], value[LX_LANES], error[LX_LANES]; /* error: of cells that are still looked at */
     double kept[LX_LANES];                                    /* value of those that are not */
     double sure[LX_LANES], kept_sure[LX_LANES];               /* what all cells, and these, give at least */
@@ -173,8 +173,8 @@ static double begin_samples(const struct run *run, const struct lx_sampled *sour
     samples->by_none = source->emitter->coefficients[0];
     samples->by_root = source->emitter->coefficients[1];
     samples->by_square = source->emitter->coefficients[2];
-    lx_patch_samples(patch, source->shell->touch_mm, samples);
-    return source->shell->radiance * metres[source->law];
+    lx_patch_samples(patch, source->lamp->touch_mm, samples);
+    return source->lamp->radiance * metres[source->law];
 }
 
 static void finish_samples(const struct run *run, const struct lx_sampled *source, size_t count)
@@ -365,7 +365,7 @@ static void sort_out(struct run *run, size_t count)
     struct pending *last = memory->pending + memory->pending_count - count;
     double limit = hardly * allowed(run);
     for (size_t i = 0; i < count && goes_on(run); i++)
-        lx_see(&run->viewers, last[i].source, last[i].patch, &last[i].part, limit, &last[i].sight);
+        lx_see(&run->receivers, last[i].source, last[i].patch, &last[i].part, limit, &last[i].sight);
     if (count <= QUARTERS)
         qsort(last, count, sizeof *last, by_bound);
     else
@@ -432,7 +432,7 @@ static void find_doubt(const struct run *run, const struct cell *parent, struct 
     if (!is_doubtful(parent))
         return;
     struct lx_sight sight;
-    lx_see(&run->viewers, part->source, part->patch, &part->part, 0, &sight);
+    lx_see(&run->receivers, part->source, part->patch, &part->part, 0, &sight);
     memcpy(part->doubt, sight.doubt, sizeof part->doubt);
 }
 
@@ -485,7 +485,7 @@ static void begin(struct run *run, const struct lx_sampled *source, const struct
 
 /* Whether all elements are so near to the plane of a face that, against their height over it, places are rounded by
  * more than the tolerance. */
-static bool is_edge_on(const struct run *run, const struct lx_shell *shell, const struct lx_patch *patch)
+static bool is_edge_on(const struct run *run, const struct lx_area_light *lamp, const struct lx_patch *patch)
 {
     const double enough = 16; /* so many roundings must fit into the tolerance */
     double height = run->around.radius;
@@ -493,7 +493,7 @@ static bool is_edge_on(const struct run *run, const struct lx_shell *shell, cons
         return false;
     for (int k = 0; k < 3; k++)
         height += patch->n[k] * (run->around.center[k] - patch->o[k]);
-    return height * run->sampling->tolerance < enough * shell->touch_mm;
+    return height * run->sampling->tolerance < enough * lamp->touch_mm;
 }
 
 bool lx_sample_run(const struct lx_sampler *sampling, struct lx_sampling_memory *memory,
@@ -501,18 +501,18 @@ bool lx_sample_run(const struct lx_sampler *sampling, struct lx_sampling_memory 
 {
     struct run run = {.sampling = sampling, .memory = memory, .block = block, .copy = copy, .start = start};
     run.around = lx_run_around(block, start);
-    lx_viewers_find(block, start, sampling->lobe, &run.viewers);
+    lx_receivers_find(block, start, sampling->lobe, &run.receivers);
     for (int i = 0; i < LX_LANES; i++)
         run.known[i] = sum[i];
     memory->cell_count = memory->pending_count = 0;
     size_t patches = 0;
     for (size_t s = 0; s < sampling->source_count; s++) {
         const struct lx_sampled *source = &sampling->sources[s];
-        if (source->shell->is_general)
+        if (source->lamp->is_general)
             return false;
-        size_t count = lx_patches_make(source->shell, &run.around, sampling->asking, memory->patches + patches);
+        size_t count = lx_patches_make(source->lamp, &run.around, sampling->asking, memory->patches + patches);
         for (size_t i = 0; i < count && goes_on(&run); i++) {
-            if (is_edge_on(&run, source->shell, memory->patches + patches + i))
+            if (is_edge_on(&run, source->lamp, memory->patches + patches + i))
                 return false;
             begin(&run, source, memory->patches + patches + i);
         }

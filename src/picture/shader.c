@@ -36,7 +36,7 @@ struct lx_shader_memory *lx_shader_memory_new(const struct lx_plan *plan)
     memory->portion = NULL;
     lx_seen_init(plan, &memory->seen);
     bool has_all = true;
-    size_t surfaces = plan->forest.tree_count > 0 ? plan->surface_count : 0;
+    size_t surfaces = plan->trees.tree_count > 0 ? plan->surface_count : 0;
     memory->cut_count = surfaces < KEPT_CUTS ? surfaces : KEPT_CUTS;
     for (size_t i = 0; i < memory->cut_count; i++)
         has_all &= lx_cut_init(plan, &memory->cuts[i]) == 0;
@@ -193,7 +193,7 @@ unsigned lx_tile_columns(const struct lx_plan *plan, unsigned columns)
     /* Small tiles need fewer clusters each, large ones fewer cuts; found by trying (docs/KERNELS.md). */
     const unsigned share = 13, vectors = columns / share / LX_LANES;
     const unsigned most = 128;
-    if (plan->forest.tree_count == 0)
+    if (plan->trees.tree_count == 0)
         return LX_BLOCK;
     return vectors == 0 ? LX_LANES : vectors * LX_LANES < most ? vectors * LX_LANES : most;
 }
@@ -233,13 +233,14 @@ static struct lx_cone cone_around(const struct extent *extent)
 }
 
 /* What a tile shows of a surface; the block and what is nearest in the rows are lost. */
-static struct lx_tract find_tract(const struct lx_plan *plan, struct lx_shader_memory *memory, size_t s)
+static struct lx_receiver_region find_receiver_region(const struct lx_plan *plan, struct lx_shader_memory *memory,
+                                                      size_t s)
 {
     const struct lx_planned_surface *surface = &plan->surfaces[s];
     const bool asks_mirrored = LX_IS_BY_MIRROR(surface->limits.lobe.model);
     struct lx_block_double *block = &memory->seen.block;
     struct extent places = EMPTY, normals = EMPTY, views = EMPTY, mirrored = EMPTY;
-    struct lx_tract tract = {.count = 0};
+    struct lx_receiver_region region = {.count = 0};
     for (size_t j = 0; j < memory->tile_rows; j++) {
         if (lx_seen_find(plan, &memory->seen, memory->tile_y[j], memory->tile_x, memory->tile_columns) == 0)
             continue;
@@ -247,7 +248,7 @@ static struct lx_tract find_tract(const struct lx_plan *plan, struct lx_shader_m
         extend(&places, block->px, block->py, block->pz, count);
         extend(&normals, block->nx, block->ny, block->nz, count);
         extend(&views, block->vx, block->vy, block->vz, count);
-        tract.count += count;
+        region.count += count;
         for (size_t i = 0; asks_mirrored && i < count; i++) {
             const double nx = block->nx[i], ny = block->ny[i], nz = block->nz[i];
             const double twice = 2 * (nx * block->vx[i] + ny * block->vy[i] + nz * block->vz[i]);
@@ -255,12 +256,12 @@ static struct lx_tract find_tract(const struct lx_plan *plan, struct lx_shader_m
             extend(&mirrored, &x, &y, &z, 1);
         }
     }
-    tract.places = ball_around(&places);
-    tract.normals = cone_around(&normals);
-    tract.views = cone_around(&views);
+    region.places = ball_around(&places);
+    region.normals = cone_around(&normals);
+    region.views = cone_around(&views);
     if (asks_mirrored)
-        tract.mirrored = cone_around(&mirrored);
-    return tract;
+        region.mirrored = cone_around(&mirrored);
+    return region;
 }
 
 /* Makes the cut of what the tile shows of a surface, unless it is there; *made: so that the elements are lost. */
@@ -271,8 +272,8 @@ static const struct lx_cut *find_cut(const struct lx_plan *plan, struct lx_shade
     *made = cut->surface != &plan->surfaces[s];
     if (!*made)
         return cut;
-    const struct lx_tract tract = find_tract(plan, memory, s);
-    return lx_cut_make(plan, &plan->surfaces[s], &tract, asking, cut) ? cut : NULL;
+    const struct lx_receiver_region region = find_receiver_region(plan, memory, s);
+    return lx_cut_make(plan, &plan->surfaces[s], &region, asking, cut) ? cut : NULL;
 }
 
 /* ---- lobes that kernels do not know ---- */
@@ -316,8 +317,8 @@ static void light_surface(const struct lx_plan *plan, const struct lx_planned_su
     light_block(plan, surface, memory, elements, asking);
     if (cut)
         lx_cut_shade(plan, cut, &memory->seen.block, &memory->seen.copy, elements, asking, memory->open, memory->sum);
-    if (surface->shell_count > 0 || surface->glossy_count > 0)
-        lx_light_by_shells(plan, surface, memory, elements, asking);
+    if (surface->area_light_count > 0 || surface->glossy_count > 0)
+        lx_light_by_area_lights(plan, surface, memory, elements, asking);
     if (surface->opening_count > 0)
         lx_light_by_openings(plan, surface, memory, elements, asking);
 }
@@ -364,7 +365,7 @@ size_t lx_shade_row(const struct lx_plan *plan, struct lx_shader_memory *memory,
         const struct lx_cut *cut = NULL;
         if (gathered.count == 0)
             continue;
-        if (plan->forest.tree_count > 0 && !plan->surfaces[s].by_reference) {
+        if (plan->trees.tree_count > 0 && !plan->surfaces[s].by_reference) {
             bool made;
             cut = find_cut(plan, memory, s, &asking, &made);
             if (!cut)

@@ -35,7 +35,7 @@ void lx_shader_enter(const struct lx_plan *plan, struct lx_shader_memory *memory
 
 /* What is summed of a surface's light. */
 struct lx_portion {
-    const uint8_t *which; /* of its lights, and then its shells, those that are not 0; NULL: all */
+    const uint8_t *which; /* of its lights, and then its area lights, those that are not 0; NULL: all */
     bool lights, uniform, highlights;
 };
 

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* What shading a run of pixels (shader.c) and its light of extended sources (shader_shells.c) share. */
+/* What shading a run of pixels (shader.c) and its light of extended sources (shader_area_lights.c) share. */
 #ifndef LX_PICTURE_SHADER_MEMORY_H
 #define LX_PICTURE_SHADER_MEMORY_H
 
@@ -36,7 +36,7 @@ static inline bool lx_is_chosen(const struct lx_portion *portion, size_t light)
 }
 
 /* Adds the extended sources' light over the gathered block of a surface's elements. */
-void lx_light_by_shells(const struct lx_plan *plan, const struct lx_planned_surface *surface,
-                        struct lx_shader_memory *memory, size_t count, const struct lx_asking *asking);
+void lx_light_by_area_lights(const struct lx_plan *plan, const struct lx_planned_surface *surface,
+                             struct lx_shader_memory *memory, size_t count, const struct lx_asking *asking);
 
 #endif

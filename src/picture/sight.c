@@ -20,21 +20,21 @@ static const double STEEP = 6;
  */
 static const double GAP = 0.1127, CUT_SHARE = 0.1, SLIVER_SHARE = 0.0282;
 
-void lx_viewers_find(const struct lx_block_double *block, size_t start, const struct lx_lobe_double *lobe,
-                     struct lx_viewers *viewers)
+void lx_receivers_find(const struct lx_block_double *block, size_t start, const struct lx_lobe_double *lobe,
+                       struct lx_receivers *receivers)
 {
     const double grazing = 0.15; /* lobes of half vectors get narrow towards the rim; below this the cells stay */
-    viewers->block = block;
-    viewers->start = start;
-    viewers->lobe = lobe;
-    viewers->power = lx_power_lobe_of(lobe->model);
+    receivers->block = block;
+    receivers->start = start;
+    receivers->lobe = lobe;
+    receivers->power = lx_power_lobe_of(lobe->model);
     for (size_t lane = 0; lane < LX_LANES; lane++) {
         size_t i = start + lane;
         double n[3] = {block->nx[i], block->ny[i], block->nz[i]}, v[3] = {block->vx[i], block->vy[i], block->vz[i]};
-        struct lx_lobe_at *at = &viewers->at[lane];
+        struct lx_lobe_at *at = &receivers->at[lane];
         lx_lobe_at_set(n, v, at);
         const double half = 2 * lx_larger(at->n_dot_v, grazing);
-        viewers->width[lane] = lx_smaller(1, viewers->power->width(lobe->exponent.value, half));
+        receivers->width[lane] = lx_smaller(1, receivers->power->width(lobe->exponent.value, half));
     }
 }
 
@@ -50,16 +50,16 @@ struct look {
 };
 
 /* Finds the directions, and for which elements the cell is in front of both. */
-static void look(const struct lx_viewers *viewers, const struct lx_patch *patch, const struct lx_cell *cell,
+static void look(const struct lx_receivers *receivers, const struct lx_patch *patch, const struct lx_cell *cell,
                  struct look looks[LX_LANES])
 {
-    const struct lx_block_double *block = viewers->block;
-    const struct lx_lobe_double *lobe = viewers->lobe;
+    const struct lx_block_double *block = receivers->block;
+    const struct lx_lobe_double *lobe = receivers->lobe;
     const bool is_flat = patch->kind == LX_PATCH_FLAT || patch->kind == LX_PATCH_DISK;
     const bool by_cosine = LX_ENDS_AT_HORIZON(lobe->highlight);
     double middle[3], radius = 0;
     for (size_t lane = 0; lane < LX_LANES; lane++) {
-        const size_t i = viewers->start + lane;
+        const size_t i = receivers->start + lane;
         const double place[3] = {block->px[i], block->py[i], block->pz[i]};
         const double n[3] = {block->nx[i], block->ny[i], block->nz[i]};
         struct look *seen = &looks[lane];
@@ -83,12 +83,12 @@ static void look(const struct lx_viewers *viewers, const struct lx_patch *patch,
 
 /* The length of L + V towards the middle of the cell, less what it may be shorter elsewhere in it; 1 where it does not
  * matter. */
-static double half_length(const struct lx_viewers *viewers, size_t lane, const struct look *seen)
+static double half_length(const struct lx_receivers *receivers, size_t lane, const struct look *seen)
 {
-    const struct lx_block_double *block = viewers->block;
-    const size_t i = viewers->start + lane;
+    const struct lx_block_double *block = receivers->block;
+    const size_t i = receivers->start + lane;
     const double *l = seen->towards;
-    if (!viewers->power->asks_half)
+    if (!receivers->power->asks_half)
         return 1;
     const double half[3] = {l[0] + block->vx[i], l[1] + block->vy[i], l[2] + block->vz[i]};
     return sqrt(lx_dot(half, half)) - seen->size;
@@ -98,14 +98,14 @@ static double half_length(const struct lx_viewers *viewers, size_t lane, const s
  * The largest square of S over the cell's places, for an element.  With A the angle between L and the mirrored view
  * and the cell seen under no more than rho from its middle, no angle to the mirrored view is less than A - rho.
  */
-static double greatest_square(const struct lx_viewers *viewers, size_t lane, const struct look *seen)
+static double greatest_square(const struct lx_receivers *receivers, size_t lane, const struct look *seen)
 {
-    const double cosine = lx_smaller(lx_dot(seen->towards, viewers->at[lane].mirrored), 1), size = seen->size;
+    const double cosine = lx_smaller(lx_dot(seen->towards, receivers->at[lane].mirrored), 1), size = seen->size;
     if (!(size < 1))
         return 1;
     double around = sqrt(1 - size * size), sine = sqrt(lx_larger(1 - cosine * cosine, 0));
     double nearest = cosine >= around ? 1 : lx_smaller(cosine * around + sine * size, 1);
-    return viewers->power->greatest_square(nearest);
+    return receivers->power->greatest_square(nearest);
 }
 
 /*
@@ -113,13 +113,13 @@ static double greatest_square(const struct lx_viewers *viewers, size_t lane, con
  * no half vector, and at S = 0, that is N.L = -N.V or R.V = 0, where S^n with n < 1 begins with an infinite slope.
  * `half`: the least length of L + V, or 1; `greatest`: that of S.
  */
-static double doubtful_share(const struct lx_viewers *viewers, size_t lane, const struct look *seen, double half,
+static double doubtful_share(const struct lx_receivers *receivers, size_t lane, const struct look *seen, double half,
                              double greatest)
 {
-    const struct lx_lobe_double *lobe = viewers->lobe;
+    const struct lx_lobe_double *lobe = receivers->lobe;
     const double size = seen->size;
     double limit;
-    const double *end = lx_lobe_kinds[lobe->model]->end(&viewers->at[lane], &limit);
+    const double *end = lx_lobe_kinds[lobe->model]->end(&receivers->at[lane], &limit);
     const double beyond_end = lx_dot(seen->towards, end) - limit;
     const bool is_at_horizon = fabs(seen->height) < size, is_at_end = fabs(beyond_end) < size;
     if (!(half > 0) || (LX_JUMPS_AT_HORIZON(lobe->highlight) && is_at_horizon) ||
@@ -166,17 +166,17 @@ static double incidence(const struct lx_patch *patch, const struct look *seen)
     return lx_smaller((is_bent ? 4 : 1) * lx_larger(seen->above, 0) / nearest, 1);
 }
 
-void lx_see(const struct lx_viewers *viewers, const struct lx_sampled *source, const struct lx_patch *patch,
+void lx_see(const struct lx_receivers *receivers, const struct lx_sampled *source, const struct lx_patch *patch,
             const struct lx_cell *cell, double hardly, struct lx_sight *sight)
 {
     const bool is_round = lx_cell_is_round(patch, cell);
     /* half sizes: in radians, and in widths of the lobe */
     const double widest = is_round ? 0.5 : 0.7, widths = is_round ? 2 : 4;
-    const struct lx_lobe_double *lobe = viewers->lobe;
-    const double weight = M_PI * source->shell->radiance * lobe->specular;
+    const struct lx_lobe_double *lobe = receivers->lobe;
+    const double weight = M_PI * source->lamp->radiance * lobe->specular;
     double greatest = 0, square = 0;
     struct look looks[LX_LANES];
-    look(viewers, patch, cell, looks);
+    look(receivers, patch, cell, looks);
     for (int lane = 0; lane < LX_LANES; lane++) {
         const double radius = looks[lane].radius, nearest = looks[lane].distance - radius;
         double own = nearest > 0
@@ -191,18 +191,18 @@ void lx_see(const struct lx_viewers *viewers, const struct lx_sampled *source, c
         const struct look *seen = &looks[lane];
         if (!seen->may)
             continue;
-        const double own = greatest_square(viewers, lane, seen);
+        const double own = greatest_square(receivers, lane, seen);
         square = lx_larger(square, own);
         if (own < least_square)
             continue;
-        const double half = half_length(viewers, lane, seen), radius = seen->radius;
-        const double share = doubtful_share(viewers, lane, seen, half, sqrt(own));
+        const double half = half_length(receivers, lane, seen), radius = seen->radius;
+        const double share = doubtful_share(receivers, lane, seen, half, sqrt(own));
         if (share > 0) {
             const double content =
                 weight * 2 / M_PI * radius * radius * attenuate(source, seen->distance) * incidence(patch, seen);
             sight->doubt[lane] = share * content * pow(own, lobe->exponent.value / 2);
         }
-        double width = lx_smaller(widest, widths * viewers->width[lane]), from = seen->distance - radius;
+        double width = lx_smaller(widest, widths * receivers->width[lane]), from = seen->distance - radius;
         width *= lx_smaller(1, 2 * lx_larger(half, 0)); /* half vectors turn fast where they are short */
         width *= lx_smaller(1, STEEP / tail_steepness(lobe, own));
         sight->is_wide = sight->is_wide || !(radius <= width * from) || (is_round && sight->doubt[lane] > 0);

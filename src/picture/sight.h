@@ -12,13 +12,13 @@
 /* One source for a lobe. */
 struct lx_sampled {
     const struct lx_emitter *emitter;
-    const struct lx_shell *shell; /* of it */
+    const struct lx_area_light *lamp; /* of it */
     enum lx_attenuation law;
     bool in_double;
 };
 
 /* A run of LX_LANES elements, and what samples are summed for: a lobe without its diffuse part. */
-struct lx_viewers {
+struct lx_receivers {
     const struct lx_block_double *block;
     size_t start;
     const struct lx_lobe_double *lobe;
@@ -27,8 +27,8 @@ struct lx_viewers {
     double width[LX_LANES]; /* of the lobe, as an angle of L */
 };
 
-void lx_viewers_find(const struct lx_block_double *block, size_t start, const struct lx_lobe_double *lobe,
-                     struct lx_viewers *viewers);
+void lx_receivers_find(const struct lx_block_double *block, size_t start, const struct lx_lobe_double *lobe,
+                       struct lx_receivers *receivers);
 
 struct lx_sight {
     double bound;           /* no element gets more light from the cell */
@@ -38,7 +38,7 @@ struct lx_sight {
 };
 
 /* What an element sees of less than `hardly` matters neither for the size nor for the doubt. */
-void lx_see(const struct lx_viewers *viewers, const struct lx_sampled *source, const struct lx_patch *patch,
+void lx_see(const struct lx_receivers *receivers, const struct lx_sampled *source, const struct lx_patch *patch,
             const struct lx_cell *cell, double hardly, struct lx_sight *sight);
 
 #endif

@@ -461,15 +461,15 @@ static enum answer ask_cell(const struct group *group)
     const struct lx_tile_cell *cell = group->cell;
     const struct beginning *a = &group->beginnings[0], *b = &group->beginnings[group->count - 1];
     const bool is_lit_strip = a != b && a->offset + b->offset > 0;
-    const unsigned all = (1U << LX_RULE_NODES) - 1, foretold = is_lit_strip ? a->dark | b->dark : a->dark & b->dark;
+    const unsigned all = (1U << LX_RULE_NODES) - 1, predicted = is_lit_strip ? a->dark | b->dark : a->dark & b->dark;
     unsigned found = 0;
     for (unsigned q = 0; q < LX_RULE_NODES; q++)
         found |= (unsigned)is_hidden(group, cell->place_mm[q], cell->normal[q]) << q;
-    bool is_as_foretold = found == foretold, is_all_dark = found == all;
+    bool is_as_predicted = found == predicted, is_all_dark = found == all;
     for (int is_dark = 0; is_dark < 2; is_dark++) {
         struct part part = group->square.whole;
         double middle[2], place[3];
-        if (foretold != (is_dark ? 0 : all))
+        if (predicted != (is_dark ? 0 : all))
             continue;
         cut_side(&part, a, is_dark);
         if (is_lit_strip != is_dark) /* else it is on either side, and one of them tells */
@@ -481,10 +481,10 @@ static enum answer ask_cell(const struct group *group)
             place[k] = cell->center_mm[k] + middle[0] * group->square.sides_mm[0][k] +
                        middle[1] * group->square.sides_mm[1][k];
         const bool is_hidden_there = is_hidden(group, place, cell->normal[0]);
-        is_as_foretold = is_as_foretold && is_hidden_there == is_dark;
+        is_as_predicted = is_as_predicted && is_hidden_there == is_dark;
         is_all_dark = is_all_dark && is_hidden_there;
     }
-    return is_all_dark ? ALL_DARK : is_as_foretold ? AS_FORETOLD : OTHERWISE;
+    return is_all_dark ? ALL_DARK : is_as_predicted ? AS_FORETOLD : OTHERWISE;
 }
 
 /* Adds the linear function that has an excess of light and its moments. */

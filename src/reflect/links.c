@@ -18,7 +18,7 @@ struct finding {
     const struct lx_prepared *prepared;
     const struct lx_receiver *receiver;
     const struct lx_fineness *fineness;
-    struct lx_veils *veils;
+    struct lx_occluder_cones *cones;
     const struct lx_links *old;
     size_t next, next_weights; /* of the old ones */
     struct lx_links *made;
@@ -60,7 +60,7 @@ static void add_sent(struct finding *finding, uint32_t group, enum lx_link_kind 
 
 /* ---- one group ---- */
 
-/* Veils before the face, where anything of it has to be looked at. */
+/* Occluder cones before the face, where anything of it has to be looked at. */
 static bool set_face(struct finding *finding, uint32_t f)
 {
     const struct lx_matte_face *face = &finding->reflected->faces[f];
@@ -68,11 +68,12 @@ static bool set_face(struct finding *finding, uint32_t f)
     if (finding->is_set)
         return finding->is_seen;
     const bool is_own = lx_receives_from_own(receiver, face);
-    const struct lx_shafts *shafts = &finding->veils->shafts;
+    const struct lx_shafts *shafts = &finding->cones->shafts;
     finding->is_set = true;
-    finding->is_seen = !(shafts->of && shafts->of[f].is_none) && !(is_own && (face->is_flat || face->sheet.turn > 0)) &&
-                       lx_veils_set(finding->prepared, receiver, face, f, finding->reflected->size_mm, finding->veils);
-    finding->transfer = lx_transfer_of(finding->fineness, receiver, finding->veils, face);
+    finding->is_seen =
+        !(shafts->of && shafts->of[f].is_none) && !(is_own && (face->is_flat || face->sheet.turn > 0)) &&
+        lx_occluder_cones_set(finding->prepared, receiver, face, f, finding->reflected->size_mm, finding->cones);
+    finding->transfer = lx_transfer_of(finding->fineness, receiver, finding->cones, face);
     return finding->is_seen;
 }
 
@@ -81,7 +82,7 @@ static bool look(struct finding *finding, uint32_t g)
 {
     const struct lx_group *group = &finding->reflected->groups[g];
     const enum lx_outlook sight =
-        set_face(finding, group->face) ? lx_veils_look(finding->veils, &group->cell) : LX_NONE_SEEN;
+        set_face(finding, group->face) ? lx_occluder_cones_look(finding->cones, &group->cell) : LX_NONE_SEEN;
     struct lx_sent sent;
     if (sight == LX_NONE_SEEN) {
         add_link(finding->made, g, LX_LINK_NONE);
@@ -145,29 +146,29 @@ static void trim(struct lx_links *links)
 }
 
 void lx_links_find(const struct lx_radiosity *reflected, const struct lx_prepared *prepared,
-                   const struct lx_fineness *fineness, const struct lx_receiver *receiver, struct lx_veils *veils,
-                   struct lx_links *links)
+                   const struct lx_fineness *fineness, const struct lx_receiver *receiver,
+                   struct lx_occluder_cones *cones, struct lx_links *links)
 {
     struct lx_links made = {.known = reflected->group_count};
     struct finding finding = {.reflected = reflected,
                               .prepared = prepared,
                               .receiver = receiver,
                               .fineness = fineness,
-                              .veils = veils,
+                              .cones = cones,
                               .old = links,
                               .made = &made};
     if (is_up_to_date(reflected, links))
         return;
-    veils->boxes = &reflected->boxes;
+    cones->boxes = &reflected->boxes;
     const size_t known = links->count > 0 ? links->known : 0;
-    for (size_t f = 0; f < reflected->face_count && lx_effort_take(veils->effort, FACE_EFFORT); f++) {
+    for (size_t f = 0; f < reflected->face_count && lx_effort_take(cones->effort, FACE_EFFORT); f++) {
         finding.is_set = false;
         for (uint32_t g = reflected->faces[f].group; g != LX_NO_GROUP;) {
             const bool is_done = g < known ? keep(&finding, g) : look(&finding, g);
             g = is_done ? lx_group_after(reflected, g) : reflected->groups[g].child;
         }
     }
-    if (!lx_effort_is_left(veils->effort)) {
+    if (!lx_effort_is_left(cones->effort)) {
         lx_links_clear(&made);
         return;
     }
@@ -276,17 +277,17 @@ const struct lx_links *lx_rows_between(const struct lx_rows *rows, int p)
 }
 
 int lx_rows_find(const struct lx_radiosity *reflected, uint32_t face, const struct lx_window *window,
-                 const struct lx_tile_cell *cell, struct lx_veils *veils, struct lx_rows **rows)
+                 const struct lx_tile_cell *cell, struct lx_occluder_cones *cones, struct lx_rows **rows)
 {
     const struct lx_smooth_sheet *sheet = &reflected->faces[face].sheet;
     struct lx_receiver receiver = {.own = reflected->faces[face].surface};
     if (!*rows && !(*rows = lx_new_array(1, sizeof **rows)))
         return -1;
     (*rows)->is_linear = lx_is_linear(&reflected->faces[face], window);
-    if (lx_shafts_set(reflected, cell, &veils->shafts))
+    if (lx_shafts_set(reflected, cell, &cones->shafts))
         return -1;
-    lx_effort_take(veils->effort, SHAFT_EFFORT * reflected->face_count);
-    for (int r = 0; r < LX_ROWS && lx_effort_is_left(veils->effort); r++) {
+    lx_effort_take(cones->effort, SHAFT_EFFORT * reflected->face_count);
+    for (int r = 0; r < LX_ROWS && lx_effort_is_left(cones->effort); r++) {
         const bool is_node = r < LX_RULE_NODES;
         if ((*rows)->is_linear && !has_linear_row(r))
             continue;
@@ -301,9 +302,9 @@ int lx_rows_find(const struct lx_radiosity *reflected, uint32_t face, const stru
             lx_sheet_place(sheet, window->middle[0] + at[0] * window->half[0],
                            window->middle[1] + at[1] * window->half[1], receiver.place_mm, receiver.normal);
         }
-        lx_links_find(reflected, reflected->prepared, is_node ? &reflected->coarse : &reflected->fine, &receiver, veils,
+        lx_links_find(reflected, reflected->prepared, is_node ? &reflected->coarse : &reflected->fine, &receiver, cones,
                       &(*rows)->of[r]);
-        if ((*rows)->of[r].failed || veils->failed)
+        if ((*rows)->of[r].failed || cones->failed)
             return -1;
     }
     return 0;

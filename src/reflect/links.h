@@ -45,11 +45,11 @@ struct lx_arrival {
 
 struct lx_radiosity;
 
-/* Brings links up to date: all of them, at first, of count 0; where the veils' effort is spent they stay as they
+/* Brings links up to date: all of them, at first, of count 0; where the cones' effort is spent they stay as they
  * are. */
 void lx_links_find(const struct lx_radiosity *reflected, const struct lx_prepared *prepared,
-                   const struct lx_fineness *fineness, const struct lx_receiver *receiver, struct lx_veils *veils,
-                   struct lx_links *links);
+                   const struct lx_fineness *fineness, const struct lx_receiver *receiver,
+                   struct lx_occluder_cones *cones, struct lx_links *links);
 struct lx_arrival lx_links_sum(const struct lx_radiosity *reflected, const struct lx_links *links,
                                const struct lx_light *light);
 void lx_links_clear(struct lx_links *links);
@@ -72,10 +72,10 @@ void lx_rows_spread(const struct lx_rows *rows, double nodes[LX_RULE_NODES]);
 /* The row of place p between the nodes. */
 const struct lx_links *lx_rows_between(const struct lx_rows *rows, int p);
 
-/* Brings the rows of a window of a face up to date, whose cell it is, as long as the veils have effort for it; 0, or
+/* Brings the rows of a window of a face up to date, whose cell it is, as long as the cones have effort for it; 0, or
  * -1: memory ran out. */
 int lx_rows_find(const struct lx_radiosity *reflected, uint32_t face, const struct lx_window *window,
-                 const struct lx_tile_cell *cell, struct lx_veils *veils, struct lx_rows **rows);
+                 const struct lx_tile_cell *cell, struct lx_occluder_cones *cones, struct lx_rows **rows);
 void lx_rows_free(struct lx_rows *rows);
 
 #endif

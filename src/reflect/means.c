@@ -123,7 +123,7 @@ size_t lx_reflected_sides(const struct lx_radiosity *reflected, struct lx_lit_si
 /* ---- refinement ---- */
 
 /* The greatest error of a mean, as a share of the greatest mean. */
-bool lx_means_are_reached(const struct lx_radiosity *reflected, const struct lx_reflected_wish *wish)
+bool lx_means_are_reached(const struct lx_radiosity *reflected, const struct lx_reflected_request *request)
 {
     struct lx_lit_side *sides = lx_new_array(reflected->face_count + 1, sizeof *sides);
     const size_t count = sides ? lx_reflected_sides(reflected, sides) : 0;
@@ -133,15 +133,15 @@ bool lx_means_are_reached(const struct lx_radiosity *reflected, const struct lx_
         greatest = fmax(greatest, sides[s].irradiance.value);
     }
     free(sides);
-    return error <= wish->error * greatest;
+    return error <= request->error * greatest;
 }
 
 /* Each tile counts by what it sends on, and by what it adds to its own side. */
-int lx_means_cut(const struct lx_radiosity *reflected, const struct lx_reflected_wish *wish, bool *cuts)
+int lx_means_cut(const struct lx_radiosity *reflected, const struct lx_reflected_request *request, bool *cuts)
 {
     const size_t count = reflected->tile_count;
     double *scores = lx_new_array(count, sizeof *scores);
-    (void)wish;
+    (void)request;
     for (size_t t = 0; scores && t < count; t++) {
         const struct lx_tile *tile = &reflected->tiles[t];
         scores[t] = (0.1 + reflected->faces[tile->face].reflectance) * lx_tile_area(tile) *

@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: MIT */
-/* Asking veils: how a cell is seen behind them, and whether a single way is open. */
+/* Asking cones: how a cell is seen behind them, and whether a single way is open. */
 #include <math.h>
 
 #include "../base/vector.h"
 #include "region.h"
-#include "veil.h"
+#include "occluder_cone.h"
 
 /* The effort of asking a surface for a single way. */
 enum { WAY_EFFORT = 1 };
@@ -17,12 +17,12 @@ static void sub(const double a[3], const double b[3], double difference[3])
         difference[i] = a[i] - b[i];
 }
 
-bool lx_may_stand_before(const struct lx_veils *veils, const double center_mm[3], double radius_mm,
+bool lx_may_stand_before(const struct lx_occluder_cones *cones, const double center_mm[3], double radius_mm,
                          const double behind_mm[3], double behind_radius_mm)
 {
     double way[3], from[3];
-    sub(behind_mm, veils->place_mm, way);
-    sub(center_mm, veils->place_mm, from);
+    sub(behind_mm, cones->place_mm, way);
+    sub(center_mm, cones->place_mm, from);
     const double far = lx_normalize(way), near = lx_normalize(from);
     if (near - radius_mm > far + behind_radius_mm)
         return false;
@@ -33,17 +33,17 @@ bool lx_may_stand_before(const struct lx_veils *veils, const double center_mm[3]
 }
 
 /* How a ball lets a cell be seen: it hides what is in it, and what is beyond the places at which tangents touch it. */
-static enum lx_outlook look_at_ball(const struct lx_veils *veils, const struct lx_veil *ball,
+static enum lx_outlook look_at_ball(const struct lx_occluder_cones *cones, const struct lx_occluder_cone *ball,
                                     const struct lx_tile_cell *cell)
 {
     double way[3], from[3], apart[3];
-    if (!lx_may_stand_before(veils, ball->center_mm, ball->radius_mm, cell->center_mm, cell->radius_mm))
+    if (!lx_may_stand_before(cones, ball->center_mm, ball->radius_mm, cell->center_mm, cell->radius_mm))
         return LX_ALL_SEEN;
     sub(cell->center_mm, ball->center_mm, apart);
     if (sqrt(lx_dot(apart, apart)) + cell->radius_mm < ball->radius_mm)
         return LX_NONE_SEEN;
-    sub(cell->center_mm, veils->place_mm, way);
-    sub(ball->center_mm, veils->place_mm, from);
+    sub(cell->center_mm, cones->place_mm, way);
+    sub(ball->center_mm, cones->place_mm, from);
     const double far = lx_normalize(way), away = lx_normalize(from),
                  touch = away * away - ball->radius_mm * ball->radius_mm;
     if (!(touch > 0 && far > cell->radius_mm && far - cell->radius_mm >= sqrt(touch)))
@@ -53,45 +53,47 @@ static enum lx_outlook look_at_ball(const struct lx_veils *veils, const struct l
 }
 
 /* Whether the way to a place passes through a ball. */
-static bool ball_takes(const struct lx_veils *veils, const struct lx_veil *ball, const double place_mm[3])
+static bool ball_takes(const struct lx_occluder_cones *cones, const struct lx_occluder_cone *ball,
+                       const double place_mm[3])
 {
     double from[3], way[3], square = 0;
-    sub(ball->center_mm, veils->place_mm, from);
-    sub(place_mm, veils->place_mm, way);
+    sub(ball->center_mm, cones->place_mm, from);
+    sub(place_mm, cones->place_mm, way);
     const double share = fmin(fmax(lx_dot(from, way) / lx_dot(way, way), 0), 1);
     for (int i = 0; i < 3; i++)
         square += (from[i] - share * way[i]) * (from[i] - share * way[i]);
     return square < ball->radius_mm * ball->radius_mm;
 }
 
-enum lx_outlook lx_veil_look(const struct lx_veils *veils, const struct lx_veil *veil, const struct lx_tile_cell *cell)
+enum lx_outlook lx_occluder_cone_look(const struct lx_occluder_cones *cones, const struct lx_occluder_cone *cone,
+                                      const struct lx_tile_cell *cell)
 {
     enum lx_outlook sight = LX_NONE_SEEN;
-    if (veil->is_ball)
-        return look_at_ball(veils, veil, cell);
-    if (veil->shape)
-        return lx_may_stand_before(veils, veil->center_mm, veil->radius_mm, cell->center_mm, cell->radius_mm) &&
-                       !lx_region_is_free(veils, veil->shape, cell)
+    if (cone->is_ball)
+        return look_at_ball(cones, cone, cell);
+    if (cone->shape)
+        return lx_may_stand_before(cones, cone->center_mm, cone->radius_mm, cell->center_mm, cell->radius_mm) &&
+                       !lx_region_is_free(cones, cone->shape, cell)
                    ? LX_PART_SEEN
                    : LX_ALL_SEEN;
     const bool is_round = lx_dot(cell->first_mm, cell->first_mm) == 0;
-    for (size_t k = veil->first; k < veil->first + veil->count; k++) {
-        const double *plane = veils->planes[k], middle = lx_dot(plane, cell->center_mm) + plane[3];
+    for (size_t k = cone->first; k < cone->first + cone->count; k++) {
+        const double *plane = cones->planes[k], middle = lx_dot(plane, cell->center_mm) + plane[3];
         const double spread =
             is_round ? cell->radius_mm : fabs(lx_dot(plane, cell->first_mm)) + fabs(lx_dot(plane, cell->second_mm));
-        if (middle + spread <= veils->touch_mm)
+        if (middle + spread <= cones->touch_mm)
             return LX_ALL_SEEN;
-        if (middle - spread < -veils->touch_mm)
+        if (middle - spread < -cones->touch_mm)
             sight = LX_PART_SEEN;
     }
     return sight;
 }
 
-enum lx_outlook lx_veils_look(const struct lx_veils *veils, const struct lx_tile_cell *cell)
+enum lx_outlook lx_occluder_cones_look(const struct lx_occluder_cones *cones, const struct lx_tile_cell *cell)
 {
     enum lx_outlook sight = LX_ALL_SEEN;
-    for (size_t i = 0; i < veils->count; i++) {
-        const enum lx_outlook one = lx_veil_look(veils, &veils->items[i], cell);
+    for (size_t i = 0; i < cones->count; i++) {
+        const enum lx_outlook one = lx_occluder_cone_look(cones, &cones->items[i], cell);
         if (one == LX_NONE_SEEN)
             return LX_NONE_SEEN;
         if (one == LX_PART_SEEN)
@@ -100,29 +102,29 @@ enum lx_outlook lx_veils_look(const struct lx_veils *veils, const struct lx_tile
     return sight;
 }
 
-bool lx_veils_have_shapes(const struct lx_veils *veils, const struct lx_tile_cell *cell)
+bool lx_occluder_cones_have_shapes(const struct lx_occluder_cones *cones, const struct lx_tile_cell *cell)
 {
-    for (size_t i = 0; i < veils->count; i++)
-        if (veils->items[i].shape && lx_veil_look(veils, &veils->items[i], cell) != LX_ALL_SEEN)
+    for (size_t i = 0; i < cones->count; i++)
+        if (cones->items[i].shape && lx_occluder_cone_look(cones, &cones->items[i], cell) != LX_ALL_SEEN)
             return true;
     return false;
 }
 
-bool lx_veils_are_horizons(const struct lx_veils *veils, const struct lx_tile_cell *cell)
+bool lx_occluder_cones_are_horizons(const struct lx_occluder_cones *cones, const struct lx_tile_cell *cell)
 {
-    for (size_t i = 0; i < veils->count; i++)
-        if (!veils->items[i].is_horizon && lx_veil_look(veils, &veils->items[i], cell) != LX_ALL_SEEN)
+    for (size_t i = 0; i < cones->count; i++)
+        if (!cones->items[i].is_horizon && lx_occluder_cone_look(cones, &cones->items[i], cell) != LX_ALL_SEEN)
             return false;
     return true;
 }
 
-static bool shape_takes(const struct lx_veils *veils, const struct lx_shape *shape, const double place_mm[3])
+static bool shape_takes(const struct lx_occluder_cones *cones, const struct lx_shape *shape, const double place_mm[3])
 {
     double from[3], way[3];
-    lx_effort_take(veils->effort, WAY_EFFORT);
-    sub(place_mm, veils->place_mm, way);
+    lx_effort_take(cones->effort, WAY_EFFORT);
+    sub(place_mm, cones->place_mm, way);
     for (int i = 0; i < 3; i++) {
-        from[i] = veils->place_mm[i] + ENDS * way[i];
+        from[i] = cones->place_mm[i] + ENDS * way[i];
         way[i] *= 1 - 2 * ENDS;
     }
     if (!shape->kind->takes)
@@ -132,15 +134,15 @@ static bool shape_takes(const struct lx_veils *veils, const struct lx_shape *sha
     return shape->kind->takes(shape, from, way, false);
 }
 
-bool lx_veils_leave(const struct lx_veils *veils, const double place_mm[3])
+bool lx_occluder_cones_leave(const struct lx_occluder_cones *cones, const double place_mm[3])
 {
-    for (size_t i = 0; i < veils->count; i++) {
-        const struct lx_veil *veil = &veils->items[i];
+    for (size_t i = 0; i < cones->count; i++) {
+        const struct lx_occluder_cone *cone = &cones->items[i];
         bool hidden = true;
-        for (size_t k = veil->first; k < veil->first + veil->count && hidden; k++)
-            hidden = lx_dot(veils->planes[k], place_mm) + veils->planes[k][3] > 0;
-        if (veil->is_ball ? ball_takes(veils, veil, place_mm)
-            : veil->shape ? shape_takes(veils, veil->shape, place_mm)
+        for (size_t k = cone->first; k < cone->first + cone->count && hidden; k++)
+            hidden = lx_dot(cones->planes[k], place_mm) + cones->planes[k][3] > 0;
+        if (cone->is_ball ? ball_takes(cones, cone, place_mm)
+            : cone->shape ? shape_takes(cones, cone->shape, place_mm)
                           : hidden)
             return false;
     }

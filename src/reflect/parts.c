@@ -25,7 +25,7 @@ static const double BEYOND = 1.1;
 /* Parts under way: from `first` on they are to be filled. */
 struct showing {
     struct lx_radiosity *reflected;
-    struct lx_veils *veils; /* of each worker */
+    struct lx_occluder_cones *cones; /* of each worker */
     size_t first;
 };
 
@@ -99,7 +99,7 @@ static int keep_parts(struct lx_radiosity *reflected, struct lx_shown_part *old,
 /* ---- one more integral ---- */
 
 /* As with tiles, coarse integrals at the nodes, and fine ones between them. */
-static void fill(const struct showing *showing, struct lx_effort *effort, struct lx_veils *veils,
+static void fill(const struct showing *showing, struct lx_effort *effort, struct lx_occluder_cones *cones,
                  struct lx_shown_part *part)
 {
     const struct lx_radiosity *reflected = showing->reflected;
@@ -108,7 +108,7 @@ static void fill(const struct showing *showing, struct lx_effort *effort, struct
     double arrives = 0, received = 0, between[LX_BETWEEN];
     struct lx_tile_cell cell;
     lx_cell_make(&reflected->faces[face], &part->window, &cell);
-    if (!lx_within_rows(reflected, effort, face, &part->window, &cell, veils, &part->rows))
+    if (!lx_within_rows(reflected, effort, face, &part->window, &cell, cones, &part->rows))
         return; /* what is known of it already stands */
     for (int q = 0; q < lx_rows_nodes(part->rows); q++) {
         const struct lx_arrival arrival = lx_links_sum(reflected, &part->rows->of[q], &light);
@@ -140,22 +140,22 @@ static void fill_parts(void *data, unsigned worker, bool is_caller, unsigned fir
 {
     const struct showing *showing = data;
     for (size_t i = first; i < last && lx_control_goes_on(showing->reflected->control, is_caller); i++)
-        fill(showing, &showing->reflected->efforts[i], &showing->veils[worker],
+        fill(showing, &showing->reflected->efforts[i], &showing->cones[worker],
              &showing->reflected->parts[showing->first + i]);
 }
 
 /* Fills parts from one on, with what arrives there now. */
 static luxel_status fill_from(struct lx_radiosity *reflected, size_t first)
 {
-    struct showing showing = {reflected, lx_new_array(reflected->threads, sizeof(struct lx_veils)), first};
+    struct showing showing = {reflected, lx_new_array(reflected->threads, sizeof(struct lx_occluder_cones)), first};
     const struct lx_within within = {reflected->part_count - first, 1, fill_parts, &showing};
-    bool has_room = showing.veils;
+    bool has_room = showing.cones;
     const luxel_status status = has_room ? lx_within_run(reflected, &within) : LUXEL_ERROR_MEMORY;
-    for (size_t w = 0; showing.veils && w < reflected->threads; w++) {
-        has_room = has_room && !showing.veils[w].failed;
-        lx_veils_clear(&showing.veils[w]);
+    for (size_t w = 0; showing.cones && w < reflected->threads; w++) {
+        has_room = has_room && !showing.cones[w].failed;
+        lx_occluder_cones_clear(&showing.cones[w]);
     }
-    free(showing.veils);
+    free(showing.cones);
     return !has_room ? LUXEL_ERROR_MEMORY : status;
 }
 

@@ -19,10 +19,10 @@ struct share {
 /* Adds what a place has from all tiles. */
 static int weigh_place(const struct lx_radiosity *reflected, const struct lx_receiver *receiver, struct share *shares)
 {
-    struct lx_veils veils = {0};
+    struct lx_occluder_cones cones = {0};
     struct lx_links links = {0};
     size_t w = 0;
-    lx_links_find(reflected, reflected->prepared, &reflected->coarse, receiver, &veils, &links);
+    lx_links_find(reflected, reflected->prepared, &reflected->coarse, receiver, &cones, &links);
     for (size_t i = 0; i < links.count && !links.failed; i++) {
         if (links.items[i].kind == LX_LINK_NONE)
             continue;
@@ -39,22 +39,22 @@ static int weigh_place(const struct lx_radiosity *reflected, const struct lx_rec
         for (int q = 0; q < LX_RULE_NODES && links.items[i].kind != LX_LINK_FAR && group->tile_count == 1; q++)
             shares[group->first_tile].bent += lx_tile_bent(first, q, (double)weights->of[q]);
     }
-    const bool failed = links.failed || veils.failed;
+    const bool failed = links.failed || cones.failed;
     lx_links_clear(&links);
-    lx_veils_clear(&veils);
+    lx_occluder_cones_clear(&cones);
     return failed ? -1 : 0;
 }
 
-bool lx_places_are_reached(const struct lx_radiosity *reflected, const struct lx_reflected_wish *wish)
+bool lx_places_are_reached(const struct lx_radiosity *reflected, const struct lx_reflected_request *request)
 {
-    struct lx_veils veils = {0};
+    struct lx_occluder_cones cones = {0};
     bool reached = true;
-    for (size_t p = 0; p < wish->place_count && reached; p++) {
-        const struct lx_reflected_place *place = &wish->places[p];
-        const lx_bounded light = lx_reflected_at(reflected, wish->prepared, &place->receiver, &veils);
-        reached = light.error <= wish->error * (light.value + place->direct);
+    for (size_t p = 0; p < request->place_count && reached; p++) {
+        const struct lx_reflected_place *place = &request->places[p];
+        const lx_bounded light = lx_reflected_at(reflected, request->prepared, &place->receiver, &cones);
+        reached = light.error <= request->error * (light.value + place->direct);
     }
-    lx_veils_clear(&veils);
+    lx_occluder_cones_clear(&cones);
     return reached;
 }
 
@@ -125,11 +125,11 @@ int lx_cut_greatest(const struct lx_radiosity *reflected, const double *scores, 
     return any;
 }
 
-int lx_places_cut(const struct lx_radiosity *reflected, const struct lx_reflected_wish *wish, bool *cuts)
+int lx_places_cut(const struct lx_radiosity *reflected, const struct lx_reflected_request *request, bool *cuts)
 {
     const size_t count = reflected->tile_count;
     double *scores = lx_new_array(count, sizeof *scores);
-    const int any = !scores || lx_weigh(reflected, wish->places, wish->place_count, scores)
+    const int any = !scores || lx_weigh(reflected, request->places, request->place_count, scores)
                         ? -1
                         : lx_cut_greatest(reflected, scores, (reflected->most_tiles - count) * 2 / 3 + 1, cuts);
     free(scores);

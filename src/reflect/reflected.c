@@ -206,14 +206,14 @@ static luxel_status light_up(struct lx_radiosity *reflected, double error)
 
 /* A place, by an integral twice: once coarse, to tell what the cells of integrals leave. */
 lx_bounded lx_reflected_at(const struct lx_radiosity *reflected, const struct lx_prepared *prepared,
-                           const struct lx_receiver *receiver, struct lx_veils *veils)
+                           const struct lx_receiver *receiver, struct lx_occluder_cones *cones)
 {
     const struct lx_light light = {reflected->sent, reflected->sent_slack};
     struct lx_links links = {0};
-    lx_links_find(reflected, prepared, &reflected->fine, receiver, veils, &links);
+    lx_links_find(reflected, prepared, &reflected->fine, receiver, cones, &links);
     const struct lx_arrival fine = lx_links_sum(reflected, &links, &light);
     links.count = 0;
-    lx_links_find(reflected, prepared, &reflected->coarse, receiver, veils, &links);
+    lx_links_find(reflected, prepared, &reflected->coarse, receiver, cones, &links);
     const struct lx_arrival coarse = lx_links_sum(reflected, &links, &light);
     lx_links_clear(&links);
     return (lx_bounded){fine.value, fine.slack + fabs(fine.value - coarse.value) + reflected->rule * fabs(fine.value)};
@@ -221,15 +221,15 @@ lx_bounded lx_reflected_at(const struct lx_radiosity *reflected, const struct lx
 
 /* ---- rounds of refinement ---- */
 
-bool lx_reflected_is_reached(const struct lx_radiosity *reflected, const struct lx_reflected_wish *wish)
+bool lx_reflected_is_reached(const struct lx_radiosity *reflected, const struct lx_reflected_request *request)
 {
-    return wish->place_count > 0 ? lx_places_are_reached(reflected, wish)
-           : wish->spots         ? lx_spots_are_reached(reflected, wish)
-                                 : lx_means_are_reached(reflected, wish);
+    return request->place_count > 0 ? lx_places_are_reached(reflected, request)
+           : request->spots         ? lx_spots_are_reached(reflected, request)
+                                    : lx_means_are_reached(reflected, request);
 }
 
 /* Cuts the tiles that matter; false: none, or *failed. */
-static bool refine(struct lx_radiosity *reflected, const struct lx_reflected_wish *wish, bool *failed)
+static bool refine(struct lx_radiosity *reflected, const struct lx_reflected_request *request, bool *failed)
 {
     const size_t count = reflected->tile_count;
     if ((double)reflected->effort.done > WORTH_AS_MUCH * (double)reflected->effort.most)
@@ -237,21 +237,21 @@ static bool refine(struct lx_radiosity *reflected, const struct lx_reflected_wis
     if ((double)count >= WORTH_A_ROUND * (double)reflected->most_tiles)
         return false;
     bool *cuts = lx_new_array(count, sizeof *cuts);
-    const int any = !cuts                   ? -1
-                    : wish->place_count > 0 ? lx_places_cut(reflected, wish, cuts)
-                    : wish->spots           ? lx_spots_cut(reflected, wish, cuts)
-                                            : lx_means_cut(reflected, wish, cuts);
+    const int any = !cuts                      ? -1
+                    : request->place_count > 0 ? lx_places_cut(reflected, request, cuts)
+                    : request->spots           ? lx_spots_cut(reflected, request, cuts)
+                                               : lx_means_cut(reflected, request, cuts);
     *failed = any < 0 || (any > 0 && lx_groups_cut(reflected, cuts));
     free(cuts);
     return any > 0 && !*failed;
 }
 
-static luxel_status solve(struct lx_radiosity *reflected, const struct lx_reflected_wish *wish)
+static luxel_status solve(struct lx_radiosity *reflected, const struct lx_reflected_request *request)
 {
     luxel_status status = lx_groups_light(reflected) ? LUXEL_ERROR_MEMORY : lx_reflected_solve(reflected);
     if (status == LUXEL_OK)
         status = lx_parts_make(reflected);
-    return status == LUXEL_OK && wish->spots ? lx_spots_show(reflected, wish, false) : status;
+    return status == LUXEL_OK && request->spots ? lx_spots_show(reflected, request, false) : status;
 }
 
 /* Errors of integrals, as a share of what arrives.  Inside a hollow ball that stands by itself there is
@@ -294,22 +294,22 @@ static void set_fineness(struct lx_radiosity *reflected)
 }
 
 /* Bounds below what integrals can do are not striven for. */
-static luxel_status work(struct lx_radiosity *reflected, const struct lx_reflected_wish *wanted)
+static luxel_status work(struct lx_radiosity *reflected, const struct lx_reflected_request *wanted)
 {
-    struct lx_reflected_wish within_reach = *wanted;
+    struct lx_reflected_request within_reach = *wanted;
     within_reach.error = fmax(wanted->error, LEAST_ERROR);
-    const struct lx_reflected_wish *wish = &within_reach;
-    luxel_status status = lx_tiling_make(reflected) ? LUXEL_ERROR_MEMORY : light_up(reflected, wish->error);
+    const struct lx_reflected_request *request = &within_reach;
+    luxel_status status = lx_tiling_make(reflected) ? LUXEL_ERROR_MEMORY : light_up(reflected, request->error);
     set_fineness(reflected);
     for (int round = 0; status == LUXEL_OK; round++) {
         bool failed = false;
         size_t overlapping[2];
-        status = solve(reflected, wish);
-        if (status != LUXEL_OK || lx_reflected_is_reached(reflected, wish))
+        status = solve(reflected, request);
+        if (status != LUXEL_OK || lx_reflected_is_reached(reflected, request))
             return status;
         const int most = lx_reflected_overlaps(reflected, overlapping) ? FEW_ROUNDS : MOST_ROUNDS;
-        if (round == most || !refine(reflected, wish, &failed))
-            return failed ? LUXEL_ERROR_MEMORY : wish->spots ? lx_spots_show(reflected, wish, true) : LUXEL_OK;
+        if (round == most || !refine(reflected, request, &failed))
+            return failed ? LUXEL_ERROR_MEMORY : request->spots ? lx_spots_show(reflected, request, true) : LUXEL_OK;
         status = sample(reflected);
     }
     return status;
@@ -328,32 +328,32 @@ static void forget_rows(struct lx_radiosity *reflected)
     }
 }
 
-luxel_status lx_reflected_make(const struct lx_reflected_wish *wish, struct lx_radiosity **made)
+luxel_status lx_reflected_make(const struct lx_reflected_request *request, struct lx_radiosity **made)
 {
     struct lx_radiosity *reflected = lx_new_array(1, sizeof *reflected);
     *made = reflected;
     if (!reflected)
         return LUXEL_ERROR_MEMORY;
-    const struct lx_choice_or_whole *bounces = &wish->prepared->scene->reflections;
+    const struct lx_choice_or_whole *bounces = &request->prepared->scene->reflections;
     *reflected = (struct lx_radiosity){
-        .key = wish->key,
-        .on = lx_new_array(wish->prepared->scene->lights.count, sizeof *reflected->on),
-        .light_count = wish->prepared->scene->lights.count,
-        .prepared = wish->prepared,
-        .sampled = *wish->prepared,
-        .error = wish->error,
-        .sampling = {.world = {.kernels = wish->kernels},
+        .key = request->key,
+        .on = lx_new_array(request->prepared->scene->lights.count, sizeof *reflected->on),
+        .light_count = request->prepared->scene->lights.count,
+        .prepared = request->prepared,
+        .sampled = *request->prepared,
+        .error = request->error,
+        .sampling = {.world = {.kernels = request->kernels},
                      .lobe = lx_lobe_irradiance(),
                      .least_flux = HUGE_VAL,
                      .fold_flux = HUGE_VAL,
                      .most_levels = LEVELS},
         .bounces = bounces->choice < 0 ? bounces->whole : 0,
-        .threads = wish->threads,
-        .effort = {.most = wish->effort > 0 ? wish->effort : MOST_EFFORT},
-        .control = wish->control,
-        .begun = wish->control->before,
+        .threads = request->threads,
+        .effort = {.most = request->effort > 0 ? request->effort : MOST_EFFORT},
+        .control = request->control,
+        .begun = request->control->before,
     };
-    reflected->sampled.tolerance = fmax(reflected->sampled.tolerance, SAMPLED * wish->error);
+    reflected->sampled.tolerance = fmax(reflected->sampled.tolerance, SAMPLED * request->error);
     reflected->sampling.world.prepared = &reflected->sampled;
     reflected->open = reflected->sampled;
     reflected->open.shadows = reflected->open.shadows_extended = reflected->open.shadows_on_free = false;
@@ -361,8 +361,8 @@ luxel_status lx_reflected_make(const struct lx_reflected_wish *wish, struct lx_r
     lx_kept_init(&reflected->kept, free_solution);
     reflected->key.on = reflected->on;
     if (reflected->on)
-        memcpy(reflected->on, wish->prepared->on, reflected->light_count * sizeof *reflected->on);
-    const luxel_status status = reflected->on ? work(reflected, wish) : LUXEL_ERROR_MEMORY;
+        memcpy(reflected->on, request->prepared->on, reflected->light_count * sizeof *reflected->on);
+    const luxel_status status = reflected->on ? work(reflected, request) : LUXEL_ERROR_MEMORY;
     lx_within_tell(reflected, 1);
     forget_rows(reflected);
     reflected->prepared = reflected->sampling.world.prepared = NULL;

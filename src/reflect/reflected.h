@@ -15,14 +15,14 @@
 #include "../format/kept.h"
 #include "../world/reference.h"
 #include "../world/world.h"
-#include "veil.h"
-#include "wish.h"
+#include "occluder_cone.h"
+#include "request.h"
 
 /* A solution; it never changes once made, and may be shared. */
 struct lx_radiosity;
 
 /* LUXEL_OK, LUXEL_ERROR_MEMORY or LUXEL_CANCELLED. */
-luxel_status lx_reflected_make(const struct lx_reflected_wish *wish, struct lx_radiosity **made);
+luxel_status lx_reflected_make(const struct lx_reflected_request *request, struct lx_radiosity **made);
 void lx_reflected_free(struct lx_radiosity *reflected);
 
 /* A solution as something that is kept, and back, if it was made with this; NULL: it was made with something else. */
@@ -32,13 +32,13 @@ struct lx_radiosity *lx_reflected_of_kept(struct lx_kept *kept, const struct lx_
 /* The receiver of an element. */
 struct lx_receiver lx_receiver_of(const struct lx_prepared *prepared, const struct lx_element *element);
 
-/* Whether the errors at places, which are in the wish, are small enough. */
-bool lx_reflected_is_reached(const struct lx_radiosity *reflected, const struct lx_reflected_wish *wish);
+/* Whether the errors at places, which are in the request, are small enough. */
+bool lx_reflected_is_reached(const struct lx_radiosity *reflected, const struct lx_reflected_request *request);
 
 /* The reflected irradiance of a receiver in the prepared scene that it was made of, or in one prepared likewise;
- * `veils` is memory of the caller, zero-initialised at first. */
+ * `cones` is memory of the caller, zero-initialised at first. */
 lx_bounded lx_reflected_at(const struct lx_radiosity *reflected, const struct lx_prepared *prepared,
-                           const struct lx_receiver *receiver, struct lx_veils *veils);
+                           const struct lx_receiver *receiver, struct lx_occluder_cones *cones);
 
 /* The light on one side of a prepared surface. */
 struct lx_lit_side {

@@ -23,21 +23,21 @@ static void add_plane(struct lx_region *region, const double normal[3], const do
 }
 
 /* Through the place and each edge of a polygon around `middle`. */
-static void add_pyramid(struct lx_region *region, const struct lx_veils *veils, const double (*corners)[3], int count,
-                        const double middle_mm[3])
+static void add_pyramid(struct lx_region *region, const struct lx_occluder_cones *cones, const double (*corners)[3],
+                        int count, const double middle_mm[3])
 {
     double from[3], to[3], inwards[3], edge[3];
     for (int k = 0; k < count; k++) {
         for (int i = 0; i < 3; i++) {
-            from[i] = corners[k][i] - veils->place_mm[i];
-            to[i] = corners[(k + 1) % count][i] - veils->place_mm[i];
-            inwards[i] = middle_mm[i] - veils->place_mm[i];
+            from[i] = corners[k][i] - cones->place_mm[i];
+            to[i] = corners[(k + 1) % count][i] - cones->place_mm[i];
+            inwards[i] = middle_mm[i] - cones->place_mm[i];
         }
         lx_cross(from, to, edge);
         if (lx_dot(edge, inwards) < 0)
             for (int i = 0; i < 3; i++)
                 edge[i] = -edge[i];
-        add_plane(region, edge, veils->place_mm, veils->touch_mm);
+        add_plane(region, edge, cones->place_mm, cones->touch_mm);
     }
 }
 
@@ -51,12 +51,12 @@ static void corners_of(const struct lx_tile_cell *cell, double corners[4][3])
 }
 
 /* Four planes around a ball, and one behind it; inside of it there is no pyramid. */
-static void add_cone(struct lx_region *region, const struct lx_veils *veils, const double center_mm[3],
+static void add_cone(struct lx_region *region, const struct lx_occluder_cones *cones, const double center_mm[3],
                      double radius_mm)
 {
     double way[3], sides[2][3], beyond[3], back[3];
     for (int i = 0; i < 3; i++)
-        way[i] = center_mm[i] - veils->place_mm[i];
+        way[i] = center_mm[i] - cones->place_mm[i];
     const double away = lx_normalize(way), sine = radius_mm / away;
     if (!(sine < 1))
         return;
@@ -68,60 +68,62 @@ static void add_cone(struct lx_region *region, const struct lx_veils *veils, con
         double inwards[3];
         for (int i = 0; i < 3; i++)
             inwards[i] = sine * way[i] + (k & 1 ? cosine : -cosine) * sides[k >> 1][i];
-        add_plane(region, inwards, veils->place_mm, -veils->touch_mm);
+        add_plane(region, inwards, cones->place_mm, -cones->touch_mm);
     }
     for (int i = 0; i < 3; i++) {
         beyond[i] = center_mm[i] + radius_mm * way[i];
         back[i] = -way[i];
     }
-    add_plane(region, back, beyond, -veils->touch_mm);
+    add_plane(region, back, beyond, -cones->touch_mm);
 }
 
-static void begin(const struct lx_veils *veils, struct lx_region *region)
+static void begin(const struct lx_occluder_cones *cones, struct lx_region *region)
 {
     region->count = 0;
-    add_plane(region, veils->normal, veils->place_mm, veils->touch_mm);
+    add_plane(region, cones->normal, cones->place_mm, cones->touch_mm);
 }
 
-void lx_region_before_face(const struct lx_veils *veils, const struct lx_matte_face *face, struct lx_region *region)
+void lx_region_before_face(const struct lx_occluder_cones *cones, const struct lx_matte_face *face,
+                           struct lx_region *region)
 {
     const struct lx_smooth_sheet *sheet = &face->sheet;
     double corners[4][3], normal[3];
-    begin(veils, region);
+    begin(cones, region);
     for (int i = 0; i < 3; i++)
         normal[i] = sheet->turn * sheet->axis[i];
     if (face->is_flat)
-        add_plane(region, normal, sheet->center_mm, veils->touch_mm);
+        add_plane(region, normal, sheet->center_mm, cones->touch_mm);
     if (lx_is_polygon(face)) {
         const int count = lx_sheet_corners(&face->sheet, corners);
-        add_pyramid(region, veils, (const double(*)[3])corners, count, face->center_mm);
+        add_pyramid(region, cones, (const double(*)[3])corners, count, face->center_mm);
     } else {
-        add_cone(region, veils, face->center_mm, face->radius_mm);
+        add_cone(region, cones, face->center_mm, face->radius_mm);
     }
 }
 
 /* Cells with straight edges are parts of their parallelograms. */
-bool lx_region_is_free(const struct lx_veils *veils, const struct lx_shape *shape, const struct lx_tile_cell *cell)
+bool lx_region_is_free(const struct lx_occluder_cones *cones, const struct lx_shape *shape,
+                       const struct lx_tile_cell *cell)
 {
     struct lx_region region;
     uint32_t found;
     double corners[4][3], normal[3], from[3];
     if (lx_mesh_count(shape) == 0)
         return false;
-    lx_effort_take(veils->effort, MESH_EFFORT);
-    begin(veils, &region);
+    lx_effort_take(cones->effort, MESH_EFFORT);
+    begin(cones, &region);
     lx_cross(cell->first_mm, cell->second_mm, normal);
     if (lx_dot(normal, normal) > 0) {
         for (int i = 0; i < 3; i++)
-            from[i] = veils->place_mm[i] - cell->center_mm[i];
+            from[i] = cones->place_mm[i] - cell->center_mm[i];
         if (lx_dot(normal, from) < 0)
             for (int i = 0; i < 3; i++)
                 normal[i] = -normal[i];
         corners_of(cell, corners);
-        add_plane(&region, normal, cell->center_mm, veils->touch_mm);
-        add_pyramid(&region, veils, (const double(*)[3])corners, 4, cell->center_mm);
+        add_plane(&region, normal, cell->center_mm, cones->touch_mm);
+        add_pyramid(&region, cones, (const double(*)[3])corners, 4, cell->center_mm);
     } else {
-        add_cone(&region, veils, cell->center_mm, cell->radius_mm);
+        add_cone(&region, cones, cell->center_mm, cell->radius_mm);
     }
     return lx_mesh_within(shape, (const double(*)[4])region.planes, region.count, 0, &found) == 0;
 }

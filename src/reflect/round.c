@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * Veils of what is round.  A ball or a tube that stands apart hides what is in the cone of the ways that touch it,
- * beyond where they do; where a face reaches into it, what is inside is hidden, too.
+ * Occluder cones of what is round.  A ball or a tube that stands apart hides what is in the cone of the ways that touch
+ * it, beyond where they do; where a face reaches into it, what is inside is hidden, too.
  */
 #include "round.h"
 
@@ -35,36 +35,37 @@ static void corners_around(const double center_mm[3], const double first[3], con
 }
 
 /* A circle as a polygon of as much area. */
-void lx_veils_disk(struct lx_veils *veils, const struct lx_shape *shape, const struct lx_smooth_sheet *disk)
+void lx_occluder_cones_disk(struct lx_occluder_cones *cones, const struct lx_shape *shape,
+                            const struct lx_smooth_sheet *disk)
 {
-    const double height = lx_veils_height(veils, disk->axis, disk->center_mm), radius = disk->half_mm[0];
+    const double height = lx_occluder_cones_height(cones, disk->axis, disk->center_mm), radius = disk->half_mm[0];
     double from[3], corners[MOST_ROUND][3];
     if (disk->half_mm[1] > 0) {
-        lx_veils_shape(veils, shape); /* a hole makes it hollow */
+        lx_occluder_cones_shape(cones, shape); /* a hole makes it hollow */
         return;
     }
-    if (fabs(height) <= veils->touch_mm)
+    if (fabs(height) <= cones->touch_mm)
         return;
-    sub(veils->place_mm, disk->center_mm, from);
+    sub(cones->place_mm, disk->center_mm, from);
     const int count = round_corners(radius / hypot(radius, sqrt(lx_dot(from, from))));
     const double step = 2 * M_PI / count;
     corners_around(disk->center_mm, disk->across, disk->upward, radius * sqrt(step / sin(step)), count, corners);
-    lx_veils_polygon(veils, (const double(*)[3])corners, count, disk->axis, disk->center_mm, height);
+    lx_occluder_cones_polygon(cones, (const double(*)[3])corners, count, disk->axis, disk->center_mm, height);
 }
 
-/* A veil of all that is in a prism around a circle, of as much area. */
-static void add_prism(struct lx_veils *veils, const double center_mm[3], const double first[3], const double second[3],
-                      double radius_mm)
+/* A cone of all that is in a prism around a circle, of as much area. */
+static void add_prism(struct lx_occluder_cones *cones, const double center_mm[3], const double first[3],
+                      const double second[3], double radius_mm)
 {
     const double step = 2 * M_PI / MOST_ROUND, reach = radius_mm * sqrt(step / sin(step));
     double corners[MOST_ROUND][3];
     corners_around(center_mm, first, second, reach, MOST_ROUND, corners);
-    lx_veils_begin(veils);
+    lx_occluder_cones_begin(cones);
     for (int k = 0; k < MOST_ROUND; k++) {
         double inwards[3];
         for (int i = 0; i < 3; i++)
             inwards[i] = 2 * center_mm[i] - corners[k][i] - corners[(k + 1) % MOST_ROUND][i];
-        lx_veils_plane(veils, inwards, corners[k]);
+        lx_occluder_cones_plane(cones, inwards, corners[k]);
     }
 }
 
@@ -80,26 +81,27 @@ static bool enters_ball(const struct lx_matte_face *face, const struct lx_smooth
            lx_sheet_distance(&face->sheet, ball->center_mm) < radius;
 }
 
-static void add_ball(struct lx_veils *veils, const struct lx_smooth_sheet *ball)
+static void add_ball(struct lx_occluder_cones *cones, const struct lx_smooth_sheet *ball)
 {
-    lx_veils_begin(veils);
-    if (veils->failed)
+    lx_occluder_cones_begin(cones);
+    if (cones->failed)
         return;
-    struct lx_veil *veil = &veils->items[veils->count - 1];
-    veil->is_ball = true;
-    memcpy(veil->center_mm, ball->center_mm, sizeof veil->center_mm);
-    veil->radius_mm = ball->half_mm[0];
+    struct lx_occluder_cone *cone = &cones->items[cones->count - 1];
+    cone->is_ball = true;
+    memcpy(cone->center_mm, ball->center_mm, sizeof cone->center_mm);
+    cone->radius_mm = ball->half_mm[0];
 }
 
 /* The circle in which a ball cuts the plane of a flat face. */
-static void add_section(struct lx_veils *veils, const struct lx_smooth_sheet *ball, const struct lx_smooth_sheet *face)
+static void add_section(struct lx_occluder_cones *cones, const struct lx_smooth_sheet *ball,
+                        const struct lx_smooth_sheet *face)
 {
     double from[3], middle[3];
     sub(ball->center_mm, face->center_mm, from);
     const double height = lx_dot(from, face->axis);
     for (int i = 0; i < 3; i++)
         middle[i] = ball->center_mm[i] - height * face->axis[i];
-    add_prism(veils, middle, face->across, face->upward,
+    add_prism(cones, middle, face->across, face->upward,
               sqrt(fmax(ball->half_mm[0] * ball->half_mm[0] - height * height, 0)));
 }
 
@@ -115,32 +117,32 @@ static double tangent_of_corners(double c, int count)
     return 2 * sqrt(t) / (1 - t);
 }
 
-bool lx_veils_ball(struct lx_veils *veils, const struct lx_shape *shape, const struct lx_smooth_sheet *ball,
-                   const struct lx_matte_face *face)
+bool lx_occluder_cones_ball(struct lx_occluder_cones *cones, const struct lx_shape *shape,
+                            const struct lx_smooth_sheet *ball, const struct lx_matte_face *face)
 {
     const double radius = ball->half_mm[0];
     double way[3], first[3], second[3], middle[3], corners[MOST_ROUND][3];
     if (ball->turn < 0) {
-        lx_veils_shape(veils, shape); /* it is hollow */
+        lx_occluder_cones_shape(cones, shape); /* it is hollow */
         return true;
     }
-    sub(ball->center_mm, veils->place_mm, way);
+    sub(ball->center_mm, cones->place_mm, way);
     const double away = lx_normalize(way), share = radius / away, below = 1 - share * share;
     if (!(below > 1e-12)) /* the place is inside */
         return false;
     if (enters_ball(face, ball)) {
         if (!face->is_flat) {
-            add_ball(veils, ball);
+            add_ball(cones, ball);
             return true;
         }
-        add_section(veils, ball, &face->sheet);
+        add_section(cones, ball, &face->sheet);
     }
     for (int i = 0; i < 3; i++)
-        middle[i] = veils->place_mm[i] + away * below * way[i];
+        middle[i] = cones->place_mm[i] + away * below * way[i];
     lx_around_axis(way, first, second);
     const int count = round_corners(share);
     corners_around(middle, first, second, away * below * tangent_of_corners(sqrt(below), count), count, corners);
-    lx_veils_polygon(veils, (const double(*)[3])corners, count, way, middle, -1);
+    lx_occluder_cones_polygon(cones, (const double(*)[3])corners, count, way, middle, -1);
     return true;
 }
 
@@ -174,27 +176,27 @@ static double distance_of_axis(const struct lx_matte_face *face, const struct lx
 }
 
 /* Whether the place and all of a face are between the planes of both ends of a tube. */
-static bool is_between_ends(const struct lx_veils *veils, const struct lx_smooth_sheet *tube,
+static bool is_between_ends(const struct lx_occluder_cones *cones, const struct lx_smooth_sheet *tube,
                             const struct lx_matte_face *face)
 {
-    const double back[3] = {-tube->axis[0], -tube->axis[1], -tube->axis[2]}, most = tube->half_mm[1] + veils->touch_mm;
-    return fabs(lx_veils_height(veils, tube->axis, tube->center_mm)) <= most &&
+    const double back[3] = {-tube->axis[0], -tube->axis[1], -tube->axis[2]}, most = tube->half_mm[1] + cones->touch_mm;
+    return fabs(lx_occluder_cones_height(cones, tube->axis, tube->center_mm)) <= most &&
            lx_face_reach(face, tube->axis, tube->center_mm) <= most &&
            lx_face_reach(face, back, tube->center_mm) <= most;
 }
 
 /* Between its ends a tube is as good as one without end: two planes touch it. */
-bool lx_veils_tube(struct lx_veils *veils, const struct lx_shape *shape, const struct lx_smooth_sheet *tube,
-                   const struct lx_matte_face *face)
+bool lx_occluder_cones_tube(struct lx_occluder_cones *cones, const struct lx_shape *shape,
+                            const struct lx_smooth_sheet *tube, const struct lx_matte_face *face)
 {
     const double radius = tube->half_mm[0];
     double from[3], inwards[3], aside[3], edge[3], chord[3];
-    sub(veils->place_mm, tube->center_mm, from);
+    sub(cones->place_mm, tube->center_mm, from);
     const double x = lx_dot(from, tube->across), y = lx_dot(from, tube->upward), away = hypot(x, y);
     const bool is_outside = away > radius * (1 + 1e-9);
     const bool is_entered = distance_of_axis(face, tube) < radius * (1 - 1e-9);
-    if (!is_between_ends(veils, tube, face) || (is_entered && !(is_outside && face->is_flat))) {
-        lx_veils_shape(veils, shape);
+    if (!is_between_ends(cones, tube, face) || (is_entered && !(is_outside && face->is_flat))) {
+        lx_occluder_cones_shape(cones, shape);
         return true;
     }
     if (!is_outside)
@@ -205,14 +207,14 @@ bool lx_veils_tube(struct lx_veils *veils, const struct lx_shape *shape, const s
         chord[i] = tube->center_mm[i] - radius * sine * inwards[i];
     }
     lx_cross(tube->axis, inwards, aside);
-    lx_veils_begin(veils);
-    lx_veils_plane(veils, inwards, chord);
+    lx_occluder_cones_begin(cones);
+    lx_occluder_cones_plane(cones, inwards, chord);
     for (int side = -1; side <= 1; side += 2) {
         for (int i = 0; i < 3; i++)
             edge[i] = sine * inwards[i] + side * cosine * aside[i];
-        lx_veils_plane(veils, edge, veils->place_mm);
+        lx_occluder_cones_plane(cones, edge, cones->place_mm);
     }
     if (is_entered)
-        add_prism(veils, tube->center_mm, tube->across, tube->upward, radius);
+        add_prism(cones, tube->center_mm, tube->across, tube->upward, radius);
     return true;
 }

@@ -7,7 +7,7 @@
 #include "../format/kept.h"
 #include "closed_box.h"
 #include "direct.h"
-#include "wish.h"
+#include "request.h"
 
 struct lx_group;
 struct lx_rows;
@@ -74,9 +74,9 @@ int lx_tiling_drop(struct lx_radiosity *reflected, const bool *is_lit);
 bool lx_faces_meet(const struct lx_matte_face *a, const struct lx_matte_face *b);
 
 /* For places: whether all of them have errors as small as wished; how much each tile matters, 0 or -1. */
-bool lx_places_are_reached(const struct lx_radiosity *reflected, const struct lx_reflected_wish *wish);
+bool lx_places_are_reached(const struct lx_radiosity *reflected, const struct lx_reflected_request *request);
 /* Which tiles are to be cut for them; 1: some, 0: none, -1: memory ran out. */
-int lx_places_cut(const struct lx_radiosity *reflected, const struct lx_reflected_wish *wish, bool *cuts);
+int lx_places_cut(const struct lx_radiosity *reflected, const struct lx_reflected_request *request, bool *cuts);
 
 /* Parts of the solution as it is: first the tiles. */
 luxel_status lx_parts_make(struct lx_radiosity *reflected);
@@ -94,14 +94,14 @@ int lx_parts_worst(const struct lx_radiosity *reflected, const double *allowed, 
 lx_bounded lx_parts_value(const struct lx_radiosity *reflected, size_t tile, const double at[2]);
 
 /* Whether the parts do for what a picture shows, and which groups are to be cut for it. */
-bool lx_spots_are_reached(const struct lx_radiosity *reflected, const struct lx_reflected_wish *wish);
-int lx_spots_cut(const struct lx_radiosity *reflected, const struct lx_reflected_wish *wish, bool *cuts);
+bool lx_spots_are_reached(const struct lx_radiosity *reflected, const struct lx_reflected_request *request);
+int lx_spots_cut(const struct lx_radiosity *reflected, const struct lx_reflected_request *request, bool *cuts);
 /* Parts for it, if what arrives of errors lets it be reached by them, or anyway. */
-luxel_status lx_spots_show(struct lx_radiosity *reflected, const struct lx_reflected_wish *wish, bool anyway);
+luxel_status lx_spots_show(struct lx_radiosity *reflected, const struct lx_reflected_request *request, bool anyway);
 
 /* Whether they do for the means of all sides, and which groups are to be cut for those. */
-bool lx_means_are_reached(const struct lx_radiosity *reflected, const struct lx_reflected_wish *wish);
-int lx_means_cut(const struct lx_radiosity *reflected, const struct lx_reflected_wish *wish, bool *cuts);
+bool lx_means_are_reached(const struct lx_radiosity *reflected, const struct lx_reflected_request *request);
+int lx_means_cut(const struct lx_radiosity *reflected, const struct lx_reflected_request *request, bool *cuts);
 
 /* Sets how much the residual of each tile matters: by what the places see of it, and by its share of all.  0, or -1. */
 int lx_weigh(const struct lx_radiosity *reflected, const struct lx_reflected_place *places, size_t count,

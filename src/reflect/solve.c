@@ -31,18 +31,18 @@ static const double ANY_SHARE = 0.5;
 struct solving {
     struct lx_radiosity *reflected;
     double *reflectance, *direct, *residual; /* at the nodes */
-    struct lx_veils *veils;                  /* of each worker */
+    struct lx_occluder_cones *cones;         /* of each worker */
     double *sampled;                         /* residuals at the places of each tile */
     double *sights;                          /* and what the share that ends on faces is beside the polynomial's */
     const double *before, *after;            /* one bounce lies between them; the first at the nodes of groups */
 };
 
 /* The rows of a tile; false: memory ran out, or there was no effort left for them. */
-static bool find_rows(const struct lx_radiosity *reflected, struct lx_effort *effort, struct lx_veils *veils,
+static bool find_rows(const struct lx_radiosity *reflected, struct lx_effort *effort, struct lx_occluder_cones *cones,
                       struct lx_tile *tile)
 {
     if (!tile->is_blind &&
-        lx_within_rows(reflected, effort, tile->face, &tile->window, &tile->cell, veils, &tile->rows))
+        lx_within_rows(reflected, effort, tile->face, &tile->window, &tile->cell, cones, &tile->rows))
         return true;
     tile->is_blind = true;
     lx_rows_free(tile->rows);
@@ -55,11 +55,11 @@ static void make_rows(void *data, unsigned worker, bool is_caller, unsigned firs
 {
     struct solving *solving = data;
     struct lx_radiosity *reflected = solving->reflected;
-    struct lx_veils *veils = &solving->veils[worker];
+    struct lx_occluder_cones *cones = &solving->cones[worker];
     for (size_t i = first; i < last && lx_control_goes_on(reflected->control, is_caller); i++) {
         const size_t t = reflected->order[i];
         struct lx_tile *tile = &reflected->tiles[t];
-        if (!find_rows(reflected, &reflected->efforts[i], veils, tile))
+        if (!find_rows(reflected, &reflected->efforts[i], cones, tile))
             continue;
         double *direct = solving->direct + t * LX_RULE_NODES, *seen = reflected->seen + t * LX_RULE_NODES;
         for (int q = 0; q < lx_rows_nodes(tile->rows); q++) {
@@ -248,7 +248,7 @@ static bool has_failed(const struct solving *solving)
 {
     bool failed = false;
     for (size_t w = 0; w < solving->reflected->threads; w++)
-        failed = failed || solving->veils[w].failed;
+        failed = failed || solving->cones[w].failed;
     return failed;
 }
 
@@ -329,24 +329,24 @@ luxel_status lx_reflected_solve(struct lx_radiosity *reflected)
                               .reflectance = lx_new_array(count, sizeof(double)),
                               .direct = lx_new_array(count, sizeof(double)),
                               .residual = lx_new_array(count, sizeof(double)),
-                              .veils = lx_new_array(workers, sizeof(struct lx_veils)),
+                              .cones = lx_new_array(workers, sizeof(struct lx_occluder_cones)),
                               .sampled = lx_new_array(reflected->tile_count * LX_BETWEEN, sizeof(double)),
                               .sights = lx_new_array(reflected->tile_count * LX_BETWEEN, sizeof(double))};
-    bool has_room = solving.reflectance && solving.direct && solving.residual && solving.veils && solving.sampled &&
+    bool has_room = solving.reflectance && solving.direct && solving.residual && solving.cones && solving.sampled &&
                     solving.sights && !renew(&reflected->seen, count) && !renew(&reflected->indirect, count) &&
                     !renew(&reflected->before, count) && !renew(&reflected->slack, count) &&
                     !renew(&reflected->slack_before, count) &&
                     !renew(&reflected->sent, reflected->group_count * LX_RULE_NODES) &&
                     !renew(&reflected->sent_slack, reflected->group_count * LX_RULE_NODES);
     bool whole = has_room && work(&solving);
-    for (size_t w = 0; solving.veils && w < workers; w++) {
-        has_room = has_room && !solving.veils[w].failed;
-        lx_veils_clear(&solving.veils[w]);
+    for (size_t w = 0; solving.cones && w < workers; w++) {
+        has_room = has_room && !solving.cones[w].failed;
+        lx_occluder_cones_clear(&solving.cones[w]);
     }
     free(solving.reflectance);
     free(solving.direct);
     free(solving.residual);
-    free(solving.veils);
+    free(solving.cones);
     free(solving.sampled);
     free(solving.sights);
     if (whole && has_room)

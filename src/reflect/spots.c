@@ -152,34 +152,34 @@ lx_bounded lx_reflected_on(const struct lx_radiosity *reflected, const struct lx
 
 /* The error that a picture allows on each tile: a share of its greatest value, of which there is a lower bound; NULL:
  * memory ran out. */
-static double *find_allowed(const struct lx_radiosity *reflected, const struct lx_reflected_wish *wish)
+static double *find_allowed(const struct lx_radiosity *reflected, const struct lx_reflected_request *request)
 {
     double *allowed = lx_new_array(reflected->tile_count, sizeof *allowed), maximum = 0;
     size_t near = 0;
-    for (size_t i = 0; allowed && i < wish->spot_count; i++) {
-        const struct lx_reflected_spot *spot = &wish->spots[i];
+    for (size_t i = 0; allowed && i < request->spot_count; i++) {
+        const struct lx_reflected_spot *spot = &request->spots[i];
         const lx_bounded light =
-            lx_reflected_on(reflected, wish->prepared, spot->surface, spot->place_mm, spot->normal, &near);
+            lx_reflected_on(reflected, request->prepared, spot->surface, spot->place_mm, spot->normal, &near);
         maximum = fmax(maximum, spot->value + spot->share * light.value);
         if (near > 0)
             allowed[near - 1] = fmax(allowed[near - 1], spot->share);
     }
     for (size_t t = 0; allowed && t < reflected->tile_count; t++)
-        allowed[t] = allowed[t] > 0 ? wish->error * maximum / allowed[t] : HUGE_VAL;
+        allowed[t] = allowed[t] > 0 ? request->error * maximum / allowed[t] : HUGE_VAL;
     return allowed;
 }
 
-bool lx_spots_are_reached(const struct lx_radiosity *reflected, const struct lx_reflected_wish *wish)
+bool lx_spots_are_reached(const struct lx_radiosity *reflected, const struct lx_reflected_request *request)
 {
-    double *allowed = find_allowed(reflected, wish);
+    double *allowed = find_allowed(reflected, request);
     const bool reached = allowed && lx_parts_are_below(reflected, allowed);
     free(allowed);
     return reached;
 }
 
-luxel_status lx_spots_show(struct lx_radiosity *reflected, const struct lx_reflected_wish *wish, bool anyway)
+luxel_status lx_spots_show(struct lx_radiosity *reflected, const struct lx_reflected_request *request, bool anyway)
 {
-    double *allowed = find_allowed(reflected, wish);
+    double *allowed = find_allowed(reflected, request);
     struct lx_reflected_place place;
     const int any = allowed ? lx_parts_worst(reflected, allowed, ARRIVES, 1, &place) : -1;
     /* parts help no further than to what arrives */
@@ -194,12 +194,12 @@ luxel_status lx_spots_show(struct lx_radiosity *reflected, const struct lx_refle
 }
 
 /* Errors that a part has of its own are mended there; those that arrive at it, where they come from. */
-int lx_spots_cut(const struct lx_radiosity *reflected, const struct lx_reflected_wish *wish, bool *cuts)
+int lx_spots_cut(const struct lx_radiosity *reflected, const struct lx_reflected_request *request, bool *cuts)
 {
     enum { MOST_WORST = 16 };
     const size_t count = reflected->tile_count, most = (reflected->most_tiles - count) / 3 + 1;
     struct lx_reflected_place places[MOST_WORST];
-    double *allowed = find_allowed(reflected, wish), *scores = lx_new_array(count, sizeof *scores);
+    double *allowed = find_allowed(reflected, request), *scores = lx_new_array(count, sizeof *scores);
     int any = allowed && scores ? lx_parts_worst(reflected, allowed, ARRIVES, MOST_WORST, places) : -1;
     if (any > 0)
         any = lx_weigh(reflected, places, (size_t)any, scores) ? -1 : lx_cut_greatest(reflected, scores, most, cuts);

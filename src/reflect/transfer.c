@@ -109,7 +109,7 @@ static bool weigh_flat_part(const struct sending *sending, const struct lx_tile_
 {
     double across[3];
     bool sees;
-    if (!lx_veils_visible(sending->of->veils, cell, values))
+    if (!lx_occluder_cones_visible(sending->of->cones, cell, values))
         return false;
     lx_cross(cell->first_mm, cell->second_mm, across);
     const double area = sqrt(lx_dot(across, across));
@@ -123,7 +123,7 @@ static void weigh_nodes_in_part(const struct sending *sending, const struct lx_t
 {
     weigh_seen(sending, cell, values);
     for (int q = 0; q < LX_RULE_NODES; q++)
-        if (values[q] > 0 && !lx_veils_leave(sending->of->veils, cell->place_mm[q]))
+        if (values[q] > 0 && !lx_occluder_cones_leave(sending->of->cones, cell->place_mm[q]))
             values[q] = 0;
 }
 
@@ -152,7 +152,7 @@ static void send_piece(const struct sending *sending, const struct lx_window *wi
 {
     struct lx_tile_cell cell;
     lx_cell_bound(sending->of->face, window, &cell);
-    send_cell(sending, window, &cell, light, lx_veils_look(sending->of->veils, &cell), level);
+    send_cell(sending, window, &cell, light, lx_occluder_cones_look(sending->of->cones, &cell), level);
 }
 
 static void cut_cell(const struct sending *sending, const struct lx_window *window, const struct lx_tile_cell *cell,
@@ -176,7 +176,8 @@ static void cut_cell(const struct sending *sending, const struct lx_window *wind
 static double part_share(const struct sending *sending, const struct lx_tile_cell *cell)
 {
     const double smoother = 2.5;
-    return sending->of->fineness->round_part * (lx_veils_are_horizons(sending->of->veils, cell) ? smoother : 1);
+    return sending->of->fineness->round_part *
+           (lx_occluder_cones_are_horizons(sending->of->cones, cell) ? smoother : 1);
 }
 
 /* Whether most of the light of a window falls on a small part of it: its polynomial goes up and down then, and errors
@@ -217,14 +218,14 @@ static void send_cell(const struct sending *sending, const struct lx_window *win
                       const struct light_at *light, enum lx_outlook sight, int level)
 {
     const struct lx_fineness *fineness = sending->of->fineness;
-    const bool by_nodes =
-        sight == LX_PART_SEEN && (!lx_is_polygon(sending->of->face) || lx_veils_have_shapes(sending->of->veils, cell));
+    const bool by_nodes = sight == LX_PART_SEEN && (!lx_is_polygon(sending->of->face) ||
+                                                    lx_occluder_cones_have_shapes(sending->of->cones, cell));
     const double share = sight == LX_ALL_SEEN ? seen_share(fineness, light)
                          : by_nodes           ? part_share(sending, cell)
                                               : fineness->flat_part;
     const bool has_levels = level < MOST_LEVELS;
     double values[LX_RULE_NODES];
-    if (sight == LX_NONE_SEEN || !lx_effort_take(sending->of->veils->effort, CELL_EFFORT))
+    if (sight == LX_NONE_SEEN || !lx_effort_take(sending->of->cones->effort, CELL_EFFORT))
         return;
     if (has_levels && !(sight == LX_ALL_SEEN && sending->of->constant > 0) &&
         !(is_small(sending, cell, share) && tells_part(fineness, light, sight, by_nodes))) {
@@ -246,18 +247,18 @@ static void send_cell(const struct sending *sending, const struct lx_window *win
 }
 
 struct lx_transfer lx_transfer_of(const struct lx_fineness *fineness, const struct lx_receiver *receiver,
-                                  const struct lx_veils *veils, const struct lx_matte_face *face)
+                                  const struct lx_occluder_cones *cones, const struct lx_matte_face *face)
 {
     const double turns = 2; /* radii */
     const bool is_own = lx_receives_from_own(receiver, face);
     return (struct lx_transfer){
         .fineness = fineness,
         .receiver = receiver,
-        .veils = veils,
+        .cones = cones,
         .face = face,
         .constant = is_own && face->sheet.type->exchange ? face->sheet.type->exchange(&face->sheet) : 0,
         .turns_mm = face->is_flat ? HUGE_VAL : turns * face->sheet.half_mm[0],
-        .least_mm = is_own ? 1e-3 * face->radius_mm : 10 * veils->touch_mm,
+        .least_mm = is_own ? 1e-3 * face->radius_mm : 10 * cones->touch_mm,
     };
 }
 

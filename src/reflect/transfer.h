@@ -11,25 +11,25 @@
 #define LX_REFLECT_TRANSFER_H
 
 #include "group.h"
-#include "veil.h"
+#include "occluder_cone.h"
 
 struct lx_sent {
     double weights[LX_RULE_NODES];
     double direct;
 };
 
-/* One face and one receiver, for which the veils are set. */
+/* One face and one receiver, for which the cones are set. */
 struct lx_transfer {
     const struct lx_fineness *fineness;
     const struct lx_receiver *receiver;
-    const struct lx_veils *veils;
+    const struct lx_occluder_cones *cones;
     const struct lx_matte_face *face;
     double constant; /* the kernel inside of a sphere; 0: by its formula */
     double least_mm; /* cells are not cut below this */
     double turns_mm; /* within this normals turn, and with them the kernel, however far it is */
 };
 struct lx_transfer lx_transfer_of(const struct lx_fineness *fineness, const struct lx_receiver *receiver,
-                                  const struct lx_veils *veils, const struct lx_matte_face *face);
+                                  const struct lx_occluder_cones *cones, const struct lx_matte_face *face);
 
 /* A tile, of which it is known how it is seen. */
 void lx_transfer(const struct lx_transfer *transfer, const struct lx_tile *tile, enum lx_outlook sight,

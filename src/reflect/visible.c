@@ -1,15 +1,15 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * The part of a cell with straight edges that is seen: integrals of the rule's polynomials over it, where no veil of
- * planes hides it.  Veils are convex, so what several of them hide of a convex polygon is told by polygons alone, by
- * inclusion and exclusion; the integral over a polygon goes along its edges, by Green's theorem.
+ * The part of a cell with straight edges that is seen: integrals of the rule's polynomials over it, where no cone of
+ * planes hides it.  Occluder cones are convex, so what several of them hide of a convex polygon is told by polygons
+ * alone, by inclusion and exclusion; the integral over a polygon goes along its edges, by Green's theorem.
  */
 #include <string.h>
 
 #include "../base/vector.h"
-#include "veil.h"
+#include "occluder_cone.h"
 
-enum { MOST_CORNERS = 48, MOST_VEILS = 10 };
+enum { MOST_CORNERS = 48, MOST_CONES = 10 };
 enum { POLYGON_EFFORT = 5 };
 
 /* A convex polygon in coordinates of the cell, from -1 to 1. */
@@ -20,9 +20,9 @@ struct polygon {
 
 /* A cell and what stands before it. */
 struct view {
-    const struct lx_veils *veils;
+    const struct lx_occluder_cones *cones;
     const struct lx_tile_cell *cell;
-    const struct lx_veil *before[MOST_VEILS];
+    const struct lx_occluder_cone *before[MOST_CONES];
     unsigned count;
     double *shares;
 };
@@ -113,19 +113,19 @@ static bool clip(const struct lx_tile_cell *cell, const double plane[4], struct 
     return true;
 }
 
-static bool hide(const struct view *view, const struct lx_veil *veil, struct polygon *polygon)
+static bool hide(const struct view *view, const struct lx_occluder_cone *cone, struct polygon *polygon)
 {
-    for (size_t k = veil->first; k < veil->first + veil->count && polygon->count > 0; k++)
-        if (!clip(view->cell, view->veils->planes[k], polygon))
+    for (size_t k = cone->first; k < cone->first + cone->count && polygon->count > 0; k++)
+        if (!clip(view->cell, view->cones->planes[k], polygon))
             return false;
     return true;
 }
 
-/* Adds what is left of a polygon by the veils from `first` on: the polygon, without what each of them hides of it that
+/* Adds what is left of a polygon by the cones from `first` on: the polygon, without what each of them hides of it that
  * none of the next ones hides.  False: there are too many corners. */
 static bool add_visible(const struct view *view, const struct polygon *polygon, unsigned first, double sign)
 {
-    if (!lx_effort_take(view->veils->effort, POLYGON_EFFORT))
+    if (!lx_effort_take(view->cones->effort, POLYGON_EFFORT))
         return true;
     add_polygon(view, polygon, sign);
     for (unsigned v = first; v < view->count; v++) {
@@ -139,17 +139,18 @@ static bool add_visible(const struct view *view, const struct polygon *polygon, 
     return true;
 }
 
-bool lx_veils_visible(const struct lx_veils *veils, const struct lx_tile_cell *cell, double shares[LX_RULE_NODES])
+bool lx_occluder_cones_visible(const struct lx_occluder_cones *cones, const struct lx_tile_cell *cell,
+                               double shares[LX_RULE_NODES])
 {
     const struct polygon whole = {4, {{-cell->narrow, -1}, {cell->narrow, -1}, {1, 1}, {-1, 1}}};
-    struct view view = {.veils = veils, .cell = cell, .shares = shares};
+    struct view view = {.cones = cones, .cell = cell, .shares = shares};
     memset(shares, 0, LX_RULE_NODES * sizeof *shares);
-    for (size_t i = 0; i < veils->count; i++) {
-        if (veils->items[i].shape || lx_veil_look(veils, &veils->items[i], cell) == LX_ALL_SEEN)
+    for (size_t i = 0; i < cones->count; i++) {
+        if (cones->items[i].shape || lx_occluder_cone_look(cones, &cones->items[i], cell) == LX_ALL_SEEN)
             continue;
-        if (view.count == MOST_VEILS)
+        if (view.count == MOST_CONES)
             return false;
-        view.before[view.count++] = &veils->items[i];
+        view.before[view.count++] = &cones->items[i];
     }
     return add_visible(&view, &whole, 0, 1);
 }

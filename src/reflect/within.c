@@ -7,7 +7,7 @@
 
 #include "../base/memory.h"
 #include "links.h"
-#include "veil.h"
+#include "occluder_cone.h"
 
 /* ---- effort ---- */
 
@@ -77,14 +77,14 @@ int lx_within_order(struct lx_radiosity *reflected)
 }
 
 bool lx_within_rows(const struct lx_radiosity *reflected, struct lx_effort *effort, uint32_t face,
-                    const struct lx_window *window, const struct lx_tile_cell *cell, struct lx_veils *veils,
+                    const struct lx_window *window, const struct lx_tile_cell *cell, struct lx_occluder_cones *cones,
                     struct lx_rows **rows)
 {
-    veils->effort = effort;
-    if (lx_effort_is_left(effort) && lx_rows_find(reflected, face, window, cell, veils, rows))
-        veils->failed = true;
-    veils->effort = NULL;
-    return lx_effort_is_left(effort) && !veils->failed;
+    cones->effort = effort;
+    if (lx_effort_is_left(effort) && lx_rows_find(reflected, face, window, cell, cones, rows))
+        cones->failed = true;
+    cones->effort = NULL;
+    return lx_effort_is_left(effort) && !cones->failed;
 }
 
 /* ---- direct light ---- */

@@ -32,9 +32,9 @@ void lx_within_tell(const struct lx_radiosity *reflected, double done);
 /* Sets the order in which tiles are worked on: the largest ones first.  0, or -1 when memory ran out. */
 int lx_within_order(struct lx_radiosity *reflected);
 
-/* Rows of a cell of a face; false: there was no effort left for them, or memory ran out, which the veils then tell. */
+/* Rows of a cell of a face; false: there was no effort left for them, or memory ran out, which the cones then tell. */
 bool lx_within_rows(const struct lx_radiosity *reflected, struct lx_effort *effort, uint32_t face,
-                    const struct lx_window *window, const struct lx_tile_cell *cell, struct lx_veils *veils,
+                    const struct lx_window *window, const struct lx_tile_cell *cell, struct lx_occluder_cones *cones,
                     struct lx_rows **rows);
 
 /* Direct light of a tile by what would arrive if nothing hid it, and by what its first samples told at the nodes; NULL:

@@ -26,7 +26,7 @@ bool lx_may_block(const struct lx_ball *blocker, const struct lx_ball *from, con
 /* The ball around the part of a surface that a square shows. */
 static inline struct lx_ball lx_vicinity_ball(const struct lx_vicinity *at)
 {
-    return (struct lx_ball){.center = {at->place[0], at->place[1], at->place[2]}, .radius = at->place_leeway.tile};
+    return (struct lx_ball){.center = {at->place[0], at->place[1], at->place[2]}, .radius = at->place_deviation.tile};
 }
 
 /* Whether a shape may block; both balls are offsets from the anchor of another one. */

@@ -19,7 +19,7 @@ lx_bounded lx_reflected_value(const struct lx_lobe *lobe, luxel_quantity quantit
     return quantity == LUXEL_IRRADIANCE ? irradiance : lx_mul(lobe->diffuse, irradiance);
 }
 
-double lx_told_error(lx_bounded number)
+double lx_reported_error(lx_bounded number)
 {
     return number.error >= 0 ? number.error : HUGE_VAL;
 }
@@ -94,7 +94,7 @@ void lx_evaluate_elements(const struct luxel_evaluator *evaluator, const struct 
         *value = place_of(&element);
         value->has_value = has_value[i];
         value->value = has_value[i] ? sum.value : 0;
-        value->error = has_value[i] ? lx_told_error(sum) : 0;
+        value->error = has_value[i] ? lx_reported_error(sum) : 0;
         if (!has_value[i] && shares)
             memset(shares + of[i] * lights, 0, lights * sizeof *shares);
     }

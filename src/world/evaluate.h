@@ -28,7 +28,7 @@ lx_bounded lx_received_value(const struct lx_received *received, luxel_quantity 
 lx_bounded lx_reflected_value(const struct lx_lobe *lobe, luxel_quantity quantity, lx_bounded irradiance);
 
 /* The error that is told of a number: infinite where the bound has left the range and so is none. */
-double lx_told_error(lx_bounded number);
+double lx_reported_error(lx_bounded number);
 
 /* Whether a place is one that can be probed: its numbers finite, its directions not 0. */
 bool lx_is_place(const luxel_place *place);

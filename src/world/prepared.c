@@ -16,7 +16,7 @@
 
 /* How many a scene may have without asking how much memory there is. */
 enum { FEW_EMITTERS = 4096 };
-/* A point of a swarm takes so much. */
+/* A point of a point set takes so much. */
 enum { SWARM_BYTES = 64 };
 
 static int prepare_lights(const struct lx_list *lights, const bool *on, struct lx_emitters *emitters)
@@ -118,7 +118,7 @@ int lx_prepare(const struct lx_scene_parameters *scene, const luxel_settings *se
     const struct lx_emitters room = {
         .most = FEW_EMITTERS,
         .each = (double)((placed + 1) * sizeof(struct lx_emitter) + surfaces * (320 + others * sizeof(uint32_t))),
-        .each_in_swarms = (double)((placed + 1) * SWARM_BYTES + surfaces * others * sizeof(uint32_t)),
+        .each_in_point_sets = (double)((placed + 1) * SWARM_BYTES + surfaces * others * sizeof(uint32_t)),
         .asking = asking,
     };
     const double tolerance = settings && settings->tolerance > 0 ? settings->tolerance : LX_DEFAULT_TOLERANCE;
@@ -239,7 +239,7 @@ const char *lx_unit_of_scene(const struct lx_scene_parameters *scene, const luxe
     const luxel_quantity quantity = settings ? settings->quantity : LUXEL_BRIGHTNESS;
     const bool photometric = scene->units == LX_PHOTOMETRIC;
     struct lx_emitters emitters = {
-        .most = FEW_EMITTERS, .each = sizeof(struct lx_emitter), .each_in_swarms = SWARM_BYTES};
+        .most = FEW_EMITTERS, .each = sizeof(struct lx_emitter), .each_in_point_sets = SWARM_BYTES};
     bool *on = lx_lights_on(scene, settings);
     const char *unit = LX_N("relative");
     size_t over_pi = 0;

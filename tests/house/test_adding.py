@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Adds a light, a surface, an emitter and a lobe the way the guides in docs/ say, in a copy of the sources, and tries them.
+"""Adds a light, a surface, an emitter and a lobe as the guides in docs/ say, in a copy of the sources, and tries them.
 
     test_adding.py SOURCE_FOLDER MESON
 

@@ -175,47 +175,47 @@ struct vector view_at(const struct lx_plan *plan, struct vector place)
     return unit(plus(observer_from(plan), -1, place));
 }
 
-double complex attenuated(const struct lx_shell_law *law, double complex square)
+double complex attenuated(const struct lx_area_light_law *law, double complex square)
 {
     return 1 / (law->none + law->root * csqrt(square) + law->square * square);
 }
 
-struct seen_place seen_of_side(const struct lx_shell *shell, struct vector place, double s, double t)
+struct seen_place seen_of_side(const struct lx_area_light *lamp, struct vector place, double s, double t)
 {
-    const struct vector axis = vector_of(shell->axis), from = plus(place, -1, vector_of(shell->center));
+    const struct vector axis = vector_of(lamp->axis), from = plus(place, -1, vector_of(lamp->center));
     const struct vector u = unit(across(from, axis)), v = cross(u, axis), zero = {0, 0, 0};
-    const double radius = shell->round_mm, share = 2 * t - 1;
+    const double radius = lamp->round_mm, share = 2 * t - 1;
     const double complex distance = dot(from, u), whole = csqrt((distance - radius) / (distance + radius));
     const double complex turn = 2 * catan(share * whole), turns = 4 * whole / (1 + share * share * whole * whole);
     const struct vector face = plus(plus(zero, ccos(turn), u), csin(turn), v);
-    const struct vector at = plus(plus(zero, (2 * s - 1) * shell->half_mm, axis), radius, face),
+    const struct vector at = plus(plus(zero, (2 * s - 1) * lamp->half_mm, axis), radius, face),
                         way = plus(from, -1, at);
-    return (struct seen_place){at, radius * 2 * shell->half_mm * turns * dot(way, face) / csqrt(dot(way, way))};
+    return (struct seen_place){at, radius * 2 * lamp->half_mm * turns * dot(way, face) / csqrt(dot(way, way))};
 }
 
-double complex irradiance_by_cylinder(const struct lx_shell *shell, const struct lx_vicinity *at, struct vector place,
-                                      struct vector normal)
+double complex irradiance_by_cylinder(const struct lx_area_light *lamp, const struct lx_vicinity *at,
+                                      struct vector place, struct vector normal)
 {
     enum { PARTS = 20 };
-    const struct vector axis = vector_of(shell->axis), center = vector_of(shell->center), zero = {0, 0, 0};
+    const struct vector axis = vector_of(lamp->axis), center = vector_of(lamp->center), zero = {0, 0, 0};
     const struct vector middle = plus(vector_of(at->place), -1, center);
-    const double along = creal(dot(middle, axis)), half = shell->half_mm, radius = shell->round_mm;
+    const double along = creal(dot(middle, axis)), half = lamp->half_mm, radius = lamp->round_mm;
     const bool sees_side = length_of_real(across(middle, axis)) > radius, sees_end = fabs(along) > half;
     const struct vector outward = plus(zero, along < 0 ? -1 : 1, axis), u = unit(across(middle, axis)),
                         v = cross(axis, u);
     double complex sum = 0;
     for (int i = 0; i < PARTS * PARTS; i++) {
         const double s = (i % PARTS + 0.5) / PARTS, t = (i / PARTS + 0.5) / PARTS, turn = 2 * M_PI * t;
-        const struct seen_place seen = seen_of_side(shell, place, s, t);
+        const struct seen_place seen = seen_of_side(lamp, place, s, t);
         const struct vector way = plus(plus(center, 1, seen.from_center), -1, place);
         const struct vector beside = plus(plus(zero, radius * s * cos(turn), u), radius * s * sin(turn), v);
         const struct vector to_end = plus(plus(plus(center, half, outward), 1, beside), -1, place);
         const double complex square = dot(to_end, to_end);
         if (sees_side)
-            sum += seen.e * dot(normal, unit(way)) * attenuated(&shell->law, dot(way, way));
+            sum += seen.e * dot(normal, unit(way)) * attenuated(&lamp->law, dot(way, way));
         if (sees_end)
             sum -= 2 * M_PI * s * radius * radius * dot(normal, to_end) * dot(outward, to_end) *
-                   attenuated(&shell->law, square) / square;
+                   attenuated(&lamp->law, square) / square;
     }
     return sum / (PARTS * PARTS);
 }

@@ -42,7 +42,7 @@ struct vector place_at(const struct lx_plan *plan, double complex x, double comp
 struct vector view_at(const struct lx_plan *plan, struct vector place);
 
 /* a(r) where r^2 is `square`. */
-double complex attenuated(const struct lx_shell_law *law, double complex square);
+double complex attenuated(const struct lx_area_light_law *law, double complex square);
 
 /* What a body shows of its place with the coordinates s and t of struct lx_patch, from 0 to 1. */
 struct seen_place {
@@ -51,11 +51,11 @@ struct seen_place {
 };
 
 /* A place of a cylinder's side (round_view.h). */
-struct seen_place seen_of_side(const struct lx_shell *shell, struct vector place, double s, double t);
+struct seen_place seen_of_side(const struct lx_area_light *lamp, struct vector place, double s, double t);
 
 /* The irradiance by a cylinder of the radiance 1: its side, and the end that is seen from the middle of the square. */
-double complex irradiance_by_cylinder(const struct lx_shell *shell, const struct lx_vicinity *at, struct vector place,
-                                      struct vector normal);
+double complex irradiance_by_cylinder(const struct lx_area_light *lamp, const struct lx_vicinity *at,
+                                      struct vector place, struct vector normal);
 
 /* What is tried of squares of random scenes. */
 struct campaign {

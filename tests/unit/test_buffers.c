@@ -19,7 +19,7 @@
 #include "kernel/kernel.h"
 #include "light/solid/facets.h"
 #include "picture/lights.h"
-#include "picture/shell.h"
+#include "picture/area_light.h"
 #include "random_scenes.h"
 
 static const size_t counts[] = {1, 2, 15, 16, 17, 31, 37, 64, 100, 127, 128, 240, 241, 255, 256};
@@ -231,18 +231,18 @@ static void test_points(void **state)
 
 /* ---- extended sources ---- */
 
-static void add_shell(const struct call *call)
+static void add_area_light(const struct call *call)
 {
-    const struct lx_shell *shell = call->data;
-    call->kernels->light_by_shell[shell->type](shell, 0.75, call->block, call->count, NULL, call->sum);
+    const struct lx_area_light *lamp = call->data;
+    call->kernels->light_by_area_light[lamp->type](lamp, 0.75, call->block, call->count, NULL, call->sum);
 }
 
-static void add_shell_in_single(const struct call *call)
+static void add_area_light_in_single(const struct call *call)
 {
     call->kernels->facets_single(call->data, 0.75, call->copy, call->count, NULL, call->sum);
 }
 
-static void test_shells(void **state)
+static void test_area_lights(void **state)
 {
     static const double center[3] = {500, -250, 700};
     const struct lx_shape lit = {.radius_mm = 300};
@@ -250,17 +250,17 @@ static void test_shells(void **state)
     for (int kind = 0; kind < SOURCES; kind++) {
         struct lx_emitter source = source_of(kind, center, 3, 250);
         struct randomness random = {.state = 72};
-        struct lx_shell shell;
-        assert_int_equal(lx_shell_make(&source, &lit, NULL, &shell), LUXEL_OK);
-        if (shell.edge_count > 0)
-            assert_int_equal(lx_shell_make_single(&shell, NULL), LUXEL_OK);
+        struct lx_area_light lamp;
+        assert_int_equal(lx_area_light_make(&source, &lit, NULL, &lamp), LUXEL_OK);
+        if (lamp.edge_count > 0)
+            assert_int_equal(lx_area_light_make_single(&lamp, NULL), LUXEL_OK);
         for (size_t k = 0; lx_kernels_get(k); k++)
             for (int n = 0; n < 10 && lx_kernels_get(k)->runs(); n++) {
-                check_sums(lx_kernels_get(k), add_shell, &shell, "an extended source", &random);
-                if (shell.edge_count > 0)
-                    check_sums(lx_kernels_get(k), add_shell_in_single, &shell, "facets in float32", &random);
+                check_sums(lx_kernels_get(k), add_area_light, &lamp, "an extended source", &random);
+                if (lamp.edge_count > 0)
+                    check_sums(lx_kernels_get(k), add_area_light_in_single, &lamp, "facets in float32", &random);
             }
-        lx_shell_clear(&shell);
+        lx_area_light_clear(&lamp);
         lx_facets_free(source.facets);
     }
 }
@@ -517,7 +517,7 @@ static void test_shapes(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_points),  cmocka_unit_test(test_shells),      cmocka_unit_test(test_samples),
+        cmocka_unit_test(test_points),  cmocka_unit_test(test_area_lights), cmocka_unit_test(test_samples),
         cmocka_unit_test(test_surveys), cmocka_unit_test(test_plain_loops), cmocka_unit_test(test_shapes),
         cmocka_unit_test(test_views),
     };

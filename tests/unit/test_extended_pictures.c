@@ -250,9 +250,9 @@ static double reference_picture(const struct test_scene *test, luxel_quantity qu
 static double share_in_single(const struct lx_plan *plan)
 {
     size_t facets = 0, singles = 0;
-    for (size_t i = 0; i < plan->surfaces[0].shell_count; i++) {
-        facets += plan->surfaces[0].shells[i].shell.type == LX_FACETS;
-        singles += plan->surfaces[0].shells[i].shell.edges_single != NULL;
+    for (size_t i = 0; i < plan->surfaces[0].area_light_count; i++) {
+        facets += plan->surfaces[0].area_lights[i].lamp.type == LX_FACETS;
+        singles += plan->surfaces[0].area_lights[i].lamp.edges_single != NULL;
     }
     return facets > 0 ? (double)singles / (double)facets : 0;
 }

@@ -113,21 +113,21 @@ static void asks_while_facets_are_made(void **state)
     assert_int_equal(ball->face_count, FACES);
     assert_true(counted.asked > 10 * FACES / 64);
 
-    /* A shell of it, for the pictures of a surface. */
+    /* An area light of it, for the pictures of a surface. */
     const struct lx_emitter emitter = {.type = LX_FACETS, .facets = ball};
     const struct lx_shape lit = {.radius_mm = 100};
-    struct lx_shell shell;
+    struct lx_area_light lamp;
     begin(0);
-    assert_int_equal(lx_shell_make(&emitter, &lit, &asking, &shell), LUXEL_OK);
+    assert_int_equal(lx_area_light_make(&emitter, &lit, &asking, &lamp), LUXEL_OK);
     assert_true(counted.asked > (ball->face_count + ball->edge_count) / 128);
     size_t patches = 0;
     for (size_t i = 0; i < ball->face_count; i++)
         patches += (ball->faces[i].count - 1) / 2;
-    assert_int_equal(lx_patch_limit(&shell), patches);
-    lx_shell_clear(&shell);
+    assert_int_equal(lx_patch_limit(&lamp), patches);
+    lx_area_light_clear(&lamp);
     begin(1);
-    assert_int_equal(lx_shell_make(&emitter, &lit, &asking, &shell), LUXEL_CANCELLED);
-    lx_shell_clear(&shell);
+    assert_int_equal(lx_area_light_make(&emitter, &lit, &asking, &lamp), LUXEL_CANCELLED);
+    lx_area_light_clear(&lamp);
     lx_facets_free(ball);
 
     /* To stop at any question is the end of it. */
@@ -280,16 +280,16 @@ static void precision_is_not_chosen_to_the_end(void **state)
 
 /* ---- what is kept ---- */
 
-static const struct lx_grown *tree_of(const luxel_scene *scene)
+static const struct lx_built_tree *tree_of(const luxel_scene *scene)
 {
     const luxel_settings settings = settings_with(0.01, 1);
     struct lx_session session;
     assert_int_equal(lx_session_open(scene, &settings, NULL, &session), LUXEL_OK);
-    assert_int_equal(session.plan.forest.tree_count, 1);
-    const struct lx_grown *grown = session.plan.forest.trees[0].grown;
-    assert_int_equal(session.plan.forest.trees[0].leaf_count, grown->leaf_count);
+    assert_int_equal(session.plan.trees.tree_count, 1);
+    const struct lx_built_tree *built = session.plan.trees.trees[0].built;
+    assert_int_equal(session.plan.trees.trees[0].leaf_count, built->leaf_count);
     lx_session_clear(&session);
-    return grown;
+    return built;
 }
 
 static void expect_same(const luxel_field *one, const luxel_field *other)
@@ -324,7 +324,7 @@ static void trees_are_planted_once(void **state)
     make_cloud(LX_LEAST_KEPT, path);
     luxel_scene *scene = scene_of_cloud(path, ", pattern: cosine, exponent: 2, axis: [0, 0, -1]");
     begin(0);
-    const struct lx_grown *first = tree_of(scene);
+    const struct lx_built_tree *first = tree_of(scene);
     const size_t planted = counted.asked;
     begin(0);
     assert_ptr_equal(tree_of(scene), first);
@@ -335,41 +335,41 @@ static void trees_are_planted_once(void **state)
     luxel_scene_free(copy);
 
     /* Another law or exponent needs no other tree, but other axes do. */
-    lx_kept_hold((struct lx_kept *)&((struct lx_grown *)first)->kept); /* so that no other gets its place */
+    lx_kept_hold((struct lx_kept *)&((struct lx_built_tree *)first)->kept); /* so that no other gets its place */
     copy = luxel_scene_copy(scene);
     struct lx_session session;
     const luxel_settings settings = settings_with(0.01, 1);
     assert_int_equal(lx_session_open(copy, &settings, NULL, &session), LUXEL_OK);
-    struct lx_swarm *swarm = &session.prepared.emitters.swarms[0];
+    struct lx_point_set *set = &session.prepared.emitters.point_sets[0];
     struct lx_control control = {.rows = 1};
-    struct lx_forest forest = {0};
-    swarm->model.attenuation = LX_NO_ATTENUATION;
-    swarm->model.profile.exponent = 3;
-    assert_int_equal(lx_forest_plant(&session.prepared.emitters, &control, &forest), LUXEL_OK);
-    assert_ptr_equal(forest.trees[0].grown, first);
-    assert_true(forest.trees[0].model.profile.exponent == 3);
-    lx_forest_clear(&forest);
-    swarm->is_aimed = true;
-    assert_int_equal(lx_forest_plant(&session.prepared.emitters, &control, &forest), LUXEL_OK);
-    assert_ptr_not_equal(forest.trees[0].grown, first);
-    const struct lx_grown *by_aim = forest.trees[0].grown;
-    lx_forest_clear(&forest);
-    assert_int_equal(lx_forest_plant(&session.prepared.emitters, &control, &forest), LUXEL_OK);
-    assert_ptr_equal(forest.trees[0].grown, by_aim);
-    lx_forest_clear(&forest);
-    swarm->aim_mm[1] = 7;
-    lx_kept_hold((struct lx_kept *)&((struct lx_grown *)by_aim)->kept);
-    assert_int_equal(lx_forest_plant(&session.prepared.emitters, &control, &forest), LUXEL_OK);
-    assert_ptr_not_equal(forest.trees[0].grown, by_aim);
-    lx_forest_clear(&forest);
-    swarm->is_aimed = false;
-    swarm->model.profile.axis = lx_exact3((double[]){1, 0, 0});
-    assert_int_equal(lx_forest_plant(&session.prepared.emitters, &control, &forest), LUXEL_OK);
-    assert_ptr_not_equal(forest.trees[0].grown, first);
-    lx_forest_clear(&forest);
+    struct lx_light_trees trees = {0};
+    set->model.attenuation = LX_NO_ATTENUATION;
+    set->model.profile.exponent = 3;
+    assert_int_equal(lx_light_trees_build(&session.prepared.emitters, &control, &trees), LUXEL_OK);
+    assert_ptr_equal(trees.trees[0].built, first);
+    assert_true(trees.trees[0].model.profile.exponent == 3);
+    lx_light_trees_clear(&trees);
+    set->is_aimed = true;
+    assert_int_equal(lx_light_trees_build(&session.prepared.emitters, &control, &trees), LUXEL_OK);
+    assert_ptr_not_equal(trees.trees[0].built, first);
+    const struct lx_built_tree *by_aim = trees.trees[0].built;
+    lx_light_trees_clear(&trees);
+    assert_int_equal(lx_light_trees_build(&session.prepared.emitters, &control, &trees), LUXEL_OK);
+    assert_ptr_equal(trees.trees[0].built, by_aim);
+    lx_light_trees_clear(&trees);
+    set->aim_mm[1] = 7;
+    lx_kept_hold((struct lx_kept *)&((struct lx_built_tree *)by_aim)->kept);
+    assert_int_equal(lx_light_trees_build(&session.prepared.emitters, &control, &trees), LUXEL_OK);
+    assert_ptr_not_equal(trees.trees[0].built, by_aim);
+    lx_light_trees_clear(&trees);
+    set->is_aimed = false;
+    set->model.profile.axis = lx_exact3((double[]){1, 0, 0});
+    assert_int_equal(lx_light_trees_build(&session.prepared.emitters, &control, &trees), LUXEL_OK);
+    assert_ptr_not_equal(trees.trees[0].built, first);
+    lx_light_trees_clear(&trees);
     lx_session_clear(&session);
-    lx_kept_release((struct lx_kept *)&((struct lx_grown *)first)->kept);
-    lx_kept_release((struct lx_kept *)&((struct lx_grown *)by_aim)->kept);
+    lx_kept_release((struct lx_kept *)&((struct lx_built_tree *)first)->kept);
+    lx_kept_release((struct lx_kept *)&((struct lx_built_tree *)by_aim)->kept);
     luxel_scene_free(copy);
     luxel_scene_free(scene);
     unlink(path);
@@ -405,11 +405,11 @@ static void clouds_have_trees_of_their_own(void **state)
     luxel_settings settings = settings_with(1e-6, 1);
     struct lx_session session;
     assert_int_equal(lx_session_open(scene, &settings, NULL, &session), LUXEL_OK);
-    assert_int_equal(session.plan.forest.tree_count, 3);
-    assert_int_equal(session.plan.forest.trees[0].grown->point_count, 301);
-    assert_ptr_equal(session.plan.forest.trees[1].grown, session.plan.forest.trees[2].grown);
-    assert_int_equal(session.plan.forest.trees[1].first, 300);
-    assert_int_equal(session.plan.forest.trees[2].first, 300 + LX_LEAST_KEPT);
+    assert_int_equal(session.plan.trees.tree_count, 3);
+    assert_int_equal(session.plan.trees.trees[0].built->point_count, 301);
+    assert_ptr_equal(session.plan.trees.trees[1].built, session.plan.trees.trees[2].built);
+    assert_int_equal(session.plan.trees.trees[1].first, 300);
+    assert_int_equal(session.plan.trees.trees[2].first, 300 + LX_LEAST_KEPT);
     lx_session_clear(&session);
     luxel_field *clustered = NULL, *summed = NULL;
     assert_int_equal(luxel_render(scene, &settings, NULL, &clustered), LUXEL_OK);
@@ -552,11 +552,11 @@ static void bodies_of_meshes_are_made_once(void **state)
     lx_prepared_clear(&other);
 }
 
-/* Parts in a swarm shine like parts one by one: a rectangle of 64 x 64, or its quarters of 32 x 32. */
+/* Parts in a point set shine like parts one by one: a rectangle of 64 x 64, or its quarters of 32 x 32. */
 static void parts_in_a_swarm_shine_the_same(void **state)
 {
     (void)state;
-    luxel_scene *swarm =
+    luxel_scene *set =
         scene_with("  - {type: planar, rectangle: {center: [0, 0, 2000], size: [400, 320]}, radiance: 3, parts: 64}\n");
     luxel_scene *quarters = scene_with(
         "  - {type: planar, rectangle: {center: [-100, -80, 2000], size: [200, 160]}, radiance: 3, parts: 32}\n"
@@ -564,19 +564,19 @@ static void parts_in_a_swarm_shine_the_same(void **state)
         "  - {type: planar, rectangle: {center: [-100, 80, 2000], size: [200, 160]}, radiance: 3, parts: 32}\n"
         "  - {type: planar, rectangle: {center: [100, 80, 2000], size: [200, 160]}, radiance: 3, parts: 32}\n");
     struct lx_prepared prepared;
-    assert_int_equal(lx_prepare(lx_scene_parameters(swarm), NULL, NULL, &prepared), 0);
-    assert_int_equal(prepared.emitters.swarm_count, 1);
+    assert_int_equal(lx_prepare(lx_scene_parameters(set), NULL, NULL, &prepared), 0);
+    assert_int_equal(prepared.emitters.point_set_count, 1);
     assert_int_equal(prepared.emitters.count, 64 * 64);
-    assert_true(prepared.emitters.swarms[0].model.is_part);
+    assert_true(prepared.emitters.point_sets[0].model.is_part);
     lx_prepared_clear(&prepared);
     luxel_probe *one, *other;
-    assert_int_equal(luxel_probe_screen(swarm, NULL, 60, 40, NULL, &one), LUXEL_OK);
+    assert_int_equal(luxel_probe_screen(set, NULL, 60, 40, NULL, &one), LUXEL_OK);
     assert_int_equal(luxel_probe_screen(quarters, NULL, 60, 40, NULL, &other), LUXEL_OK);
     assert_true(one->value > 0 && fabs(one->value - other->value) < 1e-12 * one->value);
     assert_true(one->has_pixel_value && fabs(one->pixel_value - other->pixel_value) < 1e-5 * one->pixel_value);
     luxel_probe_free(one);
     luxel_probe_free(other);
-    luxel_scene_free(swarm);
+    luxel_scene_free(set);
     luxel_scene_free(quarters);
 }
 

@@ -18,7 +18,7 @@
 #include "light/solid/extended.h"
 #include "light/solid/facets.h"
 #include "picture/precision.h"
-#include "picture/shell.h"
+#include "picture/area_light.h"
 #include "world/integral/cubature.h"
 
 extern const struct lx_surface_kind lx_sphere_kind;
@@ -131,12 +131,12 @@ static struct truth truth_of(const struct lx_emitter *emitter, const struct lx_b
 }
 
 /* The worst error, of the greatest value; counts those that are left. */
-static double worst_of(lx_light_by_law *law, const struct lx_shell *shell, const struct lx_gauss_rules *rules,
+static double worst_of(lx_light_by_law *law, const struct lx_area_light *lamp, const struct lx_gauss_rules *rules,
                        const struct lx_block_double *block, const struct truth *truth, size_t *left_count)
 {
     double sum[LX_BLOCK] = {0}, worst = 0;
     uint8_t left[LX_BLOCK] = {0};
-    law(shell, rules, 1, block, LX_BLOCK, NULL, sum, left);
+    law(lamp, rules, 1, block, LX_BLOCK, NULL, sum, left);
     for (size_t i = 0; i < LX_BLOCK / EVERY; i++) {
         *left_count += left[i * EVERY];
         if (left[i * EVERY])
@@ -148,7 +148,7 @@ static double worst_of(lx_light_by_law *law, const struct lx_shell *shell, const
 }
 
 /* One element alone, in the other order, and beside others gives the same bytes. */
-static void check_alone(lx_light_by_law *law, const struct lx_shell *shell, const struct lx_gauss_rules *rules,
+static void check_alone(lx_light_by_law *law, const struct lx_area_light *lamp, const struct lx_gauss_rules *rules,
                         const struct lx_block_double *block)
 {
     double sum[LX_BLOCK] = {0}, turned_sum[LX_BLOCK] = {0};
@@ -159,8 +159,8 @@ static void check_alone(lx_light_by_law *law, const struct lx_shell *shell, cons
         turned.px[i] = block->px[k], turned.py[i] = block->py[k], turned.pz[i] = block->pz[k];
         turned.nx[i] = block->nx[k], turned.ny[i] = block->ny[k], turned.nz[i] = block->nz[k];
     }
-    law(shell, rules, 1, block, LX_BLOCK, NULL, sum, left);
-    law(shell, rules, 1, &turned, LX_BLOCK, NULL, turned_sum, turned_left);
+    law(lamp, rules, 1, block, LX_BLOCK, NULL, sum, left);
+    law(lamp, rules, 1, &turned, LX_BLOCK, NULL, turned_sum, turned_left);
     for (size_t i = 0; i < LX_BLOCK; i++) {
         const size_t k = (i * 37 + 11) % LX_BLOCK;
         assert_true(sum[k] == turned_sum[i]);
@@ -176,30 +176,30 @@ struct tally {
 
 /* What the rules for each error leave, in what is far by few places. */
 static void check_rules(const struct lx_emitter *emitter, double nearest, const struct lx_block_double *block,
-                        struct lx_shell *shell, struct tally *tally)
+                        struct lx_area_light *lamp, struct tally *tally)
 {
     const struct truth truth = truth_of(emitter, block);
     for (int e = 0; e < 2; e++) {
         struct lx_gauss_rules *rules = lx_gauss_rules_new(errors[e]);
         const struct lx_kernels *kernels;
         assert_non_null(rules);
-        assert_int_equal(lx_shell_set_nodes(rules, nearest, shell), LUXEL_OK);
-        tally->by_nodes += shell->nodes_each > 0;
+        assert_int_equal(lx_area_light_set_nodes(rules, nearest, lamp), LUXEL_OK);
+        tally->by_nodes += lamp->nodes_each > 0;
         for (size_t k = 0; (kernels = lx_kernels_get(k)) != NULL; k++) {
             if (!kernels->runs())
                 continue;
             size_t left = 0;
-            const double off = worst_of(kernels->law_double[emitter->type], shell, rules, block, &truth, &left);
+            const double off = worst_of(kernels->law_double[emitter->type], lamp, rules, block, &truth, &left);
             tally->worst[e] = fmax(tally->worst[e], off);
             if (off > limits[e])
                 print_message("# %s: off by %.2g, the law %d, so near: %g mm, %u places each\n", kernels->name, off,
-                              (int)emitter->attenuation, nearest, shell->nodes_each);
+                              (int)emitter->attenuation, nearest, lamp->nodes_each);
             tally->left += e == 0 ? left : 0;
             tally->all += e == 0 ? LX_BLOCK / EVERY : 0;
-            check_alone(kernels->law_double[emitter->type], shell, rules, block);
-            check_alone(kernels->law_single[emitter->type], shell, rules, block);
+            check_alone(kernels->law_double[emitter->type], lamp, rules, block);
+            check_alone(kernels->law_single[emitter->type], lamp, rules, block);
         }
-        lx_shell_forget_nodes(shell);
+        lx_area_light_forget_nodes(lamp);
         free(rules);
     }
 }
@@ -216,11 +216,11 @@ static void check_sources(enum lx_emitter_type type)
         const double reach = type == LX_CYLINDER ? hypot(emitter.radius_mm, emitter.height_mm / 2) : emitter.radius_mm;
         const double nearest = s % 2 == 0 ? 0 : reach * logarithmic(&random, 0.3, 10);
         static struct lx_block_double block;
-        struct lx_shell shell;
-        assert_int_equal(lx_shell_make(&emitter, &lit, NULL, &shell), LUXEL_OK);
+        struct lx_area_light lamp;
+        assert_int_equal(lx_area_light_make(&emitter, &lit, NULL, &lamp), LUXEL_OK);
         random_block(&random, reach, nearest > 0 ? reach + nearest : uniform(&random, 0, reach), &block);
-        check_rules(&emitter, nearest, &block, &shell, &tally);
-        lx_shell_clear(&shell);
+        check_rules(&emitter, nearest, &block, &lamp, &tally);
+        lx_area_light_clear(&lamp);
         lx_facets_free(emitter.facets);
     }
     print_message("# off by %.2g and %.2g of the maximum; %zu of %zu left to integrals, few places in %zu of %d\n",
@@ -267,13 +267,13 @@ static void block_on(struct randomness *random, const struct lx_shape *sphere, s
 }
 
 /* What float32 rounds, of its bound. */
-static double share_of_bound(lx_light_by_law *single, lx_light_by_law *exact, const struct lx_shell *shell,
+static double share_of_bound(lx_light_by_law *single, lx_light_by_law *exact, const struct lx_area_light *lamp,
                              const struct lx_gauss_rules *rules, const struct lx_block_double *block, double bound)
 {
     double sums[2][LX_BLOCK] = {{0}}, worst = 0;
     uint8_t left[2][LX_BLOCK] = {{0}};
-    single(shell, rules, 1, block, LX_BLOCK, NULL, sums[0], left[0]);
-    exact(shell, rules, 1, block, LX_BLOCK, NULL, sums[1], left[1]);
+    single(lamp, rules, 1, block, LX_BLOCK, NULL, sums[0], left[0]);
+    exact(lamp, rules, 1, block, LX_BLOCK, NULL, sums[1], left[1]);
     for (size_t i = 0; i < LX_BLOCK; i++)
         if (!left[0][i] && !left[1][i])
             worst = fmax(worst, fabs(sums[0][i] - sums[1][i]) / bound);
@@ -295,20 +295,20 @@ static void test_roundings(void **state)
             const double reach =
                 type == LX_CYLINDER ? hypot(emitter.radius_mm, emitter.height_mm / 2) : emitter.radius_mm;
             struct lx_shape sphere;
-            struct lx_shell shell;
+            struct lx_area_light lamp;
             static struct lx_block_double block;
             random_sphere(&random, reach, &emitter, &sphere);
-            assert_int_equal(lx_shell_make(&emitter, &sphere, NULL, &shell), LUXEL_OK);
-            assert_int_equal(lx_shell_set_nodes(rules, lx_gap(&sphere, &shell, NULL), &shell), LUXEL_OK);
-            const double bound = lx_bound_law(&sphere, 1, &shell, NULL);
+            assert_int_equal(lx_area_light_make(&emitter, &sphere, NULL, &lamp), LUXEL_OK);
+            assert_int_equal(lx_area_light_set_nodes(rules, lx_gap(&sphere, &lamp, NULL), &lamp), LUXEL_OK);
+            const double bound = lx_bound_law(&sphere, 1, &lamp, NULL);
             assert_true(bound > 0 && isfinite(bound));
             block_on(&random, &sphere, &block);
             const struct lx_kernels *kernels;
             for (size_t k = 0; (kernels = lx_kernels_get(k)) != NULL; k++)
                 if (kernels->runs())
-                    worst = fmax(worst, share_of_bound(kernels->law_single[type], kernels->law_double[type], &shell,
+                    worst = fmax(worst, share_of_bound(kernels->law_single[type], kernels->law_double[type], &lamp,
                                                        rules, &block, bound));
-            lx_shell_clear(&shell);
+            lx_area_light_clear(&lamp);
             lx_facets_free(emitter.facets);
         }
         print_message("# roundings are up to %.2g of their bound\n", worst);

@@ -209,10 +209,10 @@ static void test_room(void **state)
     struct lx_cloud cloud = {.count = POINTS, .values = rows};
     struct test_scene test;
     make_random_scene(&random, false, &test);
-    const struct lx_swarm swarm = {
+    const struct lx_point_set set = {
         .cloud = &cloud, .model = {.type = LX_POINT, .profile = lx_profile_isotropic()}, .aim_mm = {0}};
     test.prepared.emitters = (struct lx_emitters){0};
-    assert_int_equal(lx_emitters_append_swarm(&test.prepared.emitters, &swarm), 0);
+    assert_int_equal(lx_emitters_append_point_set(&test.prepared.emitters, &set), 0);
     for (int error = 0; error < 2; error++) {
         const luxel_settings settings = {.light_error = error ? 0.01 : 0};
         const struct mallinfo2 before = mallinfo2();

@@ -126,15 +126,15 @@ static void make_lists(struct randomness *random, struct lists *lists)
         cloud->values = rows_of(random, cloud->count, cloud->is_single);
         struct lx_emitter model = random_emitter(random, &sphere);
         model.type = LX_POINT;
-        const struct lx_swarm swarm = {
+        const struct lx_point_set set = {
             .cloud = cloud, .model = model, .is_aimed = c == 0 || c == 3, .aim_mm = {30, 40, 950}};
-        assert_int_equal(lx_emitters_append_swarm(&lists->emitters, &swarm), 0);
+        assert_int_equal(lx_emitters_append_point_set(&lists->emitters, &set), 0);
     }
     struct lx_emitter_span span = {0};
     while (lx_emitters_next(&lists->emitters, &span)) {
-        if (span.swarm)
-            assert_int_equal(lx_lights_append_swarm(&lists->lights, span.swarm), 0);
-        for (size_t i = span.first; i < span.end && !span.swarm; i++)
+        if (span.set)
+            assert_int_equal(lx_lights_append_point_set(&lists->lights, span.set), 0);
+        for (size_t i = span.first; i < span.end && !span.set; i++)
             assert_int_equal(lx_lights_append(&lists->lights, lx_span_at(&span, i, NULL)), 0);
     }
     assert_true(lists->lights.count == lists->emitters.count && lists->lights.cloud_count == 2);
@@ -226,16 +226,16 @@ static void spans(void **state)
                 assert_memory_equal(row, by_number->position_mm, sizeof by_number->position_mm);
                 assert_true(row[3] == by_number->strength);
             }
-            if (!span.swarm)
+            if (!span.set)
                 continue;
             double expected[LX_CLOUD_COLUMNS];
-            lx_cloud_row(span.swarm->cloud, i - span.first, expected);
+            lx_cloud_row(span.set->cloud, i - span.first, expected);
             assert_memory_equal(row, expected, sizeof row);
-            if (!span.swarm->is_aimed)
+            if (!span.set->is_aimed)
                 continue;
             double way[3], length = 0;
             for (int k = 0; k < 3; k++) {
-                way[k] = span.swarm->aim_mm[k] - row[k];
+                way[k] = span.set->aim_mm[k] - row[k];
                 length = hypot(length, way[k]);
             }
             assert_true(fabs(by_number->profile.axis.x.value - way[0] / length) < 1e-14);
@@ -260,8 +260,8 @@ static void owners(void **state)
         model.type = LX_POINT;
         emitters.light = light;
         if (turn % 2) {
-            const struct lx_swarm swarm = {.cloud = &cloud, .model = model};
-            assert_int_equal(lx_emitters_append_swarm(&emitters, &swarm), 0);
+            const struct lx_point_set set = {.cloud = &cloud, .model = model};
+            assert_int_equal(lx_emitters_append_point_set(&emitters, &set), 0);
         } else {
             for (int i = 0; i <= turn; i++)
                 assert_int_equal(lx_emitters_append(&emitters, &model), 0);

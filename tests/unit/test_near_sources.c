@@ -22,11 +22,11 @@
 
 static unsigned work;
 
-WRAPPED(void, lx_see, const struct lx_viewers *viewers, const struct lx_sampled *source, const struct lx_patch *patch,
-        const struct lx_cell *cell, double hardly, struct lx_sight *sight)
+WRAPPED(void, lx_see, const struct lx_receivers *receivers, const struct lx_sampled *source,
+        const struct lx_patch *patch, const struct lx_cell *cell, double hardly, struct lx_sight *sight)
 {
     work++;
-    REAL(lx_see)(viewers, source, patch, cell, hardly, sight);
+    REAL(lx_see)(receivers, source, patch, cell, hardly, sight);
 }
 
 WRAPPED(void, lx_cell_samples, const struct lx_patch *patch, const struct lx_cell *cell, unsigned side, double gain,

@@ -14,7 +14,7 @@
 
 static int made_count;
 
-WRAPPED(luxel_status, lx_reflected_make, const struct lx_reflected_wish *wish, struct lx_radiosity **made)
+WRAPPED(luxel_status, lx_reflected_make, const struct lx_reflected_request *wish, struct lx_radiosity **made)
 {
     made_count++;
     return REAL(lx_reflected_make)(wish, made);

@@ -13,7 +13,7 @@
 #include "campaign.h"
 #include "extended_sources.h"
 #include "picture/round_view.h"
-#include "picture/shell_bound.h"
+#include "picture/area_light_bound.h"
 #include "squares.h"
 
 enum { SQUARES = 12 };
@@ -44,9 +44,10 @@ static void make_scene(int i, struct test_scene *test)
 
 /* ---- visible places ---- */
 
-/* The places of the disk that a ball is, turned from the way out from where they are told; there as shell.c has it. */
-static struct seen_place seen_of_ball(const struct lx_shell *ball, struct vector out, struct vector place, double s,
-                                      double t)
+/* The places of the disk that a ball is, turned from the way out from where they are told; there as area_light.c has
+ * it. */
+static struct seen_place seen_of_ball(const struct lx_area_light *ball, struct vector out, struct vector place,
+                                      double s, double t)
 {
     const struct vector zero = {0, 0, 0}, from = plus(place, -1, vector_of(ball->center)), u = unit(from);
     const struct vector beside = {cabs(out.x) <= 0.5, cabs(out.x) > 0.5, 0};
@@ -60,12 +61,12 @@ static struct seen_place seen_of_ball(const struct lx_shell *ball, struct vector
 }
 
 /* As they are told from the middle. */
-static struct seen_place seen_of(const struct lx_shell *shell, const struct lx_vicinity *at, struct vector place,
+static struct seen_place seen_of(const struct lx_area_light *lamp, const struct lx_vicinity *at, struct vector place,
                                  double s, double t)
 {
-    if (shell->has_side)
-        return seen_of_side(shell, place, s, t);
-    return seen_of_ball(shell, unit(plus(vector_of(at->place), -1, vector_of(shell->center))), place, s, t);
+    if (lamp->has_side)
+        return seen_of_side(lamp, place, s, t);
+    return seen_of_ball(lamp, unit(plus(vector_of(at->place), -1, vector_of(lamp->center))), place, s, t);
 }
 
 static double length_of_imaginary(struct vector a)
@@ -91,18 +92,18 @@ static void places_move(void **state)
     for (int i = 0; i < BODIES; i++) {
         struct randomness random = {.state = UINT64_C(0x94D049BB133111EB) * ((uint64_t)i + 1)};
         const double distance = logarithmic(&random, 110, 3000), reach = distance * logarithmic(&random, 0.001, 0.3);
-        struct lx_shell shell = {.is_ball = i % 2 == 1, .has_side = i % 2 == 0, .round_mm = 100, .half_mm = 200};
-        struct lx_vicinity at = {.place_leeway = {.first = reach * uniform(&random, 0, 1),
-                                                  .second = reach * uniform(&random, 0, 0.3),
-                                                  .imaginary = reach * uniform(&random, 0, 1)}};
-        const struct lx_leeway *place = &at.place_leeway;
+        struct lx_area_light lamp = {.is_ball = i % 2 == 1, .has_side = i % 2 == 0, .round_mm = 100, .half_mm = 200};
+        struct lx_vicinity at = {.place_deviation = {.first = reach * uniform(&random, 0, 1),
+                                                     .second = reach * uniform(&random, 0, 0.3),
+                                                     .imaginary = reach * uniform(&random, 0, 1)}};
+        const struct lx_deviation *place = &at.place_deviation;
         struct lx_round_view view;
         double direction[3];
-        random_direction(&random, shell.axis);
+        random_direction(&random, lamp.axis);
         random_direction(&random, direction);
         for (int k = 0; k < 3; k++)
             at.place[k] = distance * direction[k];
-        if (!lx_round_view_of(&shell, &at, &view))
+        if (!lx_round_view_of(&lamp, &at, &view))
             continue;
         views++;
         for (int n = 0; n < PLACES; n++) {
@@ -111,9 +112,9 @@ static void places_move(void **state)
             const struct vector middle = vector_of(at.place), real = plus(middle, 1, random_way(&random, place->first));
             const struct vector beyond =
                 plus(random_way(&random, place->second), (double complex)I, random_way(&random, place->imaginary));
-            const struct vector told = seen_of(&shell, &at, middle, s, t).from_center,
-                                moved = seen_of(&shell, &at, real, s, t).from_center,
-                                all = seen_of(&shell, &at, plus(real, 1, beyond), s, t).from_center;
+            const struct vector told = seen_of(&lamp, &at, middle, s, t).from_center,
+                                moved = seen_of(&lamp, &at, real, s, t).from_center,
+                                all = seen_of(&lamp, &at, plus(real, 1, beyond), s, t).from_center;
             const double along = length_of_real(plus(moved, -1, told)) / (view.along * place->first);
             const struct vector more = plus(all, -1, moved);
             const double aside =
@@ -130,7 +131,7 @@ static void places_move(void **state)
 /* ---- parts ---- */
 
 struct part {
-    const struct lx_shell *shell;
+    const struct lx_area_light *lamp;
     const struct lx_cell *cell;
     const struct lx_vicinity *at;
 };
@@ -150,9 +151,9 @@ static double complex brightness_by_part(const struct lx_plan *plan, const struc
     for (int i = 0; i < PLACES; i++) {
         const int column = i % RULE, row = i / RULE % RULE, piece = i / (RULE * RULE);
         const double s = cell->s + cell->ds * places[column], t = cell->t + cell->dt * (piece + places[row]) / PIECES;
-        const struct seen_place seen = seen_of(part->shell, part->at, place, s, t);
-        const struct vector way = plus(plus(vector_of(part->shell->center), 1, seen.from_center), -1, place);
-        const double complex e = part->shell->radiance * seen.e * attenuated(&part->shell->law, dot(way, way));
+        const struct seen_place seen = seen_of(part->lamp, part->at, place, s, t);
+        const struct vector way = plus(plus(vector_of(part->lamp->center), 1, seen.from_center), -1, place);
+        const double complex e = part->lamp->radiance * seen.e * attenuated(&part->lamp->law, dot(way, way));
         const struct falling falling = falling_along(plan, way, e, place, normal);
         sum += weights[column] * weights[row] * brightness_of(lobe, falling, is_dark, has_highlight);
     }
@@ -182,13 +183,13 @@ static void try_parts(const struct test_scene *test, struct workplace *work, con
     plan->kernels->bound_smooth(&vicinity, lights, 0, lights->count, lobe, work->fitting.part_sizes);
     for (size_t i = 0; i < lights->count; i++) {
         const double size = work->fitting.part_sizes[i];
-        const struct part part = {round->parts[i].shell, &round->parts[i].cell, &vicinity};
+        const struct part part = {round->parts[i].lamp, &round->parts[i].cell, &vicinity};
         const struct lx_light_double about = {
             .kind = LX_BY_SQUARE, .x = lights->x[i], .y = lights->y[i], .z = lights->z[i]};
         assert_true(size == size);
         if (!isfinite(size) || size == 0)
             continue;
-        ++tried[part.shell->has_side];
+        ++tried[part.lamp->has_side];
         check_size_by(plan, lobe, brightness_by_part, &part, &about, size, &vicinity, square, basis, random);
     }
 }
@@ -208,19 +209,20 @@ static void bounds_of_parts(void **state)
 }
 
 /* Whether a place, from the centre, is no farther from the middle of a part than that. */
-static bool is_within(const struct lx_smooth_lights *made, size_t k, const struct lx_shell *shell, struct vector seen,
-                      double real, double imaginary)
+static bool is_within(const struct lx_smooth_lights *made, size_t k, const struct lx_area_light *lamp,
+                      struct vector seen, double real, double imaginary)
 {
     const struct vector middle = {made->x[k], made->y[k], made->z[k]},
-                        off = plus(plus(vector_of(shell->center), 1, seen), -1, middle);
+                        off = plus(plus(vector_of(lamp->center), 1, seen), -1, middle);
     return length_of_real(off) <= real * (1 + 1e-9) && length_of_imaginary(off) <= imaginary * (1 + 1e-9);
 }
 
 /* Every visible place is in its part, wherever it is seen from. */
-static void check_places(const struct lx_shell *shell, const struct lx_vicinity *at, const struct lx_round_parts *round,
-                         const struct lx_smooth_lights *made, struct randomness *random)
+static void check_places(const struct lx_area_light *lamp, const struct lx_vicinity *at,
+                         const struct lx_round_parts *round, const struct lx_smooth_lights *made,
+                         struct randomness *random)
 {
-    const struct lx_leeway *place = &at->place_leeway;
+    const struct lx_deviation *place = &at->place_deviation;
     const struct vector middle = vector_of(at->place);
     for (size_t k = 0; k < made->count; k++) {
         const struct lx_cell *cell = &round->parts[k].cell;
@@ -230,16 +232,16 @@ static void check_places(const struct lx_shell *shell, const struct lx_vicinity 
                             real = plus(middle, 1, random_way(random, place->first)),
                             beyond = plus(random_way(random, place->second), (double complex)I,
                                           random_way(random, place->imaginary));
-        assert_true(is_within(made, k, shell, seen_of(shell, at, near, s, t).from_center, made->radius[k], 0));
-        assert_true(is_within(made, k, shell, seen_of(shell, at, real, s, t).from_center, made->strays[k], 0));
-        assert_true(is_within(made, k, shell, seen_of(shell, at, plus(real, 1, beyond), s, t).from_center,
+        assert_true(is_within(made, k, lamp, seen_of(lamp, at, near, s, t).from_center, made->radius[k], 0));
+        assert_true(is_within(made, k, lamp, seen_of(lamp, at, real, s, t).from_center, made->strays[k], 0));
+        assert_true(is_within(made, k, lamp, seen_of(lamp, at, plus(real, 1, beyond), s, t).from_center,
                               made->strays[k], made->sways[k]));
     }
 }
 
 /* The parts are all of the body, and shine as it does. */
-static void check_sums(const struct lx_shell *shell, const struct lx_vicinity *at, const struct lx_round_parts *round,
-                       const struct lx_smooth_lights *made)
+static void check_sums(const struct lx_area_light *lamp, const struct lx_vicinity *at,
+                       const struct lx_round_parts *round, const struct lx_smooth_lights *made)
 {
     struct lx_round_view view;
     double area = 0, gain = 0;
@@ -248,8 +250,8 @@ static void check_sums(const struct lx_shell *shell, const struct lx_vicinity *a
         gain += made->gain[k];
     }
     assert_true(fabs(area - 1) < 1e-12);
-    assert_true(lx_round_view_of(shell, at, &view));
-    if (shell->is_ball)
+    assert_true(lx_round_view_of(lamp, at, &view));
+    if (lamp->is_ball)
         assert_true(fabs(gain / (7 * M_PI * 150 * 150 / (1 - view.share)) - 1) < 1e-9);
 }
 
@@ -261,26 +263,26 @@ static void parts_are_the_body(void **state)
         static const double center[3] = {40, -700, 300};
         struct lx_emitter emitter = source_of(BALL + i % 2, center, 7, 0);
         const struct lx_shape lit = {.radius_mm = 200, .anchor_mm = {10, 20, 30}};
-        struct lx_shell shell;
+        struct lx_area_light lamp;
         struct lx_smooth_lights flat, made;
         struct lx_round_parts round;
         const double reach = logarithmic(&random, 1, 100);
         const struct lx_vicinity at = {
             .place = {uniform(&random, -200, 200), uniform(&random, -300, 200), uniform(&random, -200, 200)},
-            .place_leeway = {.first = reach, .second = reach / 10, .imaginary = reach / 2, .tile = reach / 4}};
-        assert_int_equal(lx_shell_make(&emitter, &lit, NULL, &shell), LUXEL_OK);
-        struct lx_sampled source = {.emitter = &emitter, .shell = &shell, .law = LX_INVERSE_SQUARE};
+            .place_deviation = {.first = reach, .second = reach / 10, .imaginary = reach / 2, .tile = reach / 4}};
+        assert_int_equal(lx_area_light_make(&emitter, &lit, NULL, &lamp), LUXEL_OK);
+        struct lx_sampled source = {.emitter = &emitter, .lamp = &lamp, .law = LX_INVERSE_SQUARE};
         const struct lx_planned_surface surface = {.shape = lit, .glossy = &source, .glossy_count = 1};
         assert_int_equal(lx_smooth_parts_make(&surface, &flat, &round), 0);
         assert_int_equal(lx_round_lights_make(round.count, &made), 0);
         lx_round_lights_place(&round, &at, &made);
         assert_true(made.count == round.count && round.count >= 2);
-        check_sums(&shell, &at, &round, &made);
-        check_places(&shell, &at, &round, &made, &random);
+        check_sums(&lamp, &at, &round, &made);
+        check_places(&lamp, &at, &round, &made, &random);
         lx_smooth_lights_clear(&flat);
         lx_smooth_lights_clear(&made);
         lx_round_parts_clear(&round);
-        lx_shell_clear(&shell);
+        lx_area_light_clear(&lamp);
     }
 }
 
@@ -294,21 +296,22 @@ static void bounds_of_cylinders(void **state)
     (void)state;
     for (int i = 0; i < CYLINDERS; i++) {
         struct randomness random = {.state = UINT64_C(0xD1B54A32D192ED03) * ((uint64_t)i + 1)};
-        struct lx_shell shell = {.has_side = true, .round_mm = 100, .half_mm = logarithmic(&random, 10, 1000)};
-        shell.law = i % 2 ? (struct lx_shell_law){.square = 1} : (struct lx_shell_law){1e5, 1e2 * (i % 3), i % 5, 0};
+        struct lx_area_light lamp = {.has_side = true, .round_mm = 100, .half_mm = logarithmic(&random, 10, 1000)};
+        lamp.law =
+            i % 2 ? (struct lx_area_light_law){.square = 1} : (struct lx_area_light_law){1e5, 1e2 * (i % 3), i % 5, 0};
         const double away = logarithmic(&random, 101, 2000), reach = away * logarithmic(&random, 0.0001, 0.1);
-        struct lx_vicinity at = {.normal = {0, 0, 1}, .place_leeway = {.first = reach, .tile = reach / 4}};
-        struct lx_leeway *place = &at.place_leeway;
+        struct lx_vicinity at = {.normal = {0, 0, 1}, .place_deviation = {.first = reach, .tile = reach / 4}};
+        struct lx_deviation *place = &at.place_deviation;
         double direction[3];
-        random_direction(&random, shell.axis);
+        random_direction(&random, lamp.axis);
         random_direction(&random, direction);
         for (int k = 0; k < 3; k++)
-            shell.center[k] = away * direction[k] + (k == 2 ? away : 0);
-        shell.radius_mm = hypot(shell.round_mm, shell.half_mm);
+            lamp.center[k] = away * direction[k] + (k == 2 ? away : 0);
+        lamp.radius_mm = hypot(lamp.round_mm, lamp.half_mm);
         place->second = pick(&random, 2) ? 0 : reach / 10;
         place->imaginary = pick(&random, 2) ? 0 : reach / 2;
-        const double gain = 4 * shell.half_mm * shell.round_mm + M_PI * shell.round_mm * shell.round_mm;
-        const double bound = lx_smooth_shell_bound(&shell, gain, &at);
+        const double gain = 4 * lamp.half_mm * lamp.round_mm + M_PI * lamp.round_mm * lamp.round_mm;
+        const double bound = lx_smooth_area_light_bound(&lamp, gain, &at);
         if (!(bound > 0 && isfinite(bound)))
             continue;
         bounds++;
@@ -316,7 +319,7 @@ static void bounds_of_cylinders(void **state)
             const struct vector beyond =
                 plus(random_way(&random, place->second), (double complex)I, random_way(&random, place->imaginary));
             const struct vector seen_from = plus(random_way(&random, place->first), 1, beyond);
-            const double share = cabs(irradiance_by_cylinder(&shell, &at, seen_from, vector_of(at.normal))) / bound;
+            const double share = cabs(irradiance_by_cylinder(&lamp, &at, seen_from, vector_of(at.normal))) / bound;
             assert_true(share <= 1.01); /* what the sum may be off by */
             tightest = fmax(tightest, share);
         }
@@ -328,14 +331,14 @@ static void bounds_of_cylinders(void **state)
 /* None where the plane of an end goes through the square. */
 static void ends_of_cylinders(void **state)
 {
-    struct lx_shell shell = {.has_side = true, .law.square = 1, .round_mm = 100, .half_mm = 200, .axis = {1, 0, 0}};
-    const struct lx_vicinity at = {.normal = {0, 0, 1}, .place_leeway = {.first = 10, .tile = 10}};
+    struct lx_area_light lamp = {.has_side = true, .law.square = 1, .round_mm = 100, .half_mm = 200, .axis = {1, 0, 0}};
+    const struct lx_vicinity at = {.normal = {0, 0, 1}, .place_deviation = {.first = 10, .tile = 10}};
     (void)state;
-    shell.center[2] = 1000;
-    shell.radius_mm = hypot(shell.round_mm, shell.half_mm);
+    lamp.center[2] = 1000;
+    lamp.radius_mm = hypot(lamp.round_mm, lamp.half_mm);
     for (double x = 1; x < 400; x += 2) {
-        shell.center[0] = x;
-        assert_true(isfinite(lx_smooth_shell_bound(&shell, 1, &at)) == (fabs(x - 200) > 10));
+        lamp.center[0] = x;
+        assert_true(isfinite(lx_smooth_area_light_bound(&lamp, 1, &at)) == (fabs(x - 200) > 10));
     }
 }
 
@@ -346,18 +349,18 @@ static void hidden_sides(void **state)
     struct lx_emitter emitter = source_of(CYLINDER, center, 7, 0);
     const double upright[3] = {0, 0, 1};
     const struct lx_shape lit = {.radius_mm = 200};
-    struct lx_shell shell;
+    struct lx_area_light lamp;
     struct lx_smooth_lights flat, made;
     struct lx_round_parts round;
     (void)state;
     emitter.axis = lx_unit3(lx_exact3(upright));
-    assert_int_equal(lx_shell_make(&emitter, &lit, NULL, &shell), LUXEL_OK);
-    struct lx_sampled source = {.emitter = &emitter, .shell = &shell, .law = LX_INVERSE_SQUARE};
+    assert_int_equal(lx_area_light_make(&emitter, &lit, NULL, &lamp), LUXEL_OK);
+    struct lx_sampled source = {.emitter = &emitter, .lamp = &lamp, .law = LX_INVERSE_SQUARE};
     const struct lx_planned_surface surface = {.shape = lit, .glossy = &source, .glossy_count = 1};
     assert_int_equal(lx_smooth_parts_make(&surface, &flat, &round), 0);
     assert_int_equal(lx_round_lights_make(round.count, &made), 0);
     assert_true(flat.count > 0);
-    struct lx_vicinity at = {.normal = {0, 0, 1}, .place_leeway = {.first = 40, .imaginary = 30, .tile = 10}};
+    struct lx_vicinity at = {.normal = {0, 0, 1}, .place_deviation = {.first = 40, .imaginary = 30, .tile = 10}};
     for (double x = 1; x < 600; x += 4) {
         at.place[0] = x;
         lx_round_lights_place(&round, &at, &made);
@@ -365,13 +368,13 @@ static void hidden_sides(void **state)
         assert_true(made.count == (is_below ? 0 : round.count));
         for (size_t i = 0; i < made.count; i++)
             assert_true(x > 330 ? made.z[i] > 300 : is_beside || (made.x[i] == x && made.z[i] == 0));
-        const bool is_bounded = isfinite(lx_smooth_shell_bound(&shell, 1, &at));
+        const bool is_bounded = isfinite(lx_smooth_area_light_bound(&lamp, 1, &at));
         assert_true(is_below || x > 330 ? is_bounded : is_beside || !is_bounded);
     }
     lx_smooth_lights_clear(&flat);
     lx_smooth_lights_clear(&made);
     lx_round_parts_clear(&round);
-    lx_shell_clear(&shell);
+    lx_area_light_clear(&lamp);
 }
 
 int main(void)

@@ -76,14 +76,14 @@ static void make_scene(int i, struct test_scene *test)
 /* ---- bounds at complex places ---- */
 
 /* Whether a vector at a complex place, or within the square, is as near to the one in its middle as was said. */
-static bool keeps_to(struct vector v, const double middle[3], const struct lx_leeway *leeway, bool is_in_square)
+static bool keeps_to(struct vector v, const double middle[3], const struct lx_deviation *deviation, bool is_in_square)
 {
     const struct vector real = {creal(v.x) - middle[0], creal(v.y) - middle[1], creal(v.z) - middle[2]};
     const struct vector imaginary = {cimag(v.x), cimag(v.y), cimag(v.z)};
     const double off = sqrt(creal(dot(real, real))), size = sqrt(creal(dot(imaginary, imaginary)));
     const double more = 1e-9 * (1 + sqrt(middle[0] * middle[0] + middle[1] * middle[1] + middle[2] * middle[2]));
-    return is_in_square ? off <= leeway->tile + more
-                        : off <= leeway->first + leeway->second + more && size <= leeway->imaginary + more;
+    return is_in_square ? off <= deviation->tile + more
+                        : off <= deviation->first + deviation->second + more && size <= deviation->imaginary + more;
 }
 
 static void try_vicinity(const struct lx_plan *plan, const struct lx_vicinity *vicinity, double complex x,
@@ -91,9 +91,9 @@ static void try_vicinity(const struct lx_plan *plan, const struct lx_vicinity *v
 {
     struct vector normal;
     const struct vector place = place_at(plan, x, y, &normal);
-    assert_true(keeps_to(place, vicinity->place, &vicinity->place_leeway, is_in_square));
-    assert_true(keeps_to(normal, vicinity->normal, &vicinity->normal_leeway, is_in_square));
-    assert_true(keeps_to(view_at(plan, place), vicinity->view, &vicinity->view_leeway, is_in_square));
+    assert_true(keeps_to(place, vicinity->place, &vicinity->place_deviation, is_in_square));
+    assert_true(keeps_to(normal, vicinity->normal, &vicinity->normal_deviation, is_in_square));
+    assert_true(keeps_to(view_at(plan, place), vicinity->view, &vicinity->view_deviation, is_in_square));
 }
 
 /* How many lights over a square have a bound that is tried. */

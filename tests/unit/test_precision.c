@@ -174,14 +174,14 @@ static void rounding_of_facets(void **state)
                  1000 + away);
         make_plan("", "model: lambert, diffuse: 0.5", light, &made);
         const struct lx_planned_surface *surface = &made.plan.surfaces[0];
-        const struct lx_shell *shell = &surface->shells[0].shell;
+        const struct lx_area_light *lamp = &surface->area_lights[0].lamp;
         const double terms = 3 * surface->lobe_exact.diffuse * 280 * 50 / ((away - 300) * (away - 300));
-        const double single = lx_bound_shell(&surface->shape, surface->lobe_exact.diffuse, shell, NULL);
-        const double exact = lx_bound_shell_double(&surface->shape, surface->lobe_exact.diffuse, shell, NULL);
+        const double single = lx_bound_area_light(&surface->shape, surface->lobe_exact.diffuse, lamp, NULL);
+        const double exact = lx_bound_area_light_double(&surface->shape, surface->lobe_exact.diffuse, lamp, NULL);
         const double places = (away + 300) / (away - 300);
         assert_true(fabs(single / (terms * 0x1p-24 * (1 + places)) - 1) < 1e-3);
         assert_true(fabs(exact / (terms * 0x1p-53) - 1) < 1e-3);
-        assert_true(shell->edges_single && !surface->shells[0].by_reference);
+        assert_true(lamp->edges_single && !surface->area_lights[0].by_reference);
         clear(&made);
     }
 }

@@ -63,7 +63,7 @@ static void find(const struct truths *truths, size_t effort, unsigned threads, b
         places[p].receiver.own = spots[p].surface = 4; /* of the room's walls */
         spots[p].share = 1;
     }
-    const struct lx_reflected_wish wish = {
+    const struct lx_reflected_request wish = {
         .prepared = &session.prepared,
         .kernels = lx_element_kernels_of(session.kernels),
         .error = 1e-3,
@@ -76,14 +76,14 @@ static void find(const struct truths *truths, size_t effort, unsigned threads, b
         .control = &control,
     };
     struct lx_radiosity *reflected;
-    struct lx_veils veils = {0};
+    struct lx_occluder_cones cones = {0};
     size_t near = 0;
     assert_int_equal(lx_reflected_make(&wish, &reflected), LUXEL_OK);
     for (size_t p = 0; p < truths->count; p++) {
-        found->at[p] = lx_reflected_at(reflected, &session.prepared, &places[p].receiver, &veils);
+        found->at[p] = lx_reflected_at(reflected, &session.prepared, &places[p].receiver, &cones);
         found->on[p] = lx_reflected_on(reflected, &session.prepared, 4, spots[p].place_mm, spots[p].normal, &near);
     }
-    lx_veils_clear(&veils);
+    lx_occluder_cones_clear(&cones);
     lx_reflected_free(reflected);
     lx_session_clear(&session);
     luxel_scene_free(scene);

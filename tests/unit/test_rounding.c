@@ -12,7 +12,7 @@
 #include <cmocka.h>
 
 #include "picture/precision.h"
-#include "picture/shell.h"
+#include "picture/area_light.h"
 
 static const double unit = 0x1p-24, allowance = 2.5e-6;
 
@@ -233,13 +233,13 @@ static void shares(void **state)
 
 /* -- samples -- */
 
-static double least_tolerance(struct lx_shell shell, double exponent)
+static double least_tolerance(struct lx_area_light lamp, double exponent)
 {
     struct lx_lobe_double lobe = {.specular = 0.3, .exponent = lx_exponent_of(exponent)};
     double low = 0, high = 1;
     for (int i = 0; i < 80; i++) {
         double middle = (low + high) / 2;
-        *(lx_samples_fit_single(&sphere, &lobe, &shell, middle) ? &high : &low) = middle;
+        *(lx_samples_fit_single(&sphere, &lobe, &lamp, middle) ? &high : &low) = middle;
     }
     return high;
 }
@@ -247,17 +247,17 @@ static double least_tolerance(struct lx_shell shell, double exponent)
 /* Two hundred times the rounding of the way to them, as steep as the highlight. */
 static void samples(void **state)
 {
-    struct lx_shell shell = {.type = LX_FACETS, .center = {0, -900, 1200}, .radius_mm = 200, .radiance = 3};
+    struct lx_area_light lamp = {.type = LX_FACETS, .center = {0, -900, 1200}, .radius_mm = 200, .radiance = 3};
     const double off = unit * (1500 + 200 + 300) / (1500 - 300 - 200) + 4 * unit;
     (void)state;
-    assert_near(least_tolerance(shell, 1), 200 * off, 1e-12);
-    assert_near(least_tolerance(shell, 400), 200 * off * 0.61 * 20, 1e-12);
-    shell.radius_mm = 1199;
-    assert_true(least_tolerance(shell, 1) < 1);
-    shell.radius_mm = 1200; /* it may touch */
-    assert_true(least_tolerance(shell, 1) == 1);
-    shell.radius_mm = 200, shell.radiance = 1e9;
-    assert_true(least_tolerance(shell, 1) == 1);
+    assert_near(least_tolerance(lamp, 1), 200 * off, 1e-12);
+    assert_near(least_tolerance(lamp, 400), 200 * off * 0.61 * 20, 1e-12);
+    lamp.radius_mm = 1199;
+    assert_true(least_tolerance(lamp, 1) < 1);
+    lamp.radius_mm = 1200; /* it may touch */
+    assert_true(least_tolerance(lamp, 1) == 1);
+    lamp.radius_mm = 200, lamp.radiance = 1e9;
+    assert_true(least_tolerance(lamp, 1) == 1);
 }
 
 int main(void)

@@ -427,7 +427,7 @@ enum {
 
 static struct tally planned[PLANNED];
 
-WRAPPED(struct lx_share_bound, lx_bound_cluster, const struct lx_tract *tract, const double anchor_mm[3],
+WRAPPED(struct lx_share_bound, lx_bound_cluster, const struct lx_receiver_region *tract, const double anchor_mm[3],
         const struct lx_lobe_limits *limits, const struct lx_tree *tree, const struct lx_cluster *cluster,
         const struct lx_cluster_turn *turn, bool is_hidden)
 {
@@ -438,7 +438,7 @@ WRAPPED(struct lx_share_bound, lx_bound_cluster, const struct lx_tract *tract, c
     return bound;
 }
 
-WRAPPED(struct lx_stand, lx_stand_of, const struct lx_tract *tract, const double place[3], bool has_half)
+WRAPPED(struct lx_stand, lx_stand_of, const struct lx_receiver_region *tract, const double place[3], bool has_half)
 {
     struct lx_stand stand = REAL(lx_stand_of)(tract, place, has_half);
     add(&planned[NEAREST], stand.nearest_mm);
@@ -448,7 +448,7 @@ WRAPPED(struct lx_stand, lx_stand_of, const struct lx_tract *tract, const double
 }
 
 WRAPPED(bool, lx_cut_make, const struct lx_plan *plan, const struct lx_planned_surface *surface,
-        const struct lx_tract *tract, const struct lx_asking *asking, struct lx_cut *cut)
+        const struct lx_receiver_region *tract, const struct lx_asking *asking, struct lx_cut *cut)
 {
     bool goes_on = REAL(lx_cut_make)(plan, surface, tract, asking, cut);
     add(&planned[CUT_ERROR], cut->error);

@@ -28,7 +28,7 @@
 
 /* -- what is counted: calls between files of the library, which the linker leads through here -- */
 
-enum { SEEN, VALUES, PIECES, BRINKS, ARCS, LOOKS, SAMPLES, BOUNDS, KINDS };
+enum { SEEN, VALUES, PIECES, EDGES, ARCS, LOOKS, SAMPLES, BOUNDS, KINDS };
 
 static unsigned counts[KINDS];
 
@@ -44,16 +44,17 @@ WRAPPED(luxel_value, luxel_evaluate, const luxel_evaluator *evaluator, double x_
     return REAL(luxel_evaluate)(evaluator, x_mm, y_mm, shares);
 }
 
-WRAPPED(double, lx_piece_value, struct lx_hunt *hunt, const struct lx_spot *spot, double *error)
+WRAPPED(double, lx_piece_value, struct lx_extremum_search *search, const struct lx_spot *spot, double *error)
 {
     counts[PIECES]++;
-    return REAL(lx_piece_value)(hunt, spot, error);
+    return REAL(lx_piece_value)(search, spot, error);
 }
 
-WRAPPED(double, lx_brink_distance, const struct lx_hunt *hunt, const struct lx_brink *edge, const struct lx_spot *spot)
+WRAPPED(double, lx_edge_distance, const struct lx_extremum_search *search, const struct lx_search_edge *edge,
+        const struct lx_spot *spot)
 {
-    counts[BRINKS]++;
-    return REAL(lx_brink_distance)(hunt, edge, spot);
+    counts[EDGES]++;
+    return REAL(lx_edge_distance)(search, edge, spot);
 }
 
 WRAPPED(struct lx_arc, lx_sweep_arc, const struct lx_sweep *sweep, double x)
@@ -83,7 +84,7 @@ WRAPPED(void, lx_round_samples, const struct lx_patch *patch, double from_s, dou
     REAL(lx_round_samples)(patch, from_s, to_s, rings, spokes, off, gain, samples);
 }
 
-WRAPPED(struct lx_share_bound, lx_bound_cluster, const struct lx_tract *tract, const double anchor_mm[3],
+WRAPPED(struct lx_share_bound, lx_bound_cluster, const struct lx_receiver_region *tract, const double anchor_mm[3],
         const struct lx_lobe_limits *limits, const struct lx_tree *tree, const struct lx_cluster *cluster,
         const struct lx_cluster_turn *turn, bool is_hidden)
 {

@@ -24,12 +24,12 @@ struct lx_emitter lx_extended_as_point(const struct lx_emitter *emitter)
 
 int lx_extended_cut(const struct lx_emitter *emitter, unsigned parts, struct lx_emitters *emitters)
 {
-    size_t first = lx_item_count(emitters), first_swarm = emitters->swarm_count;
+    size_t first = lx_item_count(emitters), first_point_set = emitters->point_set_count;
     int failed = lx_emitter_kind(emitter)->cut(emitter, parts, emitters);
     for (size_t i = first; i < lx_item_count(emitters); i++)
         emitters->items[i].is_part = true;
-    for (size_t i = first_swarm; i < emitters->swarm_count; i++)
-        emitters->swarms[i].model.is_part = true;
+    for (size_t i = first_point_set; i < emitters->point_set_count; i++)
+        emitters->point_sets[i].model.is_part = true;
     return failed;
 }
 

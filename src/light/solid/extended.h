@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * Extended emitters: Lambertian shells of uniform radiance.
+ * Extended emitters: Lambertian surfaces of uniform radiance.
  *
- * facets    a convex polygon that shines from its front, or the shell of a convex polyhedron that shines outwards
+ * facets    a convex polygon that shines from its front, or the surface of a convex polyhedron that shines outwards
  * disk      a flat disk that shines along its axis
  * ball      a sphere that shines outwards
  * cylinder  a right circular cylinder, both caps included, that shines outwards
@@ -22,7 +22,7 @@
 #include <math.h>
 
 #include "round.h"
-#include "shell_facets.h"
+#include "area_light_facets.h"
 
 /* The middle of an emitter that has a place, and the radius of the ball around it; of a point 0. */
 static inline const double *lx_emitter_center(const struct lx_emitter *emitter)

@@ -5,7 +5,7 @@
 
 #include "../../base/pose.h"
 #include "../emitter.h"
-#include "shell_facets.h"
+#include "area_light_facets.h"
 
 /* What is wrong with an outline or a mesh, and where. */
 enum lx_shape_fault {

@@ -6,7 +6,7 @@
 #ifndef LX_LIGHT_FACETS_CONTOUR_H
 #define LX_LIGHT_FACETS_CONTOUR_H
 
-#include "shell_facets.h"
+#include "area_light_facets.h"
 
 /* A place on the contour. */
 struct lx_contour_vertex {

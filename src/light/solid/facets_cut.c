@@ -66,20 +66,20 @@ static int cut_triangle(struct cut *cut)
     return 0;
 }
 
-/* Cuts what `cutter` cuts, into a swarm where there are many parts. */
+/* Cuts what `cutter` cuts, into a point set where there are many parts. */
 static int cut_piece(struct cut *cut, int (*cutter)(struct cut *cut))
 {
-    if (cut->parts < LX_LEAST_IN_SWARM)
+    if (cut->parts < LX_LEAST_IN_POINT_SET)
         return cutter(cut);
     struct lx_cloud *cloud = lx_cloud_new((size_t)cut->parts * cut->parts);
     if (!cloud)
         return -1;
-    const struct lx_swarm swarm = {.cloud = cloud, .is_owned = true, .model = cut->part};
+    const struct lx_point_set set = {.cloud = cloud, .is_owned = true, .model = cut->part};
     cut->row = cloud->values;
     int failed = cutter(cut);
     cut->row = NULL;
     if (!failed)
-        return lx_emitters_append_swarm(cut->emitters, &swarm);
+        return lx_emitters_append_point_set(cut->emitters, &set);
     lx_kept_release(&cloud->kept);
     return failed;
 }

@@ -7,7 +7,7 @@
 #ifndef LX_LIGHT_FACETS_PLAIN_H
 #define LX_LIGHT_FACETS_PLAIN_H
 
-#include "shell_facets.h"
+#include "area_light_facets.h"
 
 /* A corner that is seen. */
 struct lx_plain_vertex {

@@ -101,19 +101,19 @@ static struct law law_at(const struct lx_emitter *model, double distance_mm, dou
 
 /* ---- the lobe ---- */
 
-/* A cluster as it is seen from a tract. */
+/* A cluster as it is seen from a region. */
 struct sight {
-    double towards[3];        /* unit, from the middle of the tract to that of the cluster */
+    double towards[3];        /* unit, from the middle of the region to that of the cluster */
     double nearest, farthest; /* distances between any of both */
     double cosine, sine;      /* of the angle by which directions between them differ from `towards` */
 };
 
-static struct sight sight_of(const struct lx_tract *tract, const double center[3], double radius)
+static struct sight sight_of(const struct lx_receiver_region *region, const double center[3], double radius)
 {
-    double reach = (tract->places.radius + radius) * ROOM, square = 0;
+    double reach = (region->places.radius + radius) * ROOM, square = 0;
     struct sight sight;
     for (int k = 0; k < 3; k++) {
-        sight.towards[k] = center[k] - tract->places.center[k];
+        sight.towards[k] = center[k] - region->places.center[k];
         square += sight.towards[k] * sight.towards[k];
     }
     double distance = sqrt(square);
@@ -127,9 +127,9 @@ static struct sight sight_of(const struct lx_tract *tract, const double center[3
 }
 
 /* The least square of the cosine of half the angle between L and V. */
-static double least_half_square(const struct lx_tract *tract, const struct sight *sight)
+static double least_half_square(const struct lx_receiver_region *region, const struct sight *sight)
 {
-    const struct lx_cone views = widened(&tract->views, sight->cosine, sight->sine);
+    const struct lx_cone views = widened(&region->views, sight->cosine, sight->sine);
     return (1 + cosines_to(&views, sight->towards).least) / 2;
 }
 
@@ -138,23 +138,24 @@ static double least_half_square(const struct lx_tract *tract, const struct sight
  * being half the angle between L and V; so with F, F', F'' those of the power as a function of H the slope is J F', the
  * bend J^2 F'' + tan d (J + 1/2)/2 F'.
  */
-static struct lx_jet jet_of_half(const struct lx_tract *tract, const struct sight *sight, const struct lx_power *power)
+static struct lx_jet jet_of_half(const struct lx_receiver_region *region, const struct sight *sight,
+                                 const struct lx_power *power)
 {
-    const double square = least_half_square(tract, sight), least = 1e-4;
+    const double square = least_half_square(region, sight), least = 1e-4;
     const struct lx_jet unknown = {.order = LX_ROUGH, .most = 1, .size = 1};
-    if (!(square > least) || !(tract->views.cosine > 0))
+    if (!(square > least) || !(region->views.cosine > 0))
         return unknown;
     const double turn = 0.5 / sqrt(square), slant = sqrt((1 - square) / square);
-    const double off = turn * (sight->sine / sight->cosine + tract->views.sine / tract->views.cosine);
+    const double off = turn * (sight->sine / sight->cosine + region->views.sine / region->views.cosine);
     if (!(off < 1))
         return unknown;
     double half[3], length;
     for (int k = 0; k < 3; k++)
-        half[k] = sight->towards[k] + tract->views.axis[k];
+        half[k] = sight->towards[k] + region->views.axis[k];
     length = sqrt(lx_dot(half, half));
     for (int k = 0; k < 3; k++)
         half[k] /= length;
-    const struct lx_cone normals = widened(&tract->normals, sqrt(1 - off * off), off);
+    const struct lx_cone normals = widened(&region->normals, sqrt(1 - off * off), off);
     struct lx_jet jet = lx_jet_of_power(power, cosines_to(&normals, half));
     jet.bend = turn * turn * jet.bend + slant * (turn + 0.5) / 2 * jet.slope;
     jet.slope *= turn;
@@ -162,7 +163,7 @@ static struct lx_jet jet_of_half(const struct lx_tract *tract, const struct sigh
 }
 
 /* The highlight's part of the lobe; `front`: that of max(0, N.L). */
-static struct lx_jet jet_of_highlight(const struct lx_tract *tract, const struct sight *sight,
+static struct lx_jet jet_of_highlight(const struct lx_receiver_region *region, const struct sight *sight,
                                       const struct lx_lobe_limits *limits, const struct lx_jet *front,
                                       struct lx_cosines facing)
 {
@@ -171,9 +172,9 @@ static struct lx_jet jet_of_highlight(const struct lx_tract *tract, const struct
     if (LX_ENDS_AT_HORIZON(lobe->highlight) && !(facing.most > 0))
         return lx_jet_of_constant(0);
     if (LX_IS_BY_HALF(lobe->model)) {
-        jet = jet_of_half(tract, sight, &limits->power);
+        jet = jet_of_half(region, sight, &limits->power);
     } else {
-        const struct lx_cone mirrored = widened(&tract->mirrored, sight->cosine, sight->sine);
+        const struct lx_cone mirrored = widened(&region->mirrored, sight->cosine, sight->sine);
         jet = lx_jet_of_power(&limits->power, cosines_to(&mirrored, sight->towards));
     }
     if (LX_FALLS_TO_HORIZON(lobe->highlight))
@@ -251,7 +252,7 @@ static void add_part(const struct lx_jet *part, const struct lx_jet *pattern, do
     bound->least += factor * cluster->strength * jet.least;
 }
 
-struct lx_share_bound lx_bound_cluster(const struct lx_tract *tract, const double anchor_mm[3],
+struct lx_share_bound lx_bound_cluster(const struct lx_receiver_region *region, const double anchor_mm[3],
                                        const struct lx_lobe_limits *limits, const struct lx_tree *tree,
                                        const struct lx_cluster *cluster, const struct lx_cluster_turn *turn,
                                        bool is_hidden)
@@ -260,11 +261,11 @@ struct lx_share_bound lx_bound_cluster(const struct lx_tract *tract, const doubl
     double center[3];
     for (int k = 0; k < 3; k++)
         center[k] = cluster->center_mm[k] - anchor_mm[k];
-    const struct sight sight = sight_of(tract, center, cluster->radius_mm);
+    const struct sight sight = sight_of(region, center, cluster->radius_mm);
     if (!(sight.nearest > 0 && sight.sine < 1))
         return unknown;
     const struct law law = law_at(&tree->model, sight.nearest, sight.farthest);
-    const struct lx_cone normals = widened(&tract->normals, sight.cosine, sight.sine);
+    const struct lx_cone normals = widened(&region->normals, sight.cosine, sight.sine);
     const struct lx_cosines facing = cosines_to(&normals, sight.towards);
     static const struct lx_power plain = {.exponent = 1, .whole = 1};
     const struct lx_jet front = lx_jet_of_power(&plain, facing);
@@ -276,7 +277,7 @@ struct lx_share_bound lx_bound_cluster(const struct lx_tract *tract, const doubl
     if (limits->lobe.diffuse > 0)
         add_part(&front, by, limits->lobe.diffuse, &law, cluster, turn, sight.nearest, &bound);
     if (LX_HAS_HIGHLIGHT(limits->lobe.model)) {
-        const struct lx_jet highlight = jet_of_highlight(tract, &sight, limits, &front, facing);
+        const struct lx_jet highlight = jet_of_highlight(region, &sight, limits, &front, facing);
         add_part(&highlight, by, limits->lobe.specular, &law, cluster, turn, sight.nearest, &bound);
     }
     bound.error *= law.value * ROOM;
@@ -289,13 +290,13 @@ struct lx_share_bound lx_bound_cluster(const struct lx_tract *tract, const doubl
     return bound.error >= 0 && bound.error < HUGE_VAL ? bound : unknown;
 }
 
-struct lx_stand lx_stand_of(const struct lx_tract *tract, const double place[3], bool has_half)
+struct lx_stand lx_stand_of(const struct lx_receiver_region *region, const double place[3], bool has_half)
 {
-    const struct sight sight = sight_of(tract, place, 0);
+    const struct sight sight = sight_of(region, place, 0);
     struct lx_stand stand = {.nearest_mm = sight.nearest, .away_mm = sqrt(lx_dot(place, place)), .least_half = 2};
     if (!(sight.nearest > 0 && sight.sine < 1))
         stand.nearest_mm = 0;
     else if (has_half)
-        stand.least_half = 2 * sqrt(lx_larger(least_half_square(tract, &sight), 0));
+        stand.least_half = 2 * sqrt(lx_larger(least_half_square(region, &sight), 0));
     return stand;
 }

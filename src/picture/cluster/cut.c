@@ -14,8 +14,8 @@ enum { STEPS_BETWEEN_CHECKS = 16 };
 int lx_cut_init(const struct lx_plan *plan, struct lx_cut *cut)
 {
     *cut = (struct lx_cut){.surface = NULL};
-    for (size_t t = 0; t < plan->forest.tree_count; t++)
-        cut->capacity += plan->forest.trees[t].leaf_count + 1;
+    for (size_t t = 0; t < plan->trees.tree_count; t++)
+        cut->capacity += plan->trees.trees[t].leaf_count + 1;
     if (cut->capacity == 0)
         return 0;
     cut->items = lx_new_aligned(cut->capacity, sizeof *cut->items);
@@ -40,21 +40,21 @@ struct making {
     size_t unbounded; /* items whose error is infinite */
 };
 
-/* Whether other surfaces may stand between the cut's tract and what is in a ball. */
+/* Whether other surfaces may stand between the cut's region and what is in a ball. */
 static bool is_hidden(const struct lx_plan *plan, const struct lx_cut *cut, const struct lx_ball *ball)
 {
     if (!plan->prepared->shadows)
         return false;
     struct lx_found found;
     const double *anchor = cut->surface->shape.anchor_mm;
-    const bool is_found = lx_among_balls(plan->prepared, anchor, &cut->tract.places, ball, false, &found);
+    const bool is_found = lx_among_balls(plan->prepared, anchor, &cut->region.places, ball, false, &found);
     const size_t count = lx_found_count(&found, is_found, plan->surface_count);
     for (size_t i = 0; i < count; i++) {
         const struct lx_planned_surface *other = &plan->surfaces[lx_found_at(&found, is_found, i)];
         if (!lx_may_hide(&other->shape, other == cut->surface))
             continue;
         const struct lx_ball blocker = lx_ball_from(&plan->balls[other - plan->surfaces], anchor);
-        if (lx_may_block(&blocker, &cut->tract.places, ball, false))
+        if (lx_may_block(&blocker, &cut->region.places, ball, false))
             return true;
     }
     return false;
@@ -94,11 +94,11 @@ static void add_cluster(struct making *making, uint32_t t, uint32_t c)
 {
     struct lx_cut *cut = making->cut;
     const struct lx_planned_surface *surface = cut->surface;
-    const struct lx_tree *tree = &making->plan->forest.trees[t];
+    const struct lx_tree *tree = &making->plan->trees.trees[t];
     const struct lx_cluster *cluster = &tree->clusters[c];
     const struct lx_ball ball = ball_of(cluster, surface->shape.anchor_mm);
     const struct lx_share_bound bound =
-        lx_bound_cluster(&cut->tract, surface->shape.anchor_mm, &surface->limits, tree, cluster,
+        lx_bound_cluster(&cut->region, surface->shape.anchor_mm, &surface->limits, tree, cluster,
                          tree->has_axis ? &tree->turns[c] : NULL, is_hidden(making->plan, cut, &ball));
     if (bound.most == 0)
         return;
@@ -137,7 +137,7 @@ static struct lx_cut_item take_worst(struct making *making)
 static void open_cluster(struct making *making, const struct lx_cut_item *item)
 {
     struct lx_cut *cut = making->cut;
-    const struct lx_cluster *cluster = &making->plan->forest.trees[item->tree].clusters[item->cluster];
+    const struct lx_cluster *cluster = &making->plan->trees.trees[item->tree].clusters[item->cluster];
     if (cluster->child > 0) {
         add_cluster(making, item->tree, cluster->child);
         add_cluster(making, item->tree, cluster->child + 1);
@@ -177,7 +177,7 @@ static bool refine(struct making *making, const struct lx_asking *asking)
     }
 }
 
-/* A bound of the rounding error in float32 of a point with a strength, seen from the cut's tract. */
+/* A bound of the rounding error in float32 of a point with a strength, seen from the cut's region. */
 static double bound_point(const struct lx_cut *cut, const struct lx_tree *tree, const double place_mm[3],
                           double strength)
 {
@@ -185,14 +185,14 @@ static double bound_point(const struct lx_cut *cut, const struct lx_tree *tree, 
     double place[3];
     for (int k = 0; k < 3; k++)
         place[k] = place_mm[k] - surface->shape.anchor_mm[k];
-    const struct lx_stand stand = lx_stand_of(&cut->tract, place, LX_IS_BY_HALF(surface->limits.lobe.model));
+    const struct lx_stand stand = lx_stand_of(&cut->region, place, LX_IS_BY_HALF(surface->limits.lobe.model));
     return lx_bound_stand(&surface->shape, &surface->lobe, &tree->model, strength, &stand);
 }
 
 static double bound_item(const struct lx_plan *plan, const struct lx_cut *cut, const struct lx_cut_item *item,
                          bool is_opened)
 {
-    const struct lx_tree *tree = &plan->forest.trees[item->tree];
+    const struct lx_tree *tree = &plan->trees.trees[item->tree];
     const struct lx_cluster *cluster = &tree->clusters[item->cluster];
     double sum = 0, row[4];
     if (!is_opened)
@@ -220,15 +220,15 @@ static bool choose_precision(const struct lx_plan *plan, const struct lx_asking 
     return lx_asking_goes_on(asking);
 }
 
-bool lx_cut_make(const struct lx_plan *plan, const struct lx_planned_surface *surface, const struct lx_tract *tract,
-                 const struct lx_asking *asking, struct lx_cut *cut)
+bool lx_cut_make(const struct lx_plan *plan, const struct lx_planned_surface *surface,
+                 const struct lx_receiver_region *region, const struct lx_asking *asking, struct lx_cut *cut)
 {
     struct making making = {.plan = plan, .cut = cut};
     cut->surface = surface;
-    cut->tract = *tract;
+    cut->region = *region;
     cut->whole_count = cut->opened_count = 0;
-    for (uint32_t t = 0; t < plan->forest.tree_count; t++)
-        if (plan->forest.trees[t].leaf_count > 0)
+    for (uint32_t t = 0; t < plan->trees.tree_count; t++)
+        if (plan->trees.trees[t].leaf_count > 0)
             add_cluster(&making, t, 0);
     if (!refine(&making, asking) || !choose_precision(plan, asking, cut)) {
         cut->surface = NULL;
@@ -279,13 +279,13 @@ static bool find_open(struct shading *shading, const struct lx_light_double *lig
     const struct lx_ball place = {.center = {light->x, light->y, light->z}};
     bool any = false;
     struct lx_found found;
-    const bool is_found = lx_among_balls(plan->prepared, anchor, &cut->tract.places, &place, false, &found);
+    const bool is_found = lx_among_balls(plan->prepared, anchor, &cut->region.places, &place, false, &found);
     const size_t count = lx_found_count(&found, is_found, plan->surface_count);
     for (size_t s = 0; plan->prepared->shadows && s < count; s++) {
         const struct lx_planned_surface *other = &plan->surfaces[lx_found_at(&found, is_found, s)];
         const struct lx_ball blocker = lx_ball_from(&plan->balls[other - plan->surfaces], anchor);
         if (!lx_may_hide(&other->shape, other == cut->surface) ||
-            !lx_may_block(&blocker, &cut->tract.places, &place, false))
+            !lx_may_block(&blocker, &cut->region.places, &place, false))
             continue;
         for (size_t i = 0; !any && i < lx_padded(shading->count); i++)
             shading->open[i] = 1;
@@ -342,8 +342,8 @@ void lx_cut_shade(const struct lx_plan *plan, const struct lx_cut *cut, const st
     const size_t items = cut->whole_count + cut->opened_count, opened = cut->capacity - cut->opened_count;
     struct shading shading = {
         .plan = plan, .cut = cut, .block = block, .copy = copy, .count = count, .open = open, .sum = sum};
-    for (size_t t = 0; t < plan->forest.tree_count; t++) {
-        shading.tree = &plan->forest.trees[t];
+    for (size_t t = 0; t < plan->trees.tree_count; t++) {
+        shading.tree = &plan->trees.trees[t];
         lx_light_set(&shading.tree->model, cut->surface->shape.anchor_mm, &shading.model);
         for (int in_double = 0; in_double < 2; in_double++) {
             shading.in_double = in_double;

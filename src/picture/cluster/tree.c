@@ -48,7 +48,7 @@ struct kinds {
 /* Whether a span is the points of a cloud that is large enough for a tree of its own. */
 static bool has_own_tree(const struct lx_emitter_span *span)
 {
-    return span->swarm && span->end - span->first >= LX_LEAST_KEPT;
+    return span->set && span->end - span->first >= LX_LEAST_KEPT;
 }
 
 static void count_points(struct kinds *kinds, const struct lx_emitter *emitter, size_t points, bool has_own)
@@ -69,8 +69,8 @@ static void count_points(struct kinds *kinds, const struct lx_emitter *emitter, 
 static luxel_status find_kinds(const struct lx_emitters *emitters, struct lx_control *control, struct kinds *kinds)
 {
     for (struct lx_emitter_span span = {0}; lx_emitters_next(emitters, &span);) {
-        if (span.swarm)
-            count_points(kinds, &span.swarm->model, span.end - span.first, has_own_tree(&span));
+        if (span.set)
+            count_points(kinds, &span.set->model, span.end - span.first, has_own_tree(&span));
         for (size_t i = span.first; span.items && i < span.end; i++) {
             count_points(kinds, &span.items[i - span.first], 1, false);
             if (!goes_on(control, i))
@@ -94,8 +94,8 @@ struct planting {
     struct lx_control *control;
     const struct lx_tree *tree;
     /* whose points alone are planted; NULL: all of the kind that have no tree of their own */
-    const struct lx_swarm *swarm;
-    struct lx_grown *grown;
+    const struct lx_point_set *set;
+    struct lx_built_tree *built;
     struct coded *order, *other;
 };
 
@@ -117,7 +117,7 @@ static luxel_status list_span(struct planting *planting, const struct lx_emitter
             continue;
         lx_emitter_row(planting->emitters, i, row);
         if (row[3] > 0)
-            planting->order[planting->grown->point_count++].point = (uint32_t)(i - tree->first);
+            planting->order[planting->built->point_count++].point = (uint32_t)(i - tree->first);
     }
     return LUXEL_OK;
 }
@@ -126,9 +126,9 @@ static luxel_status list_points(struct planting *planting)
 {
     luxel_status status = LUXEL_OK;
     for (struct lx_emitter_span span = {0}; status == LUXEL_OK && lx_emitters_next(planting->emitters, &span);) {
-        const bool is_together = !planting->swarm && !has_own_tree(&span) &&
-                                 (span.items || same_kind(&span.swarm->model, &planting->tree->model));
-        if (is_together || (planting->swarm && span.swarm == planting->swarm))
+        const bool is_together = !planting->set && !has_own_tree(&span) &&
+                                 (span.items || same_kind(&span.set->model, &planting->tree->model));
+        if (is_together || (planting->set && span.set == planting->set))
             status = list_span(planting, &span);
     }
     return status;
@@ -150,7 +150,7 @@ static luxel_status find_cube(const struct planting *planting, double low[3], do
     double high[3] = {-HUGE_VAL, -HUGE_VAL, -HUGE_VAL}, row[4];
     for (int k = 0; k < 3; k++)
         low[k] = HUGE_VAL;
-    for (size_t i = 0; i < planting->grown->point_count; i++) {
+    for (size_t i = 0; i < planting->built->point_count; i++) {
         point_row(planting, i, row);
         for (int k = 0; k < 3; k++) {
             low[k] = row[k] < low[k] ? row[k] : low[k];
@@ -168,7 +168,7 @@ static luxel_status code_points(struct planting *planting)
     const double cells = 1 << CELL_BITS;
     double low[3], row[4], size;
     luxel_status status = find_cube(planting, low, &size);
-    for (size_t i = 0; i < planting->grown->point_count && status == LUXEL_OK; i++) {
+    for (size_t i = 0; i < planting->built->point_count && status == LUXEL_OK; i++) {
         uint64_t code = 0;
         point_row(planting, i, row);
         for (int k = 0; k < 3; k++) {
@@ -186,7 +186,7 @@ static luxel_status code_points(struct planting *planting)
 static luxel_status sort_by_digit(struct planting *planting, unsigned shift)
 {
     size_t begin[1 << DIGIT] = {0}, sum = 0;
-    const size_t count = planting->grown->point_count;
+    const size_t count = planting->built->point_count;
     const uint64_t mask = (1 << DIGIT) - 1;
     struct coded *order = planting->order, *other = planting->other;
     for (size_t i = 0; i < count; i++) {
@@ -212,11 +212,11 @@ static luxel_status sort_by_digit(struct planting *planting, unsigned shift)
 static luxel_status sort_points(struct planting *planting)
 {
     luxel_status status = LUXEL_OK;
-    planting->other = lx_new_aligned(planting->grown->point_count, sizeof *planting->other);
+    planting->other = lx_new_aligned(planting->built->point_count, sizeof *planting->other);
     if (!planting->other)
         return LUXEL_ERROR_MEMORY;
     /* Sorting writes all over it: no page of it is to be had for the first time there. */
-    for (size_t i = 0; i < planting->grown->point_count; i++) {
+    for (size_t i = 0; i < planting->built->point_count; i++) {
         planting->other[i].point = 0;
         if (!goes_on(planting->control, i))
             return LUXEL_CANCELLED;
@@ -378,7 +378,7 @@ static bool count_leaves(const struct planting *planting, size_t first, size_t e
 /* Makes cluster `at` of the points first ... end - 1, and all below it. */
 static luxel_status grow(struct planting *planting, size_t at, size_t first, size_t end, struct box *box)
 {
-    struct lx_grown *tree = planting->grown;
+    struct lx_built_tree *tree = planting->built;
     const bool has_axis = planting->tree->has_axis;
     struct lx_cluster made = {.first = (uint32_t)first, .count = (uint32_t)(end - first)};
     struct lx_cluster_turn turn = {0};
@@ -414,23 +414,23 @@ static luxel_status grow(struct planting *planting, size_t at, size_t first, siz
 
 static luxel_status grow_all(struct planting *planting)
 {
-    struct lx_grown *grown = planting->grown;
-    const size_t count = grown->point_count;
+    struct lx_built_tree *built = planting->built;
+    const size_t count = built->point_count;
     struct box box;
     size_t leaves = 0;
     if (!count_leaves(planting, 0, count, &leaves))
         return LUXEL_CANCELLED;
-    grown->clusters = lx_new_aligned(2 * leaves, sizeof *grown->clusters);
-    grown->points = lx_new_aligned(count, sizeof *grown->points);
+    built->clusters = lx_new_aligned(2 * leaves, sizeof *built->clusters);
+    built->points = lx_new_aligned(count, sizeof *built->points);
     if (planting->tree->has_axis)
-        grown->turns = lx_new_aligned(2 * leaves, sizeof *grown->turns);
-    if (!grown->clusters || !grown->points || (planting->tree->has_axis && !grown->turns))
+        built->turns = lx_new_aligned(2 * leaves, sizeof *built->turns);
+    if (!built->clusters || !built->points || (planting->tree->has_axis && !built->turns))
         return LUXEL_ERROR_MEMORY;
     /* The root has no neighbour; one cluster stays unused. */
-    grown->cluster_count = 2;
+    built->cluster_count = 2;
     luxel_status status = grow(planting, 0, 0, count, &box);
     for (size_t i = 0; i < count && status == LUXEL_OK; i++) {
-        grown->points[i] = planting->order[i].point;
+        built->points[i] = planting->order[i].point;
         if (!goes_on(planting->control, i))
             status = LUXEL_CANCELLED;
     }
@@ -439,53 +439,53 @@ static luxel_status grow_all(struct planting *planting)
 
 /* ---- trees ---- */
 
-static void free_grown(struct lx_kept *kept)
+static void free_built(struct lx_kept *kept)
 {
-    struct lx_grown *grown = (struct lx_grown *)kept;
-    free(grown->clusters);
-    free(grown->turns);
-    free(grown->points);
-    free(grown);
+    struct lx_built_tree *built = (struct lx_built_tree *)kept;
+    free(built->clusters);
+    free(built->turns);
+    free(built->points);
+    free(built);
 }
 
-/* Makes the tree have what was grown, as one more user. */
-static void take(struct lx_grown *grown, struct lx_tree *tree)
+/* Makes the tree have what was built, as one more user. */
+static void take(struct lx_built_tree *built, struct lx_tree *tree)
 {
-    tree->grown = grown;
-    tree->clusters = grown->clusters;
-    tree->turns = grown->turns;
-    tree->points = grown->points;
-    tree->leaf_count = grown->leaf_count;
+    tree->built = built;
+    tree->clusters = built->clusters;
+    tree->turns = built->turns;
+    tree->points = built->points;
+    tree->leaf_count = built->leaf_count;
 }
 
-static luxel_status plant(const struct lx_emitters *emitters, struct lx_control *control, const struct lx_swarm *swarm,
-                          size_t points, struct lx_tree *tree)
+static luxel_status plant(const struct lx_emitters *emitters, struct lx_control *control,
+                          const struct lx_point_set *set, size_t points, struct lx_tree *tree)
 {
     struct planting planting = {
         .emitters = emitters,
         .control = control,
         .tree = tree,
-        .swarm = swarm,
-        .grown = lx_new_array(1, sizeof *planting.grown),
+        .set = set,
+        .built = lx_new_array(1, sizeof *planting.built),
     };
-    if (!planting.grown)
+    if (!planting.built)
         return LUXEL_ERROR_MEMORY;
-    lx_kept_init(&planting.grown->kept, free_grown);
-    if (swarm)
-        planting.grown->swarm = *swarm;
+    lx_kept_init(&planting.built->kept, free_built);
+    if (set)
+        planting.built->set = *set;
     planting.order = lx_new_aligned(points, sizeof *planting.order);
     luxel_status status = planting.order ? LUXEL_OK : LUXEL_ERROR_MEMORY;
     if (status == LUXEL_OK)
         status = list_points(&planting);
-    if (status == LUXEL_OK && planting.grown->point_count > 0)
+    if (status == LUXEL_OK && planting.built->point_count > 0)
         status = code_points(&planting);
-    if (status == LUXEL_OK && planting.grown->point_count > 0)
+    if (status == LUXEL_OK && planting.built->point_count > 0)
         status = sort_points(&planting);
-    if (status == LUXEL_OK && planting.grown->point_count > 0)
+    if (status == LUXEL_OK && planting.built->point_count > 0)
         status = grow_all(&planting);
     free(planting.order);
     free(planting.other);
-    take(planting.grown, tree);
+    take(planting.built, tree);
     return status;
 }
 
@@ -494,40 +494,40 @@ static bool same_values(const double a[3], const double b[3])
     return a[0] == b[0] && a[1] == b[1] && a[2] == b[2];
 }
 
-/* Whether a tree can have what was grown of the same cloud. */
-static bool fits(const struct lx_grown *grown, const struct lx_tree *tree, const struct lx_swarm *swarm)
+/* Whether a tree can have what was built of the same cloud. */
+static bool fits(const struct lx_built_tree *built, const struct lx_tree *tree, const struct lx_point_set *set)
 {
-    const lx_bounded3 *axis = &swarm->model.profile.axis, *other = &grown->swarm.model.profile.axis;
+    const lx_bounded3 *axis = &set->model.profile.axis, *other = &built->set.model.profile.axis;
     if (!tree->has_axis)
         return true;
-    if (!grown->turns || swarm->is_aimed != grown->swarm.is_aimed)
+    if (!built->turns || set->is_aimed != built->set.is_aimed)
         return false;
-    if (swarm->is_aimed)
-        return same_values(swarm->aim_mm, grown->swarm.aim_mm);
+    if (set->is_aimed)
+        return same_values(set->aim_mm, built->set.aim_mm);
     return axis->x.value == other->x.value && axis->y.value == other->y.value && axis->z.value == other->z.value;
 }
 
 /* Plants the points of a large cloud, or takes what was planted of it before. */
 static luxel_status plant_cloud(const struct lx_emitters *emitters, struct lx_control *control,
-                                const struct lx_swarm *swarm, struct lx_tree *tree)
+                                const struct lx_point_set *set, struct lx_tree *tree)
 {
-    struct lx_kept_slot *slot = swarm->cloud->tree;
-    struct lx_grown *grown = slot ? (struct lx_grown *)lx_kept_slot_look(slot) : NULL;
-    tree->first = swarm->first;
-    if (grown && fits(grown, tree, swarm)) {
-        take(grown, tree);
+    struct lx_kept_slot *slot = set->cloud->tree;
+    struct lx_built_tree *built = slot ? (struct lx_built_tree *)lx_kept_slot_look(slot) : NULL;
+    tree->first = set->first;
+    if (built && fits(built, tree, set)) {
+        take(built, tree);
         return LUXEL_OK;
     }
-    lx_kept_release((struct lx_kept *)grown);
-    luxel_status status = plant(emitters, control, swarm, swarm->end - swarm->first, tree);
+    lx_kept_release((struct lx_kept *)built);
+    luxel_status status = plant(emitters, control, set, set->end - set->first, tree);
     if (status == LUXEL_OK && slot)
-        lx_kept_slot_put(slot, &tree->grown->kept);
+        lx_kept_slot_put(slot, &tree->built->kept);
     return status;
 }
 
-static struct lx_tree *add_tree(struct lx_forest *forest, const struct lx_emitter *model)
+static struct lx_tree *add_tree(struct lx_light_trees *trees, const struct lx_emitter *model)
 {
-    struct lx_tree *tree = &forest->trees[forest->tree_count++];
+    struct lx_tree *tree = &trees->trees[trees->tree_count++];
     tree->model = *model;
     tree->has_axis = !lx_profile_is_isotropic(&model->profile);
     tree->pattern = lx_power_of(model->profile.exponent);
@@ -536,18 +536,19 @@ static struct lx_tree *add_tree(struct lx_forest *forest, const struct lx_emitte
 
 /* The trees of one kind of points: of each large cloud, and of all other points together. */
 static luxel_status plant_kind(const struct lx_emitters *emitters, struct lx_control *control,
-                               const struct lx_emitter *model, size_t together, struct lx_forest *forest)
+                               const struct lx_emitter *model, size_t together, struct lx_light_trees *trees)
 {
     luxel_status status = LUXEL_OK;
     if (together > 0)
-        status = plant(emitters, control, NULL, together, add_tree(forest, model));
+        status = plant(emitters, control, NULL, together, add_tree(trees, model));
     for (struct lx_emitter_span span = {0}; status == LUXEL_OK && lx_emitters_next(emitters, &span);)
-        if (has_own_tree(&span) && same_kind(&span.swarm->model, model))
-            status = plant_cloud(emitters, control, span.swarm, add_tree(forest, &span.swarm->model));
+        if (has_own_tree(&span) && same_kind(&span.set->model, model))
+            status = plant_cloud(emitters, control, span.set, add_tree(trees, &span.set->model));
     return status;
 }
 
-luxel_status lx_forest_plant(const struct lx_emitters *emitters, struct lx_control *control, struct lx_forest *forest)
+luxel_status lx_light_trees_build(const struct lx_emitters *emitters, struct lx_control *control,
+                                  struct lx_light_trees *trees)
 {
     struct kinds kinds = {.count = 0};
     if (emitters->count > UINT32_MAX) /* their numbers have 32 bits */
@@ -556,26 +557,26 @@ luxel_status lx_forest_plant(const struct lx_emitters *emitters, struct lx_contr
     for (size_t kind = 0; kind < kinds.count && status == LUXEL_OK; kind++) {
         if (kinds.points[kind] < LX_LEAST_CLUSTERED)
             continue;
-        const size_t most = kinds.count + emitters->swarm_count;
-        forest->trees = forest->trees ? forest->trees : lx_new_array(most, sizeof *forest->trees);
-        status = forest->trees ? plant_kind(emitters, control, kinds.models[kind], kinds.together[kind], forest)
-                               : LUXEL_ERROR_MEMORY;
+        const size_t most = kinds.count + emitters->point_set_count;
+        trees->trees = trees->trees ? trees->trees : lx_new_array(most, sizeof *trees->trees);
+        status = trees->trees ? plant_kind(emitters, control, kinds.models[kind], kinds.together[kind], trees)
+                              : LUXEL_ERROR_MEMORY;
     }
     return status;
 }
 
-void lx_forest_clear(struct lx_forest *forest)
+void lx_light_trees_clear(struct lx_light_trees *trees)
 {
-    for (size_t i = 0; i < forest->tree_count; i++)
-        lx_kept_release((struct lx_kept *)forest->trees[i].grown);
-    free(forest->trees);
-    *forest = (struct lx_forest){0};
+    for (size_t i = 0; i < trees->tree_count; i++)
+        lx_kept_release((struct lx_kept *)trees->trees[i].built);
+    free(trees->trees);
+    *trees = (struct lx_light_trees){0};
 }
 
-bool lx_is_clustered(const struct lx_forest *forest, const struct lx_emitter *emitter)
+bool lx_is_clustered(const struct lx_light_trees *trees, const struct lx_emitter *emitter)
 {
-    for (size_t i = 0; i < forest->tree_count; i++)
-        if (same_kind(&forest->trees[i].model, emitter))
+    for (size_t i = 0; i < trees->tree_count; i++)
+        if (same_kind(&trees->trees[i].model, emitter))
             return true;
     return false;
 }

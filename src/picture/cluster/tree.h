@@ -38,23 +38,23 @@ struct lx_cluster_turn {
     double sum;     /* of intensity times that angle */
 };
 
-/* What depends on the places, intensities and axes alone; it does not change once grown. */
-struct lx_grown {
+/* What depends on the places, intensities and axes alone; it does not change once built. */
+struct lx_built_tree {
     struct lx_kept kept;
     struct lx_cluster *clusters;
     struct lx_cluster_turn *turns; /* one for each, where they have axes */
     size_t cluster_count, leaf_count;
     uint32_t *points; /* which they are, cluster by cluster */
     size_t point_count;
-    struct lx_swarm swarm; /* with the axes that it was grown for, where it is of a swarm */
+    struct lx_point_set set; /* with the axes that it was built for, where it is of a point set */
 };
 
 struct lx_tree {
-    struct lx_emitter model; /* one of the points */
-    bool has_axis;           /* their intensity depends on the direction */
-    struct lx_power pattern; /* of the cosine from the axis */
-    struct lx_grown *grown;  /* shared by all that are grown of one cloud */
-    size_t first;            /* emitter that point 0 is */
+    struct lx_emitter model;     /* one of the points */
+    bool has_axis;               /* their intensity depends on the direction */
+    struct lx_power pattern;     /* of the cosine from the axis */
+    struct lx_built_tree *built; /* shared by all that are built of one cloud */
+    size_t first;                /* emitter that point 0 is */
     /* of it: */
     const struct lx_cluster *clusters;
     const struct lx_cluster_turn *turns;
@@ -62,7 +62,7 @@ struct lx_tree {
     size_t leaf_count;
 };
 
-struct lx_forest {
+struct lx_light_trees {
     struct lx_tree *trees;
     size_t tree_count;
 };
@@ -72,10 +72,11 @@ enum { LX_LEAST_KEPT = 4096 };
 
 /*
  * Makes the trees of all points of which there are many of a kind.  LUXEL_OK, LUXEL_ERROR_MEMORY or LUXEL_CANCELLED;
- * release with lx_forest_clear() in any case.
+ * release with lx_light_trees_clear() in any case.
  */
-luxel_status lx_forest_plant(const struct lx_emitters *emitters, struct lx_control *control, struct lx_forest *forest);
-void lx_forest_clear(struct lx_forest *forest);
+luxel_status lx_light_trees_build(const struct lx_emitters *emitters, struct lx_control *control,
+                                  struct lx_light_trees *trees);
+void lx_light_trees_clear(struct lx_light_trees *trees);
 
 /* The emitter that a point of a tree is. */
 static inline size_t lx_tree_emitter(const struct lx_tree *tree, size_t point)
@@ -84,6 +85,6 @@ static inline size_t lx_tree_emitter(const struct lx_tree *tree, size_t point)
 }
 
 /* Whether an emitter is in a tree. */
-bool lx_is_clustered(const struct lx_forest *forest, const struct lx_emitter *emitter);
+bool lx_is_clustered(const struct lx_light_trees *trees, const struct lx_emitter *emitter);
 
 #endif

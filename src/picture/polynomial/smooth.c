@@ -16,7 +16,7 @@
 #include "../penumbra.h"
 #include "../seen.h"
 #include "../shader.h"
-#include "../shell_bound.h"
+#include "../area_light_bound.h"
 
 /*
  * The bases: how many nodes on each axis, and the half axes of the ellipses, found by trying (docs/KERNELS.md).  One is
@@ -82,11 +82,11 @@ void lx_bases_make(struct lx_basis bases[LX_BASES])
 
 /* ---- lights ---- */
 
-/* What a shell shines with, in front of it. */
-static double gain_of(const struct lx_planned_shell *planned, double diffuse)
+/* What an area light shines with, in front of it. */
+static double gain_of(const struct lx_planned_area_light *planned, double diffuse)
 {
-    const struct lx_shell *shell = &planned->shell;
-    return planned->by_reference ? HUGE_VAL : diffuse * shell->radiance * shell->section_mm2;
+    const struct lx_area_light *lamp = &planned->lamp;
+    return planned->by_reference ? HUGE_VAL : diffuse * lamp->radiance * lamp->section_mm2;
 }
 
 /* The parts that highlights are of, and numbers that stand for the profile of flat ones where they have none. */
@@ -114,14 +114,14 @@ luxel_status lx_smooth_make(const struct lx_planned_surface *surface, double rad
     const struct lx_lights *lights = &surface->lights;
     smooth->pays = true;
     smooth->has_highlights = surface->glossy_count > 0;
-    smooth->count = lights->count + surface->shell_count;
+    smooth->count = lights->count + surface->area_light_count;
     smooth->radius_mm = radius_mm;
-    smooth->gains = lx_new_array(surface->shell_count, sizeof *smooth->gains);
+    smooth->gains = lx_new_array(surface->area_light_count, sizeof *smooth->gains);
     if (!smooth->gains || lx_luminaires_make(surface, &smooth->luminaires) ||
         (smooth->has_highlights && make_parts(surface, smooth)))
         return LUXEL_ERROR_MEMORY;
-    for (size_t s = 0; s < surface->shell_count; s++)
-        smooth->gains[s] = gain_of(&surface->shells[s], surface->lobe_exact.diffuse);
+    for (size_t s = 0; s < surface->area_light_count; s++)
+        smooth->gains[s] = gain_of(&surface->area_lights[s], surface->lobe_exact.diffuse);
     return lx_smooth_lights_make(lights, asking, &smooth->lights);
 }
 
@@ -232,10 +232,11 @@ static void leave_shadows(const struct lx_plan *plan, struct lx_fitting *fitting
                           const struct lx_planned_surface *surface)
 {
     const struct lx_ball part = lx_vicinity_ball(&fitting->vicinity);
-    double *const of_shells = fitting->sizes + surface->smooth.lights.count;
-    for (size_t s = 0; s < surface->shell_count; s++)
-        if (surface->shells[s].blocker_count > 0 && lx_shell_may_be_hidden(plan, surface, &surface->shells[s], &part))
-            of_shells[s] = HUGE_VAL;
+    double *const of_area_lights = fitting->sizes + surface->smooth.lights.count;
+    for (size_t s = 0; s < surface->area_light_count; s++)
+        if (surface->area_lights[s].blocker_count > 0 &&
+            lx_area_light_may_be_hidden(plan, surface, &surface->area_lights[s], &part))
+            of_area_lights[s] = HUGE_VAL;
     for (size_t r = 0; r < surface->run_count; r++) {
         const struct lx_light_run *run = &surface->runs[r];
         const struct lx_smooth_lights *lights = &surface->smooth.lights;
@@ -247,7 +248,7 @@ static void leave_shadows(const struct lx_plan *plan, struct lx_fitting *fitting
     }
 }
 
-/* Bounds lights and shells that are left in the vicinity, and maybe others.  False: the work is to stop. */
+/* Bounds lights and area lights that are left in the vicinity, and maybe others.  False: the work is to stop. */
 static bool bound_lights(const struct lx_plan *plan, struct lx_fitting *fitting, const struct lx_square *square,
                          const struct lx_asking *asking)
 {
@@ -262,9 +263,9 @@ static bool bound_lights(const struct lx_plan *plan, struct lx_fitting *fitting,
             plan->kernels->bound_smooth(&fitting->vicinity, &smooth->lights, first, end, &surface->lobe_exact,
                                         fitting->sizes);
     }
-    for (size_t s = 0; s < surface->shell_count; s++)
+    for (size_t s = 0; s < surface->area_light_count; s++)
         fitting->sizes[count + s] =
-            lx_smooth_shell_bound(&surface->shells[s].shell, smooth->gains[s], &fitting->vicinity);
+            lx_smooth_area_light_bound(&surface->area_lights[s].lamp, smooth->gains[s], &fitting->vicinity);
     leave_shadows(plan, fitting, surface);
     return true;
 }
@@ -374,18 +375,18 @@ static bool sum_lights(const struct lx_plan *plan, const struct lx_planned_surfa
         }
     }
     uint8_t left[LX_BLOCK] = {0};
-    for (size_t s = 0; s < surface->shell_count; s++) {
-        const struct lx_shell *shell = &surface->shells[s].shell;
+    for (size_t s = 0; s < surface->area_light_count; s++) {
+        const struct lx_area_light *lamp = &surface->area_lights[s].lamp;
         if (how[surface->lights.count + s] != wanted)
             continue;
-        if (surface->shells[s].emitter->attenuation == LX_INVERSE_SQUARE) {
-            plan->kernels->light_by_shell[shell->type](shell, lobe->diffuse, block, count, asking, sum);
+        if (surface->area_lights[s].emitter->attenuation == LX_INVERSE_SQUARE) {
+            plan->kernels->light_by_area_light[lamp->type](lamp, lobe->diffuse, block, count, asking, sum);
             continue;
         }
-        struct lx_shell by_rules = *shell;
+        struct lx_area_light by_rules = *lamp;
         by_rules.nodes_each = 0; /* those are as good as a pixel needs it */
-        plan->kernels->law_double[shell->type](&by_rules, plan->node_rules, lobe->diffuse, block, count, asking, sum,
-                                               left);
+        plan->kernels->law_double[lamp->type](&by_rules, plan->node_rules, lobe->diffuse, block, count, asking, sum,
+                                              left);
     }
     return !memchr(left, 1, count);
 }

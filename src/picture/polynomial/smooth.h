@@ -33,7 +33,7 @@ void lx_bases_make(struct lx_basis bases[LX_BASES]); /* from the fewest nodes on
 /* The most lights that polynomials are made of: what is kept of each of them takes 144 bytes. */
 enum { LX_MOST_SMOOTH = 1 << 20 };
 
-/* For the lights over a surface and its shells, whose highlights lx_has_smooth_highlights(), if they have any.
+/* For the lights over a surface and its area lights, whose highlights lx_has_smooth_highlights(), if they have any.
  * LUXEL_OK, LUXEL_ERROR_MEMORY or LUXEL_CANCELLED. */
 luxel_status lx_smooth_make(const struct lx_planned_surface *surface, double radius_mm, const struct lx_asking *asking,
                             struct lx_smooth *smooth);

@@ -123,8 +123,9 @@ static bool may_be_hidden(const struct lx_plan *plan, const struct lx_fitting *f
                           const struct lx_planned_surface *surface)
 {
     const struct lx_ball part = lx_vicinity_ball(&fitting->vicinity);
-    for (size_t s = 0; s < surface->shell_count; s++)
-        if (surface->shells[s].blocker_count > 0 && lx_shell_may_be_hidden(plan, surface, &surface->shells[s], &part))
+    for (size_t s = 0; s < surface->area_light_count; s++)
+        if (surface->area_lights[s].blocker_count > 0 &&
+            lx_area_light_may_be_hidden(plan, surface, &surface->area_lights[s], &part))
             return true;
     return false;
 }

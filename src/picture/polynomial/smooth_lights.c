@@ -9,7 +9,7 @@
 #include "../../base/memory.h"
 #include "../plan.h"
 #include "../round_view.h"
-#include "../shell_bound.h"
+#include "../area_light_bound.h"
 
 /* Parts are so small against their distance from the surface, but not more than so many, if there are no more patches
  * than are cut at all. */
@@ -76,8 +76,8 @@ static void set_light(const struct lx_light_double *light, double radius_mm, str
     set_profile(light, lights, i);
 }
 
-/* That of a shell, instead of the light's own. */
-static void set_law(const struct lx_shell_law *law, struct lx_smooth_lights *lights, size_t i)
+/* That of an area light, instead of the light's own. */
+static void set_law(const struct lx_area_light_law *law, struct lx_smooth_lights *lights, size_t i)
 {
     lights->by_square[i] = law->square;
     lights->by_root[i] = law->root;
@@ -119,14 +119,14 @@ static size_t count_patches(const struct lx_planned_surface *surface)
 {
     size_t patches = 0;
     for (size_t s = 0; s < surface->glossy_count; s++)
-        patches += lx_patch_limit(surface->glossy[s].shell);
+        patches += lx_patch_limit(surface->glossy[s].lamp);
     return patches;
 }
 
 bool lx_has_smooth_highlights(const struct lx_planned_surface *surface)
 {
     for (size_t s = 0; s < surface->glossy_count; s++)
-        if (surface->glossy[s].shell->is_general)
+        if (surface->glossy[s].lamp->is_general)
             return false;
     return surface->glossy_count > 0 && count_patches(surface) <= MOST_PATCHES;
 }
@@ -139,7 +139,7 @@ struct cut {
 /* A patch, whose it is, how far that is from the surface, and how the patch is cut. */
 struct cut_patch {
     struct lx_patch patch;
-    const struct lx_shell *shell;
+    const struct lx_area_light *lamp;
     double away_mm;
     struct cut cut;
 };
@@ -184,13 +184,13 @@ static struct cut_patch *find_patches(const struct lx_planned_surface *surface, 
     struct lx_patch *patches = lx_new_array(most, sizeof *patches);
     *count = 0;
     for (size_t s = 0; s < surface->glossy_count && found && patches; s++) {
-        const struct lx_shell *shell = surface->glossy[s].shell;
-        const size_t more = lx_patches_make(shell, &everywhere, NULL, patches);
-        const double *center = shell->center;
+        const struct lx_area_light *lamp = surface->glossy[s].lamp;
+        const size_t more = lx_patches_make(lamp, &everywhere, NULL, patches);
+        const double *center = lamp->center;
         const double away = sqrt(center[0] * center[0] + center[1] * center[1] + center[2] * center[2]);
         for (size_t i = 0; i < more; i++)
             found[(*count)++] =
-                (struct cut_patch){.patch = patches[i], .shell = shell, .away_mm = away - surface->shape.radius_mm};
+                (struct cut_patch){.patch = patches[i], .lamp = lamp, .away_mm = away - surface->shape.radius_mm};
     }
     for (size_t p = 0; p < *count; p++)
         found[p].cut = cut_of(&found[p].patch, found[p].away_mm, *count);
@@ -257,12 +257,12 @@ static int take_parts(const struct cut_patch *patches, size_t count, struct lx_s
         for (size_t i = 0; i < count_cells(&patches[p]); i++) {
             const struct lx_cell cell = cell_of(&patches[p], i);
             if (is_bent(&patches[p])) {
-                round->parts[round->count++] = (struct lx_round_part){patches[p].shell, cell};
+                round->parts[round->count++] = (struct lx_round_part){patches[p].lamp, cell};
                 continue;
             }
-            part = part_of(&patches[p].patch, &cell, patches[p].shell->radiance, &radius_mm);
+            part = part_of(&patches[p].patch, &cell, patches[p].lamp->radiance, &radius_mm);
             set_light(&part, radius_mm, flat, next);
-            set_law(&patches[p].shell->law, flat, next++);
+            set_law(&patches[p].lamp->law, flat, next++);
         }
     }
     pad(flat, &part, radius_mm);
@@ -294,16 +294,16 @@ int lx_round_lights_make(size_t count, struct lx_smooth_lights *made)
 }
 
 /* The patch of a ball or a cylinder's side as the middle of a square sees it, a ball as the disk that it is for it. */
-static struct lx_patch round_patch(const struct lx_shell *shell, const struct lx_vicinity *at,
+static struct lx_patch round_patch(const struct lx_area_light *lamp, const struct lx_vicinity *at,
                                    const struct lx_round_view *view)
 {
     const struct lx_around around = {.center = {at->place[0], at->place[1], at->place[2]}};
     struct lx_patch patches[LX_MOST_ROUND_PATCHES];
-    lx_patches_make(shell, &around, NULL, patches);
-    if (shell->is_ball) {
-        const double sine = shell->round_mm / view->distance;
+    lx_patches_make(lamp, &around, NULL, patches);
+    if (lamp->is_ball) {
+        const double sine = lamp->round_mm / view->distance;
         patches->kind = LX_PATCH_DISK;
-        patches->radius = shell->round_mm / sqrt(1 - sine * sine);
+        patches->radius = lamp->round_mm / sqrt(1 - sine * sine);
     }
     return *patches;
 }
@@ -313,21 +313,21 @@ static struct lx_patch round_patch(const struct lx_shell *shell, const struct lx
  * ball that is rho^2 times the share of the disk's area, and times the cosine there, together |rho^2 sqrt(w.w/W.W)| <=
  * b^2/(1 - q).
  */
-static double gain_of(const struct lx_shell *shell, const struct lx_cell *cell, const struct lx_round_view *view)
+static double gain_of(const struct lx_area_light *lamp, const struct lx_cell *cell, const struct lx_round_view *view)
 {
-    const double radius = shell->round_mm, end = cell->s + cell->ds, q = view->share;
-    if (shell->is_ball)
-        return shell->radiance * M_PI * radius * radius / (1 - q) * (end * end - cell->s * cell->s) * cell->dt;
+    const double radius = lamp->round_mm, end = cell->s + cell->ds, q = view->share;
+    if (lamp->is_ball)
+        return lamp->radiance * M_PI * radius * radius / (1 - q) * (end * end - cell->s * cell->s) * cell->dt;
     const double from = 2 * cell->t - 1, to = 2 * (cell->t + cell->dt) - 1; /* 2 t/(1 + t^2): docs/MATHS.md */
     const double turn = 2 * to / (1 + to * to) - 2 * from / (1 + from * from);
-    return shell->radiance * radius * 2 * shell->half_mm * cell->ds * turn * view->most * (1 + q) * sqrt(1 + q);
+    return lamp->radiance * radius * 2 * lamp->half_mm * cell->ds * turn * view->most * (1 + q) * sqrt(1 + q);
 }
 
 /* A part as the square sees it, with what its places move by.  Too near for a bound its gain means nothing. */
 static void place_part(const struct lx_round_part *part, const struct lx_vicinity *at, const struct lx_round_view *view,
                        const struct lx_patch *patch, struct lx_smooth_lights *made, size_t i)
 {
-    const struct lx_leeway *place = &at->place_leeway;
+    const struct lx_deviation *place = &at->place_deviation;
     struct lx_light_double light = {.kind = LX_BY_SQUARE, .law = LX_INVERSE_SQUARE, .falloff = LX_NO_CONE};
     double middle[3], square = 0;
     const double radius = lx_cell_look(patch, &part->cell, at->place, middle);
@@ -335,27 +335,27 @@ static void place_part(const struct lx_round_part *part, const struct lx_vicinit
         square += (middle[k] - at->place[k]) * (middle[k] - at->place[k]);
     const double sways = view->aside * lx_beyond_real(place), strays = radius + view->along * place->first + sways;
     const double nearest = sqrt(square) - strays - place->first - place->second, imaginary = place->imaginary + sways;
-    light.gain = gain_of(part->shell, &part->cell, view);
-    if (part->shell->has_side && nearest > imaginary)
+    light.gain = gain_of(part->lamp, &part->cell, view);
+    if (part->lamp->has_side && nearest > imaginary)
         light.gain /= sqrt((nearest - imaginary) * (nearest + imaginary));
     light.x = middle[0], light.y = middle[1], light.z = middle[2];
-    if (part->shell->is_ball)
-        light.gain *= lx_most_of_ball(part->shell, at);
+    if (part->lamp->is_ball)
+        light.gain *= lx_most_of_ball(part->lamp, at);
     set_light(&light, radius + view->along * place->tile, made, i);
-    if (!part->shell->is_ball)
-        set_law(&part->shell->law, made, i);
+    if (!part->lamp->is_ball)
+        set_law(&part->lamp->law, made, i);
     made->strays[i] = strays;
     made->sways[i] = sways;
 }
 
 /* Whether the square is beyond an end of a cylinder whose side it does not see. */
-static bool is_hidden(const struct lx_shell *shell, const struct lx_vicinity *at)
+static bool is_hidden(const struct lx_area_light *lamp, const struct lx_vicinity *at)
 {
     double from_center[3];
     for (int k = 0; k < 3; k++)
-        from_center[k] = at->place[k] - shell->center[k];
-    return shell->has_side &&
-           lx_distance_from_axis(shell, from_center) + at->place_leeway.tile + shell->touch_mm < shell->round_mm;
+        from_center[k] = at->place[k] - lamp->center[k];
+    return lamp->has_side &&
+           lx_distance_from_axis(lamp, from_center) + at->place_deviation.tile + lamp->touch_mm < lamp->round_mm;
 }
 
 void lx_round_lights_place(const struct lx_round_parts *round, const struct lx_vicinity *at,
@@ -369,13 +369,13 @@ void lx_round_lights_place(const struct lx_round_parts *round, const struct lx_v
                                             .z = at->place[2]};
     made->count = 0;
     for (size_t i = 0, next; i < round->count; i = next) {
-        const struct lx_shell *shell = round->parts[i].shell;
+        const struct lx_area_light *lamp = round->parts[i].lamp;
         struct lx_round_view view;
-        const bool is_bounded = !shell->is_ball || isfinite(lx_most_of_ball(shell, at));
-        const bool is_outside = is_bounded && lx_round_view_of(shell, at, &view);
-        const bool is_seen = is_outside || !is_hidden(shell, at);
-        const struct lx_patch patch = is_outside ? round_patch(shell, at, &view) : (struct lx_patch){.radius = 0};
-        for (next = i; next < round->count && round->parts[next].shell == shell; next++)
+        const bool is_bounded = !lamp->is_ball || isfinite(lx_most_of_ball(lamp, at));
+        const bool is_outside = is_bounded && lx_round_view_of(lamp, at, &view);
+        const bool is_seen = is_outside || !is_hidden(lamp, at);
+        const struct lx_patch patch = is_outside ? round_patch(lamp, at, &view) : (struct lx_patch){.radius = 0};
+        for (next = i; next < round->count && round->parts[next].lamp == lamp; next++)
             if (is_outside)
                 place_part(&round->parts[next], at, &view, &patch, made, made->count++);
             else if (is_seen)

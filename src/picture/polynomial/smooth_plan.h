@@ -26,8 +26,8 @@ enum { LX_BASES = 4, LX_GLOSS_BASES = 3, LX_TABLE_BASES = 4 };
 
 /* What of these sources is round: which share of it each part has. */
 struct lx_round_part {
-    const struct lx_shell *shell;
-    struct lx_cell cell; /* of the only patch of its kind that the shell has */
+    const struct lx_area_light *lamp;
+    struct lx_cell cell; /* of the only patch of its kind that the area light has */
 };
 
 struct lx_round_parts {
@@ -45,18 +45,19 @@ struct lx_luminaires {
 
 /*
  * What a plan knows for them of a surface.  Extended sources follow the lights, for what is diffuse: the surface's
- * first shell is light lights.count.  Their highlights have polynomials of their own (smooth_gloss.h).
+ * first area light is light lights.count.  Their highlights have polynomials of their own (smooth_gloss.h).
  */
 struct lx_smooth {
     bool pays; /* where it does not nothing else is there */
     struct lx_smooth_lights lights;
-    double *gains; /* of the shells, as lx_smooth_shell_bound() takes them; infinite: to be summed for each pixel */
+    /* of the area lights, as lx_smooth_area_light_bound() takes them; infinite: to be summed for each pixel */
+    double *gains;
     bool has_highlights;
     struct lx_smooth_lights parts;       /* that highlights are of */
     struct lx_smooth_lights plain_parts; /* the same as if they shone as much in all directions */
     struct lx_round_parts round;
     struct lx_luminaires luminaires;
-    size_t count;     /* of lights and shells */
+    size_t count;     /* of lights and area lights */
     double radius_mm; /* of the surface, as it looks on the screen */
 };
 

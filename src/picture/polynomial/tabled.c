@@ -110,19 +110,19 @@ static double log_within(double q)
 static bool find_sight(const struct lx_pointed *luminaire, const double place[3], const struct lx_vicinity *at,
                        struct sight *sight)
 {
-    const struct lx_leeway *leeway = &at->place_leeway;
-    const double real = leeway->first + leeway->second, tile = leeway->tile;
-    const double all = lx_smaller(real + leeway->imaginary, at->straight);
+    const struct lx_deviation *deviation = &at->place_deviation;
+    const double real = deviation->first + deviation->second, tile = deviation->tile;
+    const double all = lx_smaller(real + deviation->imaginary, at->straight);
     double way[3], d[3];
     for (int k = 0; k < 3; k++)
         way[k] = at->place[k] - place[k];
     for (int k = 0; k < 3; k++)
         d[k] = lx_dot(luminaire->frame_double[k], way);
     const double beside = sqrt(d[0] * d[0] + d[1] * d[1]), r = sqrt(lx_dot(d, d));
-    const double least_square = (r - real) * (r - real) - leeway->imaginary * leeway->imaginary;
+    const double least_square = (r - real) * (r - real) - deviation->imaginary * deviation->imaginary;
     if (!(all < MOST_OF_DISTANCE * beside && r > real && least_square > 0.01 * r * r))
         return false;
-    const double q = all / beside, grown = 1 - sqrt(1 - q), moved = beside * grown * (2 + grown);
+    const double q = all / beside, built = 1 - sqrt(1 - q), moved = beside * built * (2 + built);
     const double nearby = log_within((all + moved) / r), largest = r + all + moved;
     const double anywhere = M_PI + log(largest / sqrt(least_square));
     *sight = (struct sight){

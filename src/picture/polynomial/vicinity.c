@@ -108,7 +108,8 @@ static bool is_free(const struct lx_plan *plan, const struct lx_square *square, 
  * real part of a root is at least the root of the real part, so that of z, and the imaginary one no more than half of
  * q's over it.
  */
-static bool leeway_on_sphere(double radius, const double place[3], struct reach reach, struct lx_leeway *leeway)
+static bool deviation_on_sphere(double radius, const double place[3], struct reach reach,
+                                struct lx_deviation *deviation)
 {
     const double height = place[2], away = root_of_sum(place[0], place[1]), farthest = away + reach.real,
                  nearest = lx_larger(away - reach.real, 0);
@@ -121,7 +122,7 @@ static bool leeway_on_sphere(double radius, const double place[3], struct reach 
     const double below = away + reach.tile, tile_low = height - sqrt((radius - below) * (radius + below));
     const double tile_high =
         sqrt(radius * radius - lx_larger(away - reach.tile, 0) * lx_larger(away - reach.tile, 0)) - height;
-    *leeway = (struct lx_leeway){
+    *deviation = (struct lx_deviation){
         .first = root_of_sum(reach.real, lx_larger(height - lowest, highest - height)),
         .second = sqrt(square + imaginary * imaginary / (4 * square)) - lowest,
         .imaginary = root_of_sum(reach.imaginary, imaginary / (2 * lowest)),
@@ -130,10 +131,10 @@ static bool leeway_on_sphere(double radius, const double place[3], struct reach 
     return true;
 }
 
-static bool leeway_on_plate(const double normal[3], struct reach reach, struct lx_leeway *leeway)
+static bool deviation_on_plate(const double normal[3], struct reach reach, struct lx_deviation *deviation)
 {
     const double longer = 1 / normal[2]; /* lengths on the plate than on the screen */
-    *leeway = (struct lx_leeway){
+    *deviation = (struct lx_deviation){
         .first = reach.real * longer, .imaginary = reach.imaginary * longer, .tile = reach.tile * longer};
     return normal[2] > 1e-3;
 }
@@ -194,11 +195,11 @@ static double farthest_by(const struct pencil *pencil, double off)
  * On a sphere a complex place g + i f from its centre has g.g - f.f = R^2 and g.f = 0: what g is beyond the sphere is
  * of second order, and f lies across it.  On a plate g itself is a place on it.
  */
-static bool leeway_in_perspective(const struct pencil *pencil, struct reach reach, struct lx_leeway *leeway)
+static bool deviation_in_perspective(const struct pencil *pencil, struct reach reach, struct lx_deviation *deviation)
 {
     const double first = farthest_by(pencil, reach.real), tile = farthest_by(pencil, reach.tile);
     const double imaginary = slope_within(pencil, reach.real, first) * reach.imaginary, bend = pencil->bend;
-    *leeway = (struct lx_leeway){
+    *deviation = (struct lx_deviation){
         .first = first,
         .second = imaginary * imaginary * bend / (1 + root_of_sum(1, imaginary * bend)),
         .imaginary = imaginary,
@@ -227,8 +228,8 @@ static struct pencil pencil_of(const struct lx_plan *plan, const struct lx_squar
 
 /* ---- vicinities ---- */
 
-/* The leeway of the view vector along a way that moves, as kernel_smooth.h finds that of the way to a light. */
-static bool leeway_of_view(const double way[3], const struct lx_leeway *moves, struct lx_vicinity *at)
+/* The deviation of the view vector along a way that moves, as kernel_smooth.h finds that of the way to a light. */
+static bool deviation_of_view(const double way[3], const struct lx_deviation *moves, struct lx_vicinity *at)
 {
     const double d = sqrt(lx_dot(way, way)), nearest = d - moves->first - moves->second;
     if (!(0.9 * nearest > moves->imaginary && nearest > 0.05 * d))
@@ -236,7 +237,7 @@ static bool leeway_of_view(const double way[3], const struct lx_leeway *moves, s
     const double k = moves->imaginary / nearest, more = 1 / sqrt(1 - k * k) - 1;
     for (int i = 0; i < 3; i++)
         at->view[i] = way[i] / d;
-    at->view_leeway = (struct lx_leeway){
+    at->view_deviation = (struct lx_deviation){
         .first = moves->first / d * sqrt(2), /* no more than the chord of that sine */
         .second = more * (1 + k) + k * k * (1 + more) + moves->second / nearest,
         .imaginary = k * (1 + more) + more,
@@ -251,10 +252,10 @@ static bool find_in_perspective(const struct lx_plan *plan, const struct lx_squa
 {
     const struct pencil pencil = pencil_of(plan, square, at, bend);
     const double back[3] = {-square->x_mm, -square->y_mm, pencil.h};
-    const struct lx_leeway moves = {.first = reach.real, .imaginary = reach.imaginary, .tile = reach.tile};
+    const struct lx_deviation moves = {.first = reach.real, .imaginary = reach.imaginary, .tile = reach.tile};
     if (bend == 0)
         at->straight = farthest_by(&pencil, reach.straight);
-    return leeway_in_perspective(&pencil, reach, &at->place_leeway) && leeway_of_view(back, &moves, at);
+    return deviation_in_perspective(&pencil, reach, &at->place_deviation) && deviation_of_view(back, &moves, at);
 }
 
 static bool find_in_parallel(const struct lx_plan *plan, const struct lx_planned_surface *surface, struct reach reach,
@@ -264,14 +265,14 @@ static bool find_in_parallel(const struct lx_plan *plan, const struct lx_planned
     double observer[3], way[3];
     if (bend == 0)
         at->straight = reach.straight / at->normal[2];
-    if (!(bend > 0 ? leeway_on_sphere(shape->radius_mm, at->place, reach, &at->place_leeway)
-                   : leeway_on_plate(at->normal, reach, &at->place_leeway)))
+    if (!(bend > 0 ? deviation_on_sphere(shape->radius_mm, at->place, reach, &at->place_deviation)
+                   : deviation_on_plate(at->normal, reach, &at->place_deviation)))
         return false;
     if (!lx_observer_from(plan, surface, observer))
         return true;
     for (int i = 0; i < 3; i++)
         way[i] = observer[i] - at->place[i];
-    return leeway_of_view(way, &at->place_leeway, at);
+    return deviation_of_view(way, &at->place_deviation, at);
 }
 
 bool lx_find_vicinity(const struct lx_plan *plan, const struct lx_square *square, const struct lx_basis *basis,
@@ -296,11 +297,11 @@ bool lx_find_vicinity(const struct lx_plan *plan, const struct lx_square *square
                                                 : find_in_parallel(plan, square->surface, reach, bend, at)))
         return false;
     if (bend > 0) {
-        const struct lx_leeway *place = &at->place_leeway;
+        const struct lx_deviation *place = &at->place_deviation;
         const double radius = shape->radius_mm;
         at->level = radius;
-        at->normal_leeway = (struct lx_leeway){place->first / radius, place->second / radius, place->imaginary / radius,
-                                               place->tile / radius};
+        at->normal_deviation = (struct lx_deviation){place->first / radius, place->second / radius,
+                                                     place->imaginary / radius, place->tile / radius};
     }
     return is_free(plan, square, at);
 }

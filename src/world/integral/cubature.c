@@ -17,7 +17,7 @@ enum {
     OUTER_PANELS = 1024,
     SCANS = 16, /* samples in which changes of the arcs are looked for */
     MOST_CUTS = 64,
-    MOST_BRINKS = 1024 /* beyond which the adaptive rule finds where obstacles begin */
+    MOST_CUTS_OF_OBSTACLES = 1024 /* beyond which the adaptive rule finds where obstacles begin */
 };
 
 /* Cuts nearer to each other than this are the same one. */
@@ -103,12 +103,12 @@ static int by_place(const void *a, const void *b)
 /* Where the slabs of an outline end. */
 static size_t cut_at_slabs(const struct lx_problem *problem, const struct lx_sweep *sweep, struct cut *cuts)
 {
-    const struct lx_outline_lay *lay = &problem->occlusion->outline->lays[sweep - problem->sweeps->items];
+    const struct lx_trapezoid_map *map = &problem->occlusion->outline->lays[sweep - problem->sweeps->items];
     size_t count = 0;
-    for (size_t i = 1; i < lay->slab_count; i++) {
+    for (size_t i = 1; i < map->slab_count; i++) {
         double towards[3];
         for (int k = 0; k < 3; k++)
-            towards[k] = sweep->frame.x[k] + lay->slabs[i].low * sweep->frame.y[k];
+            towards[k] = sweep->frame.x[k] + map->slabs[i].low * sweep->frame.y[k];
         cuts[count].border = false;
         count += lx_sweep_find(sweep, towards, &cuts[count].x);
     }
@@ -128,21 +128,21 @@ static size_t most_slabs(const struct lx_problem *problem)
 }
 
 /* Where obstacles begin and end, and where their borders and the source's cross. */
-static size_t cut_at_brinks(const struct lx_problem *problem, const struct lx_sweep *sweep, struct cut *cuts)
+static size_t cut_at_meridians(const struct lx_problem *problem, const struct lx_sweep *sweep, struct cut *cuts)
 {
     const struct lx_obstacles *obstacles = &problem->occlusion->obstacles;
     const struct lx_directions *crossings = problem->crossings;
     size_t count = 0;
-    for (size_t i = 0; i < obstacles->count && count + LX_MOST_BRINKS <= MOST_BRINKS; i++) {
-        double brinks[LX_MOST_BRINKS][3];
+    for (size_t i = 0; i < obstacles->count && count + LX_MOST_MERIDIANS <= MOST_CUTS_OF_OBSTACLES; i++) {
+        double meridians[LX_MOST_MERIDIANS][3];
         bool round;
-        const size_t found = lx_obstacle_brinks(&obstacles->items[i], &sweep->frame, brinks, &round);
+        const size_t found = lx_obstacle_meridians(&obstacles->items[i], &sweep->frame, meridians, &round);
         for (size_t k = 0; k < found; k++) {
             cuts[count].border = round;
-            count += lx_sweep_find(sweep, brinks[k], &cuts[count].x);
+            count += lx_sweep_find(sweep, meridians[k], &cuts[count].x);
         }
     }
-    for (size_t i = 0; i < crossings->count && count < MOST_BRINKS; i++) {
+    for (size_t i = 0; i < crossings->count && count < MOST_CUTS_OF_OBSTACLES; i++) {
         cuts[count].border = false;
         count += lx_sweep_find(sweep, crossings->items[i], &cuts[count].x);
     }
@@ -171,7 +171,7 @@ static size_t cut_sweep(struct lx_problem *problem, const struct lx_sweep *sweep
     }
     cuts[count++] = (struct cut){1, false};
     if (lx_is_occluded(problem->occlusion))
-        count += cut_at_brinks(problem, sweep, cuts + count);
+        count += cut_at_meridians(problem, sweep, cuts + count);
     if (lx_is_occluded(problem->occlusion) && problem->occlusion->has_outline)
         count += cut_at_slabs(problem, sweep, cuts + count);
     qsort(cuts, count, sizeof *cuts, by_place);
@@ -191,7 +191,7 @@ static double outer_target(void *data, const struct lx_integral *integral)
 static int make_pieces(struct lx_problem *problem, struct lx_panels *panels)
 {
     size_t capacity = 0;
-    struct cut *cuts = lx_new_array(MOST_CUTS + MOST_BRINKS + most_slabs(problem), sizeof *cuts);
+    struct cut *cuts = lx_new_array(MOST_CUTS + MOST_CUTS_OF_OBSTACLES + most_slabs(problem), sizeof *cuts);
     if (!cuts)
         return -1;
     for (size_t i = 0; i < problem->sweeps->count && lx_goes_on(problem); i++) {
@@ -282,7 +282,7 @@ static double facets_error(const struct lx_facets *facets)
 static int lay_occlusion(struct lx_problem *problem, struct lx_directions *crossings)
 {
     struct lx_occlusion *occlusion = problem->occlusion;
-    if (occlusion->has_outline && lx_outline_lay(occlusion, problem->sweeps, problem->asking))
+    if (occlusion->has_outline && lx_trapezoid_map(occlusion, problem->sweeps, problem->asking))
         return -1;
     return lx_occlusion_make_room(occlusion) || lx_make_room_on_arcs(problem) ||
                    lx_find_crossings(occlusion, problem->emitter, crossings)
@@ -328,24 +328,25 @@ static lx_bounded doubt_outline(const struct lx_problem *problem, lx_bounded fou
  * What the error of where obstacles lie may do across the arcs: an edge that runs along one, or a tube, begins or ends
  * to hide all of it at once, be it within the source or where that ends.  Along the arcs it is counted there.
  */
-static double doubt_brinks(struct lx_problem *problem)
+static double doubt_meridians(struct lx_problem *problem)
 {
     const struct lx_occlusion *occlusion = problem->occlusion;
-    const size_t count = occlusion->obstacles.count < MOST_BRINKS ? occlusion->obstacles.count : MOST_BRINKS;
+    const size_t count =
+        occlusion->obstacles.count < MOST_CUTS_OF_OBSTACLES ? occlusion->obstacles.count : MOST_CUTS_OF_OBSTACLES;
     double doubt = 0;
     for (size_t i = 0; i < problem->sweeps->count * count && lx_goes_on(problem); i++) {
         const struct lx_sweep *sweep = &problem->sweeps->items[i / count];
         const struct lx_obstacle *obstacle = &occlusion->obstacles.items[i % count];
         const bool is_polygon = obstacle->type == LX_OBSTACLE_POLYGON;
-        double brinks[LX_MOST_BRINKS][3], x;
+        double meridians[LX_MOST_MERIDIANS][3], x;
         bool round;
         const size_t found = is_polygon || obstacle->type == LX_OBSTACLE_TUBE
-                                 ? lx_obstacle_brinks(obstacle, &sweep->frame, brinks, &round)
+                                 ? lx_obstacle_meridians(obstacle, &sweep->frame, meridians, &round)
                                  : 0;
         for (size_t k = 0; k < found; k++) {
-            const double *at = is_polygon ? brinks[k] : obstacle->center_mm;
+            const double *at = is_polygon ? meridians[k] : obstacle->center_mm;
             const double away = hypot(lx_dot_plain(at, sweep->frame.x), lx_dot_plain(at, sweep->frame.y));
-            if (!lx_sweep_find(sweep, brinks[k], &x))
+            if (!lx_sweep_find(sweep, meridians[k], &x))
                 continue;
             const bool is_end = x < LX_SAME_ARC || x > 1 - LX_SAME_ARC;
             const double light = lx_light_along(problem, sweep, is_end ? x : x - LX_SAME_ARC, is_end);
@@ -413,7 +414,7 @@ static lx_bounded integrate(struct lx_problem *problem, const double place_mm[3]
             rounding += facets_error(problem->emitter->facets);
         result.error = (estimate + all.inherited + strip + rounding * all.value) * scale;
         result.error += problem->top < 0 ? DBL_MIN : 0;
-        result.error += is_occluded ? doubt_brinks(problem) * scale : 0;
+        result.error += is_occluded ? doubt_meridians(problem) * scale : 0;
         if (is_occluded && problem->occlusion->has_outline)
             result = doubt_outline(problem, result, place_mm);
     }

@@ -310,7 +310,7 @@ static int cross_outline(const struct borders *borders, const struct lx_sheet_ou
                          struct lx_directions *directions)
 {
     for (size_t n = 0; n < outline->lay_count; n++) {
-        const struct lx_outline_lay *lay = &outline->lays[n];
+        const struct lx_trapezoid_map *lay = &outline->lays[n];
         const struct lx_sweep_frame *frame = lay->line_count > 0 ? &outline->sweeps->items[n].frame : NULL;
         uint32_t before = UINT32_MAX;
         for (size_t i = 0; i < 2 * lay->part_count; i++) {

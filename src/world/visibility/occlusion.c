@@ -61,7 +61,7 @@ static void bound_by_face(struct lx_shaft *shaft, const struct lx_facets *facets
     }
 }
 
-/* A ball around a round source and the rectangles around it in which its outlines are laid out (outline_lay.c): of
+/* A ball around a round source and the rectangles around it in which its outlines are laid out (outline_map.c): of
  * disks and balls squares; of a cylinder's side one that is as high as where it is nearest.  Those of the pieces of an
  * opening stand where these are nearest, as far aside as where they are farthest: no more than 4 radii of a cylinder
  * and 5 of an ellipsoid from the middle. */
@@ -83,7 +83,7 @@ static double radius_of_rectangles(const struct lx_emitter *emitter, const doubl
 }
 
 /* The plane of a flat source, which is the first one of its shaft, or one that touches the ball around the source; a
- * little nearer, for roundings.  The way to a cylinder's side passes the plane that touches it (outline_lay.c) in its
+ * little nearer, for roundings.  The way to a cylinder's side passes the plane that touches it (outline_map.c) in its
  * second half. */
 static void set_before(struct lx_shaft *shaft, bool is_flat, bool is_cylinder)
 {

@@ -98,8 +98,8 @@ enum { LX_MOST_HIDDEN = 4, LX_SCANNED = 64 };
  * Directions (of any length) whose longitudes about a frame's pole are those where an obstacle begins, ends, or has a
  * corner; returns how many.  *round: there the hidden part begins like a root.
  */
-enum { LX_MOST_BRINKS = 4 };
-size_t lx_obstacle_brinks(const struct lx_obstacle *obstacle, const struct lx_sweep_frame *frame,
-                          double brinks[LX_MOST_BRINKS][3], bool *round);
+enum { LX_MOST_MERIDIANS = 4 };
+size_t lx_obstacle_meridians(const struct lx_obstacle *obstacle, const struct lx_sweep_frame *frame,
+                             double meridians[LX_MOST_MERIDIANS][3], bool *round);
 
 #endif

@@ -123,14 +123,14 @@ size_t lx_outline_most(const struct lx_sheet_outline *outline)
 /* ---- arcs ---- */
 
 /* The slab of an arc, the nearest one where rounding took it out of all. */
-static const struct lx_outline_slab *slab_at(const struct lx_outline_lay *lay, double u)
+static const struct lx_outline_slab *slab_at(const struct lx_trapezoid_map *map, double u)
 {
-    size_t low = 0, high = lay->slab_count;
+    size_t low = 0, high = map->slab_count;
     while (high - low > 1) {
         const size_t middle = (low + high) / 2;
-        *(u < lay->slabs[middle].low ? &high : &low) = middle;
+        *(u < map->slabs[middle].low ? &high : &low) = middle;
     }
-    return &lay->slabs[low];
+    return &map->slabs[low];
 }
 
 /* The latitude at which an arc crosses a line, and how far that may be off; borders are beyond the arc's ends. */
@@ -160,17 +160,17 @@ size_t lx_outline_hide(const struct lx_occlusion *occlusion, const struct lx_swe
 {
     const struct lx_sheet_outline *outline = occlusion->outline;
     const size_t number = (size_t)(sweep - outline->sweeps->items);
-    const struct lx_outline_lay *lay = &outline->lays[number];
-    if (lay->slab_count == 0)
+    const struct lx_trapezoid_map *map = &outline->lays[number];
+    if (map->slab_count == 0)
         return count;
     const double c = lx_dot(arc->direction, sweep->frame.x), s = lx_dot(arc->direction, sweep->frame.y);
-    const struct lx_outline_slab *slab = slab_at(lay, s / c);
+    const struct lx_outline_slab *slab = slab_at(map, s / c);
     for (uint32_t i = 0; i < slab->count; i++) {
-        const struct lx_outline_part *part = &lay->parts[slab->first + i];
+        const struct lx_outline_part *part = &map->parts[slab->first + i];
         const uint32_t lines[2] = {part->lower, part->upper};
         struct lx_hidden *made = &hidden[count++];
         for (int end = 0; end < 2; end++) {
-            cross_arc(&lay->lines[lines[end]], c, s, occlusion->error_mm, end, &made->ends[end], &made->slack[end]);
+            cross_arc(&map->lines[lines[end]], c, s, occlusion->error_mm, end, &made->ends[end], &made->slack[end]);
             made->bounds[end] = (1U << 30) + lines[end];
         }
         if (made->ends[0] > made->ends[1])

@@ -42,7 +42,7 @@ struct lx_outline_slab {
 };
 
 /* One sweep. */
-struct lx_outline_lay {
+struct lx_trapezoid_map {
     struct lx_outline_line *lines;
     size_t line_count, line_capacity;
     struct lx_outline_part *parts;
@@ -56,7 +56,7 @@ struct lx_outline_lay {
 
 struct lx_sheet_outline {
     const struct lx_sweeps *sweeps; /* that it was laid out for */
-    struct lx_outline_lay *lays;
+    struct lx_trapezoid_map *lays;
     size_t lay_count;
     bool is_doubtful; /* too many sheets reach into a round source: what of it they hide is not known */
     bool is_broken;   /* there is too much of it */
@@ -72,8 +72,8 @@ unsigned lx_outline_layers(const struct lx_occlusion *occlusion, const double wa
 bool lx_outline_may_cut(const struct lx_occlusion *occlusion, const struct lx_emitter *emitter);
 
 /* Lays sweeps out, which have to stay; 0, or -1 when memory ran out. */
-int lx_outline_lay(const struct lx_occlusion *occlusion, const struct lx_sweeps *sweeps,
-                   const struct lx_asking *asking);
+int lx_trapezoid_map(const struct lx_occlusion *occlusion, const struct lx_sweeps *sweeps,
+                     const struct lx_asking *asking);
 
 /* The most that it hides on an arc. */
 size_t lx_outline_most(const struct lx_sheet_outline *outline);

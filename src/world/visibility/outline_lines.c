@@ -7,7 +7,7 @@
 
 #include "../../base/memory.h"
 #include "../../base/vector.h"
-#include "outline_lay.h"
+#include "outline_map.h"
 
 enum { MOST_LINES = 200000, MOST_EVENTS = 1000000 };
 
@@ -21,56 +21,56 @@ static void to_frame(const struct lx_sweep *sweep, const double a[3], double mad
     made[0] = lx_dot(a, sweep->frame.x), made[1] = lx_dot(a, sweep->frame.y), made[2] = lx_dot(a, sweep->frame.z);
 }
 
-static void set_range(struct laying *laying, double u1, double u2, double v1, double v2)
+static void set_range(struct map_build *build, double u1, double u2, double v1, double v2)
 {
     const double room = 1e-6 * (v2 - v1);
-    laying->u[0] = u1, laying->u[1] = u2;
-    laying->v[0] = v1 - room, laying->v[1] = v2 + room;
+    build->u[0] = u1, build->u[1] = u2;
+    build->v[0] = v1 - room, build->v[1] = v2 + room;
 }
 
-static void bound_sweep(struct laying *laying)
+static void bound_sweep(struct map_build *build)
 {
-    const struct lx_sweep *s = laying->sweep;
+    const struct lx_sweep *s = build->sweep;
     const double h = s->height_mm, r = s->radius_mm;
-    laying->limit_mm = laying->farthest_mm = h * (1 - ON_SOURCE);
+    build->limit_mm = build->farthest_mm = h * (1 - ON_SOURCE);
     if (s->kind == LX_SWEEP_STRIP) {
-        set_range(laying, (s->y_mm + s->y1_mm) / h, (s->y_mm + s->y2_mm) / h, (s->s_mm + fmin(s->s1_mm, s->s2_mm)) / h,
+        set_range(build, (s->y_mm + s->y1_mm) / h, (s->y_mm + s->y2_mm) / h, (s->s_mm + fmin(s->s1_mm, s->s2_mm)) / h,
                   (s->s_mm + fmax(s->s1_mm + s->width1_mm, s->s2_mm + s->width2_mm)) / h);
         return;
     }
     if (s->kind == LX_SWEEP_DISK) {
         const double aside = hypot(s->half_mm, s->slope * r);
-        set_range(laying, s->y1_mm / h, s->y2_mm / h, (s->s_mm - aside) / h, (s->s_mm + aside) / h);
+        set_range(build, s->y1_mm / h, s->y2_mm / h, (s->s_mm - aside) / h, (s->s_mm + aside) / h);
         return;
     }
     if (s->kind == LX_SWEEP_TUBE || s->kind == LX_SWEEP_ELLIPSOID) {
         const struct lx_sweep_bounds bounds = lx_sweep_bound(s);
-        laying->limit_mm = bounds.x_mm[0] * (1 - ON_SOURCE);
-        laying->farthest_mm = bounds.x_mm[1];
-        set_range(laying, bounds.u[0], bounds.u[1], bounds.v[0], bounds.v[1]);
+        build->limit_mm = bounds.x_mm[0] * (1 - ON_SOURCE);
+        build->farthest_mm = bounds.x_mm[1];
+        set_range(build, bounds.u[0], bounds.u[1], bounds.v[0], bounds.v[1]);
         return;
     }
     const double tangent = r / sqrt((h - r) * (h + r)), far = (h - r) * (h + r) / h;
     const double u1 = s->angle1 < 0 ? -tangent : 0, u2 = u1 + tangent;
-    laying->limit_mm = (h - r) * (1 - ON_SOURCE);
-    laying->farthest_mm = s->wall == LX_FAR_WALL ? h + r : far;
+    build->limit_mm = (h - r) * (1 - ON_SOURCE);
+    build->farthest_mm = s->wall == LX_FAR_WALL ? h + r : far;
     if (lx_sweep_bulges(s)) {
-        set_range(laying, u1, u2, -tangent, tangent);
+        set_range(build, u1, u2, -tangent, tangent);
         return;
     }
     const double low = s->s_mm, high = low + s->length_mm;
-    set_range(laying, u1, u2, fmin(low / (h - r), low / far), fmax(high / (h - r), high / far));
+    set_range(build, u1, u2, fmin(low / (h - r), low / far), fmax(high / (h - r), high / far));
 }
 
 /* ---- lines ---- */
 
-static int add_event(struct laying *laying, double u)
+static int add_event(struct map_build *build, double u)
 {
-    if (!(u >= laying->u[0] && u <= laying->u[1]))
+    if (!(u >= build->u[0] && u <= build->u[1]))
         return 0;
-    if (lx_reserve(&laying->events, &laying->event_capacity, laying->event_count + 1, sizeof *laying->events))
+    if (lx_reserve(&build->events, &build->event_capacity, build->event_count + 1, sizeof *build->events))
         return -1;
-    laying->events[laying->event_count++] = u;
+    build->events[build->event_count++] = u;
     return 0;
 }
 
@@ -87,45 +87,45 @@ static bool cut(double at_from, double at_to, double shares[2])
 }
 
 /* What of an edge lies in the rectangle and before the source, as shares of it; false: nothing. */
-static bool cut_to_range(const struct laying *laying, const double from[3], const double to[3], double shares[2])
+static bool cut_to_range(const struct map_build *build, const double from[3], const double to[3], double shares[2])
 {
-    const double *u = laying->u, *v = laying->v;
+    const double *u = build->u, *v = build->v;
     shares[0] = 0, shares[1] = 1;
     return cut(from[0], to[0], shares) && cut(from[1] - u[0] * from[0], to[1] - u[0] * to[0], shares) &&
            cut(u[1] * from[0] - from[1], u[1] * to[0] - to[1], shares) &&
            cut(from[2] - v[0] * from[0], to[2] - v[0] * to[0], shares) &&
            cut(v[1] * from[0] - from[2], v[1] * to[0] - to[2], shares) &&
-           cut(laying->limit_mm - from[0], laying->limit_mm - to[0], shares);
+           cut(build->limit_mm - from[0], build->limit_mm - to[0], shares);
 }
 
-static double tangent_at(const struct laying *laying, const double from[3], const double to[3], double share)
+static double tangent_at(const struct map_build *build, const double from[3], const double to[3], double share)
 {
     const double x = from[0] + share * (to[0] - from[0]), y = from[1] + share * (to[1] - from[1]);
-    return share == 0   ? fmin(fmax(from[1] / from[0], laying->u[0]), laying->u[1])
-           : share == 1 ? fmin(fmax(to[1] / to[0], laying->u[0]), laying->u[1])
-                        : fmin(fmax(y / x, laying->u[0]), laying->u[1]);
+    return share == 0   ? fmin(fmax(from[1] / from[0], build->u[0]), build->u[1])
+           : share == 1 ? fmin(fmax(to[1] / to[0], build->u[0]), build->u[1])
+                        : fmin(fmax(y / x, build->u[0]), build->u[1]);
 }
 
 /* Appends a line between two tangents. */
-static int append_line(struct laying *laying, enum lx_outline_kind kind, const double from[3], const double to[3],
+static int append_line(struct map_build *build, enum lx_outline_kind kind, const double from[3], const double to[3],
                        const double ends[2], int change)
 {
-    struct lx_outline_lay *lay = laying->lay;
+    struct lx_trapezoid_map *map = build->map;
     double n[3];
     lx_cross(from, to, n);
     if (ends[0] == ends[1] || n[2] == 0) {
-        if (lx_reserve(&laying->walls, &laying->wall_capacity, laying->wall_count + 1, sizeof *laying->walls))
+        if (lx_reserve(&build->walls, &build->wall_capacity, build->wall_count + 1, sizeof *build->walls))
             return -1;
-        laying->walls[laying->wall_count++] = ends[0];
+        build->walls[build->wall_count++] = ends[0];
         return 0;
     }
-    if (lay->line_count >= MOST_LINES) {
-        laying->occlusion->outline->is_broken = true;
+    if (map->line_count >= MOST_LINES) {
+        build->occlusion->outline->is_broken = true;
         return 0;
     }
-    if (lx_reserve(&lay->lines, &lay->line_capacity, lay->line_count + 1, sizeof *lay->lines))
+    if (lx_reserve(&map->lines, &map->line_capacity, map->line_count + 1, sizeof *map->lines))
         return -1;
-    struct lx_outline_line *line = &lay->lines[lay->line_count++];
+    struct lx_outline_line *line = &map->lines[map->line_count++];
     *line = (struct lx_outline_line){.kind = kind,
                                      .low = fmin(ends[0], ends[1]),
                                      .high = fmax(ends[0], ends[1]),
@@ -138,26 +138,26 @@ static int append_line(struct laying *laying, enum lx_outline_kind kind, const d
 }
 
 /* Adds what of an edge is in the rectangle. */
-static int add_line(struct laying *laying, enum lx_outline_kind kind, const double from[3], const double to[3],
+static int add_line(struct map_build *build, enum lx_outline_kind kind, const double from[3], const double to[3],
                     int change)
 {
     double shares[2];
-    if (!cut_to_range(laying, from, to, shares))
+    if (!cut_to_range(build, from, to, shares))
         return 0;
-    const double ends[2] = {tangent_at(laying, from, to, shares[0]), tangent_at(laying, from, to, shares[1])};
-    return add_event(laying, ends[0]) || add_event(laying, ends[1]) ? -1
-                                                                    : append_line(laying, kind, from, to, ends, change);
+    const double ends[2] = {tangent_at(build, from, to, shares[0]), tangent_at(build, from, to, shares[1])};
+    return add_event(build, ends[0]) || add_event(build, ends[1]) ? -1
+                                                                  : append_line(build, kind, from, to, ends, change);
 }
 
 /* The lower and the upper border of a strip, and of the rectangle. */
-static int add_borders(struct laying *laying)
+static int add_borders(struct map_build *build)
 {
-    const struct lx_sweep *s = laying->sweep;
-    const double h = laying->limit_mm, *u = laying->u, *v = laying->v;
+    const struct lx_sweep *s = build->sweep;
+    const double h = build->limit_mm, *u = build->u, *v = build->v;
     for (int i = 0; i < 2; i++) {
         const double room = i ? -1e-7 * (v[1] - v[0]) : 1e-7 * (v[1] - v[0]);
         const double from[3] = {h, h * u[0], h * (v[i] + room)}, to[3] = {h, h * u[1], h * (v[i] + room)};
-        if (append_line(laying, LX_OUTLINE_BOX, from, to, u, 0))
+        if (append_line(build, LX_OUTLINE_BOX, from, to, u, 0))
             return -1;
     }
     for (int i = 0; i < 2 && s->kind == LX_SWEEP_STRIP; i++) {
@@ -165,31 +165,31 @@ static int add_borders(struct laying *laying)
         const double end_y = s->y_mm + s->y2_mm, end_z = s->s_mm + s->s2_mm + i * s->width2_mm;
         const double scale = 1 - ON_SOURCE;
         const double from[3] = {h, y * scale, z * scale}, to[3] = {h, end_y * scale, end_z * scale};
-        if (append_line(laying, LX_OUTLINE_BORDER, from, to, u, 0))
+        if (append_line(build, LX_OUTLINE_BORDER, from, to, u, 0))
             return -1;
     }
     return 0;
 }
 
 /* The horizons n.(1, u, v) = 0, as far as they come through the rectangle. */
-static int add_horizon(struct laying *laying, unsigned number)
+static int add_horizon(struct map_build *build, unsigned number)
 {
-    const double *n = laying->horizons[number];
-    const double middle[2] = {(laying->u[0] + laying->u[1]) / 2, (laying->v[0] + laying->v[1]) / 2};
-    const double size = hypot(laying->u[1] - laying->u[0], laying->v[1] - laying->v[0]), slope = hypot(n[1], n[2]);
+    const double *n = build->horizons[number];
+    const double middle[2] = {(build->u[0] + build->u[1]) / 2, (build->v[0] + build->v[1]) / 2};
+    const double size = hypot(build->u[1] - build->u[0], build->v[1] - build->v[0]), slope = hypot(n[1], n[2]);
     if (!(slope > 0))
         return 0;
-    const double off = (n[0] + n[1] * middle[0] + n[2] * middle[1]) / slope, h = laying->limit_mm;
+    const double off = (n[0] + n[1] * middle[0] + n[2] * middle[1]) / slope, h = build->limit_mm;
     if (!(fabs(off) < size))
         return 0;
     const double foot[2] = {middle[0] - off * n[1] / slope, middle[1] - off * n[2] / slope};
     const double from[3] = {h, h * (foot[0] + size * n[2] / slope), h * (foot[1] - size * n[1] / slope)};
     const double to[3] = {h, h * (foot[0] - size * n[2] / slope), h * (foot[1] + size * n[1] / slope)};
-    const size_t before = laying->lay->line_count;
-    if (add_line(laying, LX_OUTLINE_HORIZON, from, to, 0))
+    const size_t before = build->map->line_count;
+    if (add_line(build, LX_OUTLINE_HORIZON, from, to, 0))
         return -1;
-    if (laying->lay->line_count > before)
-        laying->lay->lines[before].change = (int)number;
+    if (build->map->line_count > before)
+        build->map->lines[before].change = (int)number;
     return 0;
 }
 
@@ -204,31 +204,31 @@ static void cross_limit(const double a[3], const double b[3], bool swap, double 
 }
 
 /* Whether a sheet may be seen in the rectangle. */
-static bool may_be_before(const struct laying *laying, const double corners[3][3])
+static bool may_be_before(const struct map_build *build, const double corners[3][3])
 {
     unsigned outside[4] = {0, 0, 0, 0};
     for (int i = 0; i < 3; i++) {
         const double *c = corners[i];
-        outside[0] += c[1]<laying->u[0] * c[0], outside[1] += c[1]> laying->u[1] * c[0];
-        outside[2] += c[2]<laying->v[0] * c[0], outside[3] += c[2]> laying->v[1] * c[0];
+        outside[0] += c[1]<build->u[0] * c[0], outside[1] += c[1]> build->u[1] * c[0];
+        outside[2] += c[2]<build->v[0] * c[0], outside[3] += c[2]> build->v[1] * c[0];
     }
     return outside[0] < 3 && outside[1] < 3 && outside[2] < 3 && outside[3] < 3;
 }
 
 /* Where a flat source's plane cuts a sheet; round sources may be met by it, unless it is among the obstacles. */
-static int add_section(struct laying *laying, const struct lx_sheet *sheet)
+static int add_section(struct map_build *build, const struct lx_sheet *sheet)
 {
-    const double limit = laying->limit_mm;
+    const double limit = build->limit_mm;
     double corners[3][3], ends[2][3], lowest = HUGE_VAL, highest = -HUGE_VAL;
     for (int i = 0; i < 3; i++) {
-        to_frame(laying->sweep, sheet->corners_mm[i], corners[i]);
+        to_frame(build->sweep, sheet->corners_mm[i], corners[i]);
         lowest = fmin(lowest, corners[i][0]);
         highest = fmax(highest, corners[i][0]);
     }
-    if (!(highest > limit) || !(lowest < laying->farthest_mm))
+    if (!(highest > limit) || !(lowest < build->farthest_mm))
         return 0;
-    laying->occlusion->outline->is_doubtful |=
-        laying->farthest_mm > limit && !laying->occlusion->has_polygons && may_be_before(laying, corners);
+    build->occlusion->outline->is_doubtful |=
+        build->farthest_mm > limit && !build->occlusion->has_polygons && may_be_before(build, corners);
     if (!(lowest <= limit))
         return 0;
     const bool turned = sheet->turn < 0;
@@ -238,23 +238,23 @@ static int add_section(struct laying *laying, const struct lx_sheet *sheet)
         if (from != to)
             cross_limit(corners[a], corners[b], sheet->names[a] > sheet->names[b], limit, ends[from]);
     }
-    return add_line(laying, LX_OUTLINE_EDGE, ends[0], ends[1], 1);
+    return add_line(build, LX_OUTLINE_EDGE, ends[0], ends[1], 1);
 }
 
-static int add_lines(struct laying *laying)
+static int add_lines(struct map_build *build)
 {
-    const struct lx_obstacles *obstacles = &laying->occlusion->obstacles;
-    int failed = add_borders(laying);
-    for (unsigned i = 0; i < laying->horizon_count && !failed; i++)
-        failed = add_horizon(laying, i);
+    const struct lx_obstacles *obstacles = &build->occlusion->obstacles;
+    int failed = add_borders(build);
+    for (unsigned i = 0; i < build->horizon_count && !failed; i++)
+        failed = add_horizon(build, i);
     for (size_t i = 0; i < obstacles->edge_count && !failed; i++) {
         double from[3], to[3];
-        to_frame(laying->sweep, obstacles->edges[i].from_mm, from);
-        to_frame(laying->sweep, obstacles->edges[i].to_mm, to);
-        failed = add_line(laying, LX_OUTLINE_EDGE, from, to, obstacles->edges[i].change);
+        to_frame(build->sweep, obstacles->edges[i].from_mm, from);
+        to_frame(build->sweep, obstacles->edges[i].to_mm, to);
+        failed = add_line(build, LX_OUTLINE_EDGE, from, to, obstacles->edges[i].change);
     }
     for (size_t i = 0; i < obstacles->sheet_count && !failed; i++)
-        failed = add_section(laying, &obstacles->sheets[i]);
+        failed = add_section(build, &obstacles->sheets[i]);
     return failed;
 }
 
@@ -276,24 +276,24 @@ static int by_value(const void *a, const void *b)
     return (x > y) - (x < y);
 }
 
-static int add_crossings(struct laying *laying)
+static int add_crossings(struct map_build *build)
 {
-    const struct lx_outline_lay *lay = laying->lay;
-    for (size_t i = 0; i < lay->line_count; i++) {
-        const struct lx_outline_line *a = &lay->lines[i];
-        for (size_t k = i + 1; k < lay->line_count && lay->lines[k].low < a->high; k++) {
-            const struct lx_outline_line *b = &lay->lines[k];
+    const struct lx_trapezoid_map *map = build->map;
+    for (size_t i = 0; i < map->line_count; i++) {
+        const struct lx_outline_line *a = &map->lines[i];
+        for (size_t k = i + 1; k < map->line_count && map->lines[k].low < a->high; k++) {
+            const struct lx_outline_line *b = &map->lines[k];
             const double low = b->low, high = fmin(a->high, b->high);
             const double from = lx_outline_height(a, low) - lx_outline_height(b, low);
             const double to = lx_outline_height(a, high) - lx_outline_height(b, high);
             if (!((from < 0) != (to < 0)) || fabs(from) <= rounding_of(a, b, low) ||
                 fabs(to) <= rounding_of(a, b, high))
                 continue;
-            if (laying->event_count >= MOST_EVENTS) {
-                laying->occlusion->outline->is_broken = true;
+            if (build->event_count >= MOST_EVENTS) {
+                build->occlusion->outline->is_broken = true;
                 return 0;
             }
-            if (add_event(laying, low + (high - low) * (from / (from - to))))
+            if (add_event(build, low + (high - low) * (from / (from - to))))
                 return -1;
         }
     }
@@ -302,22 +302,22 @@ static int add_crossings(struct laying *laying)
 
 /* ---- the whole ---- */
 
-int lx_outline_draw(struct laying *laying)
+int lx_outline_draw(struct map_build *build)
 {
-    struct lx_outline_lay *lay = laying->lay;
-    bound_sweep(laying);
-    for (unsigned i = 0; i < laying->occlusion->horizon_count; i++)
-        to_frame(laying->sweep, laying->occlusion->horizons[i], laying->horizons[laying->horizon_count++]);
-    if (!(laying->u[0] < laying->u[1]))
+    struct lx_trapezoid_map *map = build->map;
+    bound_sweep(build);
+    for (unsigned i = 0; i < build->occlusion->horizon_count; i++)
+        to_frame(build->sweep, build->occlusion->horizons[i], build->horizons[build->horizon_count++]);
+    if (!(build->u[0] < build->u[1]))
         return 0;
-    if (add_lines(laying) || add_event(laying, laying->u[1]))
+    if (add_lines(build) || add_event(build, build->u[1]))
         return -1;
-    if (lay->line_count > 1)
-        qsort(lay->lines, lay->line_count, sizeof *lay->lines, by_low);
-    if (add_crossings(laying))
+    if (map->line_count > 1)
+        qsort(map->lines, map->line_count, sizeof *map->lines, by_low);
+    if (add_crossings(build))
         return -1;
-    qsort(laying->events, laying->event_count, sizeof *laying->events, by_value);
-    if (laying->wall_count > 1)
-        qsort(laying->walls, laying->wall_count, sizeof *laying->walls, by_value);
+    qsort(build->events, build->event_count, sizeof *build->events, by_value);
+    if (build->wall_count > 1)
+        qsort(build->walls, build->wall_count, sizeof *build->walls, by_value);
     return 0;
 }

@@ -60,18 +60,18 @@ static void add_trapezoid(struct sum *sum, const struct lx_outline_line *lower, 
         add_edge(sum, corners[i], corners[(i + 1) % 4], i % 2 == 0 ? fmax(off[i], off[i + 1]) : 0, 1);
 }
 
-static void add_lay(struct sum *sum, const struct lx_outline_lay *lay)
+static void add_lay(struct sum *sum, const struct lx_trapezoid_map *map)
 {
-    for (size_t i = 0; i < lay->slab_count; i++) {
-        const struct lx_outline_slab *slab = &lay->slabs[i];
+    for (size_t i = 0; i < map->slab_count; i++) {
+        const struct lx_outline_slab *slab = &map->slabs[i];
         uint32_t from = slab->floor;
         if (slab->floor == slab->ceiling)
             continue; /* nothing is looked at */
         for (uint32_t k = 0; k <= slab->count; k++) {
-            const uint32_t to = k < slab->count ? lay->parts[slab->first + k].lower : slab->ceiling;
+            const uint32_t to = k < slab->count ? map->parts[slab->first + k].lower : slab->ceiling;
             if (from != to)
-                add_trapezoid(sum, &lay->lines[from], &lay->lines[to], slab->low, slab->high);
-            from = k < slab->count ? lay->parts[slab->first + k].upper : from;
+                add_trapezoid(sum, &map->lines[from], &map->lines[to], slab->low, slab->high);
+            from = k < slab->count ? map->parts[slab->first + k].upper : from;
         }
     }
 }
@@ -107,7 +107,7 @@ bool lx_outline_sum(const struct lx_occlusion *known, const struct lx_emitter *e
         !lx_outline_add_horizon(occlusion, normal))
         return false;
     const bool failed = lx_sweeps_make(emitter, occlusion->place_mm, normal, true, &sweeps) ||
-                        lx_outline_lay(occlusion, &sweeps, asking) || occlusion->outline->is_broken;
+                        lx_trapezoid_map(occlusion, &sweeps, asking) || occlusion->outline->is_broken;
     for (size_t i = 0; i < sweeps.count && !failed; i++) {
         struct sum sum = {.error_mm = 4 * occlusion->error_mm};
         double n[3];

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* What is wished of a solution of reflected light: its scene, the bound, and the places that this is for. */
-#ifndef LX_REFLECT_WISH_H
-#define LX_REFLECT_WISH_H
+/* What is requested of a solution of reflected light: its scene, the bound, and the places that this is for. */
+#ifndef LX_REFLECT_REQUEST_H
+#define LX_REFLECT_REQUEST_H
 
 #include "../world/prepared.h"
 #include "../world/world.h"
@@ -30,7 +30,7 @@ struct lx_reflected_spot {
     double share, value;
 };
 
-struct lx_reflected_wish {
+struct lx_reflected_request {
     const struct lx_prepared *prepared;
     const struct lx_element_kernels *kernels;
     double error; /* the bound wanted: relative to the value of each place, or of spots and means to the greatest */

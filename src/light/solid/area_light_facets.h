@@ -1,12 +1,12 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * The flat faces of an extended emitter: a convex polygon, or the shell of a convex polyhedron.  facets.h makes them.
+ * The flat faces of an extended emitter: a convex polygon, or the surface of a convex polyhedron.  facets.h makes them.
  *
  * Corners are wide because a corner made of centre, size and axis is no float64 number, and an element next to it
  * would see the difference.
  */
-#ifndef LX_LIGHT_SHELL_FACETS_H
-#define LX_LIGHT_SHELL_FACETS_H
+#ifndef LX_LIGHT_AREA_LIGHT_FACETS_H
+#define LX_LIGHT_AREA_LIGHT_FACETS_H
 
 #include <stddef.h>
 

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * Skylines: what obstacles leave of a source, by its borders, in float64 without a bound, for pictures.
+ * Visible boundaries: what obstacles leave of a source, by its borders, in float64 without a bound, for pictures.
  *
  * Bodies are the source, and the obstacles, each a convex cone of directions with the element at its tip: u is in it
  * where g.u > limit for all of its sides, u and g of unit length.  A side is bounded by its curve, a great circle, the
@@ -8,15 +8,15 @@
  * those that lie on the source and behind no other obstacle.  By the law 1/r^2 the irradiance is a sum over the pieces
  * (light/solid/extended.h).
  */
-#ifndef LX_WORLD_SKYLINE_H
-#define LX_WORLD_SKYLINE_H
+#ifndef LX_WORLD_BOUNDARY_H
+#define LX_WORLD_BOUNDARY_H
 
 #include "occlusion.h"
 
 /* Sides of the source at most; bodies, and the sides of all obstacles together. */
-enum { LX_SKYLINE_SIDES = 12, LX_SKYLINE_BODIES = 64, LX_SKYLINE_OBSTACLE_SIDES = 132 };
+enum { LX_BOUNDARY_SIDES = 12, LX_BOUNDARY_BODIES = 64, LX_BOUNDARY_OBSTACLE_SIDES = 132 };
 
-struct lx_skyline_side {
+struct lx_boundary_side {
     double g[3], limit;
     double from[3], to[3];   /* of a great circle's piece, its ends, of any length */
     bool is_circle;          /* or the outline of a disk; */
@@ -26,83 +26,83 @@ struct lx_skyline_side {
     double rows[3][3];       /* inside is what rows[0].u is more than the length of rows[1].u and rows[2].u */
 };
 
-struct lx_skyline_body {
-    struct lx_skyline_side *sides;
+struct lx_boundary_body {
+    struct lx_boundary_side *sides;
     unsigned count;
     bool is_pipe; /* one that can be seen through */
 };
 
 /* Large: what is not needed of it stays as it is.  It stays where it is, as its bodies point to its sides. */
-struct lx_skyline {
-    struct lx_skyline_body bodies[LX_SKYLINE_BODIES]; /* the source first, with room for the most sides */
+struct lx_boundary {
+    struct lx_boundary_body bodies[LX_BOUNDARY_BODIES]; /* the source first, with room for the most sides */
     unsigned count;
-    struct lx_skyline_side sides[LX_SKYLINE_SIDES + LX_SKYLINE_OBSTACLE_SIDES]; /* body behind body */
+    struct lx_boundary_side sides[LX_BOUNDARY_SIDES + LX_BOUNDARY_OBSTACLE_SIDES]; /* body behind body */
     bool has_hole; /* the sides of what is seen through a pipe, */
-    struct lx_skyline_side hole[2];
+    struct lx_boundary_side hole[2];
 };
 
 /* A convex polygon as an element sees it: the directions of its corners, of any length. */
-struct lx_skyline_polygon {
-    double corners[LX_SKYLINE_SIDES][3];
+struct lx_boundary_polygon {
+    double corners[LX_BOUNDARY_SIDES][3];
     unsigned count;
 };
 
 /* Makes the bodies of all obstacles; false: there are other ones, or too many. */
-bool lx_skyline_begin(const struct lx_occlusion *occlusion, struct lx_skyline *skyline);
+bool lx_boundary_begin(const struct lx_occlusion *occlusion, struct lx_boundary *boundary);
 
 /* Whether each obstacle is before the source wherever both are to be seen, as far as can be told. */
-bool lx_skyline_is_before(const struct lx_occlusion *occlusion, const struct lx_emitter *emitter);
+bool lx_boundary_is_before(const struct lx_occlusion *occlusion, const struct lx_emitter *emitter);
 
 /* A convex part of a source as the element sees it: a polygon, or what of it is inside a curve. */
-struct lx_skyline_shape {
-    struct lx_skyline_polygon polygon;
+struct lx_boundary_shape {
+    struct lx_boundary_polygon polygon;
     bool has_curve;
-    struct lx_skyline_side curve;
+    struct lx_boundary_side curve;
 };
 
-struct lx_skyline_shapes {
-    struct lx_skyline_shape items[3];
+struct lx_boundary_shapes {
+    struct lx_boundary_shape items[3];
     unsigned count;
 };
 
 /* The shapes that together are all of a source, none where the element sees nothing of it; false: not known. */
-bool lx_skyline_shape(const struct lx_occlusion *occlusion, const struct lx_emitter *emitter,
-                      struct lx_skyline_shapes *shapes);
+bool lx_boundary_shape(const struct lx_occlusion *occlusion, const struct lx_emitter *emitter,
+                       struct lx_boundary_shapes *shapes);
 
 /* Makes a shape an obstacle, so that what others share with it does not count twice; false: there are too many. */
-bool lx_skyline_put_aside(const struct lx_skyline_shape *shape, struct lx_skyline *skyline);
+bool lx_boundary_put_aside(const struct lx_boundary_shape *shape, struct lx_boundary *boundary);
 
 /* The outline of facets as the element sees them, without corners where it sees nothing of them.  False: it has too
  * many. */
-bool lx_skyline_outline(const struct lx_occlusion *occlusion, const struct lx_facets *facets,
-                        struct lx_skyline_polygon *outline);
+bool lx_boundary_outline(const struct lx_occlusion *occlusion, const struct lx_facets *facets,
+                         struct lx_boundary_polygon *outline);
 
 /* The outline of one face; *away: its normal, away from the element if that sees it. */
-bool lx_skyline_face(const struct lx_occlusion *occlusion, const struct lx_facets *facets, size_t face,
-                     struct lx_skyline_polygon *outline, double away[3]);
+bool lx_boundary_face(const struct lx_occlusion *occlusion, const struct lx_facets *facets, size_t face,
+                      struct lx_boundary_polygon *outline, double away[3]);
 
 /* Keeps the part of a convex polygon with normal.u > 0, if any; the polygon must have room for a corner more. */
-void lx_skyline_cut(struct lx_skyline_polygon *polygon, const double normal[3]);
+void lx_boundary_cut(struct lx_boundary_polygon *polygon, const double normal[3]);
 
 /*
  * Makes a body, which has room for that, of a polygon, or adds the circle of directions that meet a ball, or any
  * circle, to a body, as one more side.  False: it is seen edge-on, or the element is in the ball.
  */
-bool lx_skyline_add_polygon(const struct lx_skyline_polygon *polygon, struct lx_skyline_body *body);
-bool lx_skyline_add_ball(const double center[3], double radius, struct lx_skyline_body *body);
-void lx_skyline_add_circle(const double axis[3], double cosine, double sine, struct lx_skyline_body *body);
+bool lx_boundary_add_polygon(const struct lx_boundary_polygon *polygon, struct lx_boundary_body *body);
+bool lx_boundary_add_ball(const double center[3], double radius, struct lx_boundary_body *body);
+void lx_boundary_add_circle(const double axis[3], double cosine, double sine, struct lx_boundary_body *body);
 
 /* The direction at t of a side's curve, of a great circle of any length. */
-void lx_skyline_place(const struct lx_skyline_side *side, double t, double u[3]);
+void lx_boundary_place(const struct lx_boundary_side *side, double t, double u[3]);
 
 /* Takes a piece of a border of what is seen; `sign`: 1 where what is seen is on the inner side of the curve, -1 where
  * it is on the other.  False: the source has too many sides. */
-typedef void lx_take_border(void *data, const struct lx_skyline_side *side, double from, double to, int sign);
-bool lx_skyline_walk(struct lx_skyline *skyline, lx_take_border *take, void *data);
+typedef void lx_take_border(void *data, const struct lx_boundary_side *side, double from, double to, int sign);
+bool lx_boundary_walk(struct lx_boundary *boundary, lx_take_border *take, void *data);
 
 /* For a radiance of 1.  False: it is not known, as there are other laws, sources or obstacles, or too many, or one
  * is not wholly before the source. */
-bool lx_skyline_irradiance(const struct lx_emitter *emitter, const double normal[3],
-                           const struct lx_occlusion *occlusion, double *irradiance);
+bool lx_boundary_irradiance(const struct lx_emitter *emitter, const double normal[3],
+                            const struct lx_occlusion *occlusion, double *irradiance);
 
 #endif

@@ -9,9 +9,9 @@
 
 #include "../../base/vector.h"
 #include "../../light/solid/extended.h"
-#include "skyline.h"
+#include "boundary.h"
 
-enum { MOST_CROSSINGS = 4 * (LX_SKYLINE_SIDES + LX_SKYLINE_OBSTACLE_SIDES) };
+enum { MOST_CROSSINGS = 4 * (LX_BOUNDARY_SIDES + LX_BOUNDARY_OBSTACLE_SIDES) };
 
 /* Directions that are nearer than this to a curve lie on it. */
 static const double ON = 1e-12;
@@ -100,7 +100,7 @@ static unsigned find_zeros(const struct waves *waves, double *at)
 }
 
 /* Adds `weight` (row.u)^2 along a closed curve. */
-static void add_square(struct waves *waves, const struct lx_skyline_side *side, const double row[3], double weight)
+static void add_square(struct waves *waves, const struct lx_boundary_side *side, const double row[3], double weight)
 {
     const double m = side->limit * lx_dot(row, side->g), a = side->sine * lx_dot(row, side->p);
     const double b = side->sine * lx_dot(row, side->q);
@@ -112,7 +112,7 @@ static void add_square(struct waves *waves, const struct lx_skyline_side *side, 
 }
 
 /* Where closed curves cross, one of which at least is a disk's. */
-static unsigned cross_curves(const struct lx_skyline_side *side, const struct lx_skyline_side *other, double *at)
+static unsigned cross_curves(const struct lx_boundary_side *side, const struct lx_boundary_side *other, double *at)
 {
     static const double units[3][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
     struct waves waves = {0};
@@ -142,7 +142,7 @@ static unsigned find_shares(double a, double b, double c, double *at)
 }
 
 /* Where a piece of a great circle crosses the outline of a disk. */
-static unsigned cross_cone(const struct lx_skyline_side *side, const struct lx_skyline_side *cone, double *at)
+static unsigned cross_cone(const struct lx_boundary_side *side, const struct lx_boundary_side *cone, double *at)
 {
     double a = 0, b = 0, c = 0;
     for (int i = 0; i < 3; i++) {
@@ -156,7 +156,7 @@ static unsigned cross_cone(const struct lx_skyline_side *side, const struct lx_s
 }
 
 /* Where a side's curve crosses that of another. */
-static unsigned find_crossings(const struct lx_skyline_side *side, const struct lx_skyline_side *other, double *at)
+static unsigned find_crossings(const struct lx_boundary_side *side, const struct lx_boundary_side *other, double *at)
 {
     unsigned count = 0;
     if (side->is_circle && (other->is_cone || (side->is_cone && other->limit != 0)))
@@ -194,7 +194,7 @@ static unsigned find_crossings(const struct lx_skyline_side *side, const struct 
 
 /* ---- walking ---- */
 
-void lx_skyline_place(const struct lx_skyline_side *side, double t, double u[3])
+void lx_boundary_place(const struct lx_boundary_side *side, double t, double u[3])
 {
     const double c = side->is_circle ? cos(t) : 0, s = side->is_circle ? sin(t) : 0;
     for (int k = 0; k < 3; k++)
@@ -203,7 +203,7 @@ void lx_skyline_place(const struct lx_skyline_side *side, double t, double u[3])
 }
 
 /* How far inside of a side's curve a direction of unit length is. */
-static double depth_of(const struct lx_skyline_side *side, const double u[3])
+static double depth_of(const struct lx_boundary_side *side, const double u[3])
 {
     if (side->is_cone)
         return lx_dot(side->rows[0], u) - hypot(lx_dot(side->rows[1], u), lx_dot(side->rows[2], u));
@@ -211,7 +211,7 @@ static double depth_of(const struct lx_skyline_side *side, const double u[3])
 }
 
 /* The way inwards from a side's curve, of any length. */
-static void find_way_in(const struct lx_skyline_side *side, const double u[3], double way[3])
+static void find_way_in(const struct lx_boundary_side *side, const double u[3], double way[3])
 {
     if (!side->is_cone) {
         memcpy(way, side->g, sizeof side->g);
@@ -223,7 +223,7 @@ static void find_way_in(const struct lx_skyline_side *side, const double u[3], d
 }
 
 /* How far inside of a body a direction of unit length is, by the side that is nearest to it. */
-static double depth_in(const struct lx_skyline_body *body, const double u[3], const struct lx_skyline_side **nearest)
+static double depth_in(const struct lx_boundary_body *body, const double u[3], const struct lx_boundary_side **nearest)
 {
     double depth = HUGE_VAL;
     for (unsigned i = 0; i < body->count; i++) {
@@ -237,7 +237,7 @@ static double depth_in(const struct lx_skyline_body *body, const double u[3], co
 }
 
 /* Whether sides of one body may cross anywhere but at the ends of a polygon's edges. */
-static bool are_to_cross(const struct lx_skyline_side *side, const struct lx_skyline_side *other)
+static bool are_to_cross(const struct lx_boundary_side *side, const struct lx_boundary_side *other)
 {
     return side != other && (side->is_circle || other->is_circle);
 }
@@ -247,21 +247,21 @@ static bool are_to_cross(const struct lx_skyline_side *side, const struct lx_sky
  * of another body, too: next to an obstacle that begins where the source ends nothing is seen; of obstacles that end
  * there the first one counts; between two that meet there is nothing.
  */
-static bool is_border(const struct lx_skyline *skyline, unsigned b, const struct lx_skyline_side *side,
+static bool is_border(const struct lx_boundary *boundary, unsigned b, const struct lx_boundary_side *side,
                       const double u[3])
 {
-    const struct lx_skyline_side *nearest = NULL;
-    for (unsigned i = 0; i < skyline->bodies[b].count; i++) {
-        const struct lx_skyline_side *own = &skyline->bodies[b].sides[i];
+    const struct lx_boundary_side *nearest = NULL;
+    for (unsigned i = 0; i < boundary->bodies[b].count; i++) {
+        const struct lx_boundary_side *own = &boundary->bodies[b].sides[i];
         if (are_to_cross(side, own) && !(depth_of(own, u) > 0))
             return false;
     }
-    if (b > 0 && !(depth_in(&skyline->bodies[0], u, &nearest) > ON))
+    if (b > 0 && !(depth_in(&boundary->bodies[0], u, &nearest) > ON))
         return false;
-    for (unsigned i = 1; i < skyline->count; i++) {
-        if (i == b || skyline->bodies[i].count == 0)
+    for (unsigned i = 1; i < boundary->count; i++) {
+        if (i == b || boundary->bodies[i].count == 0)
             continue;
-        const double depth = depth_in(&skyline->bodies[i], u, &nearest);
+        const double depth = depth_in(&boundary->bodies[i], u, &nearest);
         if (depth < -ON)
             continue;
         if (depth > ON)
@@ -276,56 +276,56 @@ static bool is_border(const struct lx_skyline *skyline, unsigned b, const struct
     return true;
 }
 
-static void walk(const struct lx_skyline *skyline, unsigned b, const struct lx_skyline_side *side, lx_take_border *take,
-                 void *data)
+static void walk(const struct lx_boundary *boundary, unsigned b, const struct lx_boundary_side *side,
+                 lx_take_border *take, void *data)
 {
     double at[MOST_CROSSINGS + 2];
     unsigned count = 0;
     at[count++] = 0;
     at[count++] = side->is_circle ? 2 * M_PI : 1;
-    for (unsigned i = 0; i < skyline->count; i++)
-        for (unsigned k = 0; k < skyline->bodies[i].count; k++)
-            if (i != b || are_to_cross(side, &skyline->bodies[i].sides[k]))
-                count += find_crossings(side, &skyline->bodies[i].sides[k], at + count);
+    for (unsigned i = 0; i < boundary->count; i++)
+        for (unsigned k = 0; k < boundary->bodies[i].count; k++)
+            if (i != b || are_to_cross(side, &boundary->bodies[i].sides[k]))
+                count += find_crossings(side, &boundary->bodies[i].sides[k], at + count);
     if (count > 2)
         qsort(at, count, sizeof *at, by_value);
     for (unsigned i = 0; i + 1 < count; i++) {
         double u[3];
         if (!(at[i + 1] > at[i]))
             continue;
-        lx_skyline_place(side, at[i] + (at[i + 1] - at[i]) / 2, u);
+        lx_boundary_place(side, at[i] + (at[i + 1] - at[i]) / 2, u);
         if (!side->is_circle || side->is_cone)
             lx_normalize(u);
-        if (is_border(skyline, b, side, u))
+        if (is_border(boundary, b, side, u))
             take(data, side, at[i], at[i + 1], b == 0 ? 1 : -1);
     }
 }
 
-static void walk_all(const struct lx_skyline *skyline, lx_take_border *take, void *data)
+static void walk_all(const struct lx_boundary *boundary, lx_take_border *take, void *data)
 {
-    for (unsigned b = 0; b < skyline->count; b++)
-        for (unsigned i = 0; i < skyline->bodies[b].count; i++)
-            walk(skyline, b, &skyline->bodies[b].sides[i], take, data);
+    for (unsigned b = 0; b < boundary->count; b++)
+        for (unsigned i = 0; i < boundary->bodies[b].count; i++)
+            walk(boundary, b, &boundary->bodies[b].sides[i], take, data);
 }
 
-bool lx_skyline_walk(struct lx_skyline *skyline, lx_take_border *take, void *data)
+bool lx_boundary_walk(struct lx_boundary *boundary, lx_take_border *take, void *data)
 {
-    struct lx_skyline_body *source = &skyline->bodies[0];
-    unsigned sides[LX_SKYLINE_BODIES];
-    walk_all(skyline, take, data);
-    if (!skyline->has_hole)
+    struct lx_boundary_body *source = &boundary->bodies[0];
+    unsigned sides[LX_BOUNDARY_BODIES];
+    walk_all(boundary, take, data);
+    if (!boundary->has_hole)
         return true;
-    if (source->count + 2 > LX_SKYLINE_SIDES)
+    if (source->count + 2 > LX_BOUNDARY_SIDES)
         return false;
-    memcpy(&source->sides[source->count], skyline->hole, sizeof skyline->hole);
+    memcpy(&source->sides[source->count], boundary->hole, sizeof boundary->hole);
     source->count += 2;
-    for (unsigned b = 0; b < skyline->count; b++) {
-        sides[b] = skyline->bodies[b].count;
-        skyline->bodies[b].count = skyline->bodies[b].is_pipe ? 0 : sides[b];
+    for (unsigned b = 0; b < boundary->count; b++) {
+        sides[b] = boundary->bodies[b].count;
+        boundary->bodies[b].count = boundary->bodies[b].is_pipe ? 0 : sides[b];
     }
-    walk_all(skyline, take, data);
-    for (unsigned b = 0; b < skyline->count; b++)
-        skyline->bodies[b].count = sides[b];
+    walk_all(boundary, take, data);
+    for (unsigned b = 0; b < boundary->count; b++)
+        boundary->bodies[b].count = sides[b];
     source->count -= 2;
     return true;
 }
@@ -342,7 +342,7 @@ struct sum {
  * What a piece of a disk's outline brings: half the integral of N.(u x u')/u^2, by Gauss's rule of 8 nodes, and of 16
  * by halves, until they agree.
  */
-static double along_cone(const struct lx_skyline_side *side, double from, double to, const double normal[3])
+static double along_cone(const struct lx_boundary_side *side, double from, double to, const double normal[3])
 {
     static const double places[4] = {0.18343464249564980, 0.52553240991632899, 0.79666647741362674,
                                      0.96028985649753623};
@@ -363,7 +363,7 @@ static double along_cone(const struct lx_skyline_side *side, double from, double
     return half * sum / 2;
 }
 
-static double irradiance_of_cone(const struct lx_skyline_side *side, double from, double to, double whole,
+static double irradiance_of_cone(const struct lx_boundary_side *side, double from, double to, double whole,
                                  const double normal[3], int depth)
 {
     const double ENOUGH = 1e-13;
@@ -376,13 +376,13 @@ static double irradiance_of_cone(const struct lx_skyline_side *side, double from
 }
 
 /* What a piece of a side brings, for what is inside. */
-static double irradiance_of(const struct lx_skyline_side *side, double from, double to, const double normal[3])
+static double irradiance_of(const struct lx_boundary_side *side, double from, double to, const double normal[3])
 {
     enum { DEEPEST = 24 };
     if (!side->is_circle) {
         double a[3], b[3], turned[3];
-        lx_skyline_place(side, from, a);
-        lx_skyline_place(side, to, b);
+        lx_boundary_place(side, from, a);
+        lx_boundary_place(side, to, b);
         lx_cross(a, b, turned);
         return atan2(sqrt(lx_dot(turned, turned)), lx_dot(a, b)) * lx_dot(normal, side->g) / 2;
     }
@@ -394,7 +394,7 @@ static double irradiance_of(const struct lx_skyline_side *side, double from, dou
             side->limit * (sine * lx_dot(normal, side->p) - cosine * lx_dot(normal, side->q)));
 }
 
-static void add_irradiance(void *data, const struct lx_skyline_side *side, double from, double to, int sign)
+static void add_irradiance(void *data, const struct lx_boundary_side *side, double from, double to, int sign)
 {
     struct sum *sum = data;
     *(sign > 0 ? &sum->of_source : &sum->of_obstacles) += irradiance_of(side, from, to, sum->normal);
@@ -402,58 +402,58 @@ static void add_irradiance(void *data, const struct lx_skyline_side *side, doubl
 
 /* The part of a ball above the horizon; false: it has no outline. */
 static bool make_ball(const struct lx_emitter *ball, const struct lx_occlusion *occlusion, const double normal[3],
-                      struct lx_skyline_body *body)
+                      struct lx_boundary_body *body)
 {
     double center[3];
     for (int k = 0; k < 3; k++)
         center[k] = ball->center_mm[k] - occlusion->place_mm[k];
     const double rise = lx_dot(center, normal);
     body->count = 0;
-    if (!lx_skyline_add_ball(center, ball->radius_mm, body))
+    if (!lx_boundary_add_ball(center, ball->radius_mm, body))
         return false;
     if (rise <= -ball->radius_mm)
         body->count = 0;
     else if (rise < ball->radius_mm)
-        lx_skyline_add_circle(normal, 0, 1, body);
+        lx_boundary_add_circle(normal, 0, 1, body);
     return true;
 }
 
 /* Adds what is seen of a part of the source; false: it is not known. */
-static bool add_shape(const struct lx_skyline_shape *shape, struct lx_skyline *skyline, struct sum *sum)
+static bool add_shape(const struct lx_boundary_shape *shape, struct lx_boundary *boundary, struct sum *sum)
 {
-    struct lx_skyline_polygon part = shape->polygon;
-    struct lx_skyline_body *body = &skyline->bodies[0];
-    lx_skyline_cut(&part, sum->normal);
+    struct lx_boundary_polygon part = shape->polygon;
+    struct lx_boundary_body *body = &boundary->bodies[0];
+    lx_boundary_cut(&part, sum->normal);
     if (part.count == 0)
         return true;
-    if (!lx_skyline_add_polygon(&part, body) || body->count + shape->has_curve > LX_SKYLINE_SIDES)
+    if (!lx_boundary_add_polygon(&part, body) || body->count + shape->has_curve > LX_BOUNDARY_SIDES)
         return false;
     if (shape->has_curve)
         body->sides[body->count++] = shape->curve;
-    return lx_skyline_walk(skyline, add_irradiance, sum);
+    return lx_boundary_walk(boundary, add_irradiance, sum);
 }
 
-bool lx_skyline_irradiance(const struct lx_emitter *emitter, const double normal[3],
-                           const struct lx_occlusion *occlusion, double *irradiance)
+bool lx_boundary_irradiance(const struct lx_emitter *emitter, const double normal[3],
+                            const struct lx_occlusion *occlusion, double *irradiance)
 {
-    struct lx_skyline skyline;
-    struct lx_skyline_shapes shapes;
+    struct lx_boundary boundary;
+    struct lx_boundary_shapes shapes;
     struct sum sum = {.normal = normal};
     *irradiance = 0;
-    if (emitter->attenuation != LX_INVERSE_SQUARE || !lx_skyline_begin(occlusion, &skyline) ||
-        !lx_skyline_is_before(occlusion, emitter))
+    if (emitter->attenuation != LX_INVERSE_SQUARE || !lx_boundary_begin(occlusion, &boundary) ||
+        !lx_boundary_is_before(occlusion, emitter))
         return false;
     const bool is_ball = !lx_has_axis(emitter);
     if (is_ball) {
-        if (!make_ball(emitter, occlusion, normal, &skyline.bodies[0]) ||
-            (skyline.bodies[0].count > 0 && !lx_skyline_walk(&skyline, add_irradiance, &sum)))
+        if (!make_ball(emitter, occlusion, normal, &boundary.bodies[0]) ||
+            (boundary.bodies[0].count > 0 && !lx_boundary_walk(&boundary, add_irradiance, &sum)))
             return false;
-    } else if (!lx_skyline_shape(occlusion, emitter, &shapes)) {
+    } else if (!lx_boundary_shape(occlusion, emitter, &shapes)) {
         return false;
     }
     for (unsigned i = 0; i < shapes.count && !is_ball; i++)
-        if (!add_shape(&shapes.items[i], &skyline, &sum) ||
-            (i + 1 < shapes.count && !lx_skyline_put_aside(&shapes.items[i], &skyline)))
+        if (!add_shape(&shapes.items[i], &boundary, &sum) ||
+            (i + 1 < shapes.count && !lx_boundary_put_aside(&shapes.items[i], &boundary)))
             return false;
     *irradiance = sum.of_source - sum.of_obstacles;
     return true;

@@ -20,7 +20,7 @@
 #include "light/solid/facets.h"
 #include "picture/plan_make.h"
 #include "picture/seen.h"
-#include "picture/shell_bound.h"
+#include "picture/area_light_bound.h"
 #include "squares.h"
 #include "world/reference.h"
 
@@ -30,7 +30,7 @@ enum { SQUARES = 6, GLOSSY_SQUARES = 24 };
 /* ---- bounds ---- */
 
 /* The sum of weights times (N.w)(-a.w) a(r)/r^2 over the middles of parts of a triangle. */
-static double complex over_triangle(const struct lx_shell_law *law, const double a[3], const double b[3],
+static double complex over_triangle(const struct lx_area_light_law *law, const double a[3], const double b[3],
                                     const double c[3], struct vector place, struct vector normal)
 {
     enum { PARTS = 12 };
@@ -58,7 +58,7 @@ static void corner_of(const struct lx_facets *facets, const struct lx_face *face
 }
 
 /* The faces that are seen from the middle of the square. */
-static double complex by_facets(const struct lx_shell_law *law, const struct lx_facets *facets,
+static double complex by_facets(const struct lx_area_light_law *law, const struct lx_facets *facets,
                                 const struct lx_vicinity *at, const double anchor[3], struct vector place,
                                 struct vector normal)
 {
@@ -80,31 +80,31 @@ static double complex by_facets(const struct lx_shell_law *law, const struct lx_
 }
 
 /* As a sum over rings: sin^2 of the angle from its centre is q (1 - v^2), q = R^2/d^2. */
-static double complex by_ball(const struct lx_shell *shell, struct vector place, struct vector normal)
+static double complex by_ball(const struct lx_area_light *lamp, struct vector place, struct vector normal)
 {
     enum { RINGS = 40 };
-    const struct vector way = plus((struct vector){shell->center[0], shell->center[1], shell->center[2]}, -1, place);
-    const double radius = shell->round_mm;
+    const struct vector way = plus((struct vector){lamp->center[0], lamp->center[1], lamp->center[2]}, -1, place);
+    const double radius = lamp->round_mm;
     const double complex square = dot(way, way), distance = csqrt(square), q = radius * radius / square;
     double complex sum = 0;
     for (int i = 0; i < RINGS; i++) {
         const double v = (i + 0.5) / RINGS;
         const double complex r = distance * csqrt(1 - q * (1 - v * v)) - radius * v;
-        sum += 2 * v * r * r * attenuated(&shell->law, r * r) / RINGS;
+        sum += 2 * v * r * r * attenuated(&lamp->law, r * r) / RINGS;
     }
     return M_PI * q * sum * dot(normal, way) / distance;
 }
 
 /* As a polygon of many corners, which is a little smaller. */
-static double complex by_disk(const struct lx_shell *shell, struct vector place, struct vector normal)
+static double complex by_disk(const struct lx_area_light *lamp, struct vector place, struct vector normal)
 {
     enum { CORNERS = 60 };
-    const double *axis = shell->axis, *center = shell->center;
+    const double *axis = lamp->axis, *center = lamp->center;
     const double beside[3] = {fabs(axis[0]) < 0.6, fabs(axis[0]) >= 0.6, 0};
     double u[3] = {beside[1] * axis[2], -beside[0] * axis[2], beside[0] * axis[1] - beside[1] * axis[0]};
     const double length = sqrt(u[0] * u[0] + u[1] * u[1] + u[2] * u[2]);
     for (int k = 0; k < 3; k++)
-        u[k] *= shell->round_mm / length;
+        u[k] *= lamp->round_mm / length;
     const double v[3] = {axis[1] * u[2] - axis[2] * u[1], axis[2] * u[0] - axis[0] * u[2],
                          axis[0] * u[1] - axis[1] * u[0]};
     double complex sum = 0;
@@ -114,7 +114,7 @@ static double complex by_disk(const struct lx_shell *shell, struct vector place,
             const double turn = 2 * M_PI * (i + k / 3) / CORNERS;
             corners[k / 3][k % 3] = center[k % 3] + cos(turn) * u[k % 3] + sin(turn) * v[k % 3];
         }
-        sum += over_triangle(&shell->law, center, corners[0], corners[1], place, normal);
+        sum += over_triangle(&lamp->law, center, corners[0], corners[1], place, normal);
     }
     return sum;
 }
@@ -123,19 +123,20 @@ static double complex brightness(const struct lx_plan *plan, const struct lx_vic
                                  double complex y)
 {
     const struct lx_planned_surface *surface = plan->surfaces;
-    const struct lx_shell *shell = &surface->shells[0].shell;
+    const struct lx_area_light *lamp = &surface->area_lights[0].lamp;
     struct vector normal;
     const struct vector place = place_at(plan, x, y, &normal);
     double complex sum = 0;
-    switch (shell->type) {
+    switch (lamp->type) {
     case LX_FACETS:
-        sum = by_facets(&shell->law, surface->shells[0].emitter->facets, at, surface->shape.anchor_mm, place, normal);
+        sum =
+            by_facets(&lamp->law, surface->area_lights[0].emitter->facets, at, surface->shape.anchor_mm, place, normal);
         break;
-    case LX_DISK: sum = by_disk(shell, place, normal); break;
-    case LX_BALL: sum = by_ball(shell, place, normal); break;
-    default: sum = irradiance_by_cylinder(shell, at, place, normal); break;
+    case LX_DISK: sum = by_disk(lamp, place, normal); break;
+    case LX_BALL: sum = by_ball(lamp, place, normal); break;
+    default: sum = irradiance_by_cylinder(lamp, at, place, normal); break;
     }
-    return surface->lobe_exact.diffuse * shell->radiance * sum;
+    return surface->lobe_exact.diffuse * lamp->radiance * sum;
 }
 
 struct tally {
@@ -154,7 +155,7 @@ static void try_bound(struct workplace *work, const struct lx_square *square, co
     if (!lx_find_vicinity(plan, square, basis, &vicinity))
         return;
     const double bound =
-        lx_smooth_shell_bound(&plan->surfaces->shells[0].shell, plan->surfaces->smooth.gains[0], &vicinity);
+        lx_smooth_area_light_bound(&plan->surfaces->area_lights[0].lamp, plan->surfaces->smooth.gains[0], &vicinity);
     assert_true(bound >= 0);
     tally->bounds += bound > 0 && isfinite(bound);
     tally->dark += bound == 0;
@@ -236,8 +237,8 @@ static void bounds_of_highlights(void **state)
     assert_true(tried > in_campaign(50000));
 }
 
-/* The bound of a part that stands so high over a place, beside which nothing has any leeway; its highlight is cut off,
- * or fades, at the horizon. */
+/* The bound of a part that stands so high over a place, beside which nothing has any deviation; its highlight is cut
+ * off, or fades, at the horizon. */
 static double bound_of_part(const struct lx_kernels *kernels, double height_mm, enum lx_highlight highlight)
 {
     const struct lx_vicinity at = {.normal = {0, 0, 1}, .view = {0, 0, 1}, .slip = HUGE_VAL};
@@ -295,16 +296,16 @@ static void parts_are_the_source(void **state)
         struct randomness random = {.state = UINT64_C(0x94D049BB133111EB) + (uint64_t)kind};
         struct lx_emitter emitter = source_of(kind, center, 7, 0);
         const struct lx_shape lit = {.radius_mm = 200, .anchor_mm = {10, 20, 30}};
-        struct lx_shell shell;
+        struct lx_area_light lamp;
         struct lx_smooth_lights parts;
         struct lx_round_parts round;
-        assert_int_equal(lx_shell_make(&emitter, &lit, NULL, &shell), LUXEL_OK);
-        struct lx_sampled source = {.emitter = &emitter, .shell = &shell, .law = LX_INVERSE_SQUARE};
+        assert_int_equal(lx_area_light_make(&emitter, &lit, NULL, &lamp), LUXEL_OK);
+        struct lx_sampled source = {.emitter = &emitter, .lamp = &lamp, .law = LX_INVERSE_SQUARE};
         const struct lx_planned_surface surface = {.shape = lit, .glossy = &source, .glossy_count = 1};
         const bool is_smooth = lx_has_smooth_highlights(&surface);
-        assert_true(is_smooth == (lx_patch_limit(&shell) <= 64));
+        assert_true(is_smooth == (lx_patch_limit(&lamp) <= 64));
         if (kind > DISK) {
-            lx_shell_clear(&shell);
+            lx_area_light_clear(&lamp);
             continue;
         }
         assert_int_equal(lx_smooth_parts_make(&surface, &parts, &round), 0);
@@ -314,9 +315,9 @@ static void parts_are_the_source(void **state)
             gain += parts.gain[i];
         assert_true(fabs(gain / (7 * lx_extended_area_mm2(&emitter).value) - 1) < 1e-9);
         const struct lx_around everywhere = {.radius = HUGE_VAL};
-        struct lx_patch *patches = calloc(lx_patch_limit(&shell), sizeof *patches);
+        struct lx_patch *patches = calloc(lx_patch_limit(&lamp), sizeof *patches);
         assert_non_null(patches);
-        const size_t count = lx_patches_make(&shell, &everywhere, NULL, patches);
+        const size_t count = lx_patches_make(&lamp, &everywhere, NULL, patches);
         for (int k = 0; k < 2000; k++) {
             const struct lx_patch *patch = &patches[pick(&random, (int)count)];
             struct lx_samples_double samples;
@@ -335,7 +336,7 @@ static void parts_are_the_source(void **state)
         free(patches);
         lx_round_parts_clear(&round);
         lx_smooth_lights_clear(&parts);
-        lx_shell_clear(&shell);
+        lx_area_light_clear(&lamp);
         lx_facets_free(emitter.facets);
     }
 }
@@ -347,16 +348,16 @@ static void disks(void **state)
     (void)state;
     for (int degrees = 5; degrees < 90; degrees += 10) {
         const double turn = degrees * M_PI / 180, reach = 100 * sin(turn);
-        struct lx_shell shell = {
+        struct lx_area_light lamp = {
             .is_disk = true, .law.square = 1, .axis = {-sin(turn), 0, -cos(turn)}, .center = {300, 0, 1.001 * reach}};
-        shell.radius_mm = shell.round_mm = 100;
-        assert_true(isfinite(lx_smooth_shell_bound(&shell, 1, &at)));
-        shell.center[2] = 0.999 * reach;
-        assert_true(isinf(lx_smooth_shell_bound(&shell, 1, &at)));
-        shell.center[2] = -0.999 * reach;
-        assert_true(isinf(lx_smooth_shell_bound(&shell, 1, &at)));
-        shell.center[2] = -1.001 * reach;
-        assert_true(lx_smooth_shell_bound(&shell, 1, &at) == 0);
+        lamp.radius_mm = lamp.round_mm = 100;
+        assert_true(isfinite(lx_smooth_area_light_bound(&lamp, 1, &at)));
+        lamp.center[2] = 0.999 * reach;
+        assert_true(isinf(lx_smooth_area_light_bound(&lamp, 1, &at)));
+        lamp.center[2] = -0.999 * reach;
+        assert_true(isinf(lx_smooth_area_light_bound(&lamp, 1, &at)));
+        lamp.center[2] = -1.001 * reach;
+        assert_true(lx_smooth_area_light_bound(&lamp, 1, &at) == 0);
     }
 }
 
@@ -473,5 +474,5 @@ int main(void)
         cmocka_unit_test(bounds_of_highlights),
         cmocka_unit_test(plans_end),
     };
-    return cmocka_run_group_tests_name("panel shells", tests, NULL, NULL);
+    return cmocka_run_group_tests_name("panel area_lights", tests, NULL, NULL);
 }

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * Skylines of many obstacles: what dozens of balls and plates leave of a source of each kind, as a sum over the borders
- * of what is seen, is what the integral over arcs tells; and pictures do not fall back on the integral, which takes a
- * hundred times as long.
+ * Visible boundaries of many obstacles: what dozens of balls and plates leave of a source of each kind, as a sum over
+ * the borders of what is seen, is what the integral over arcs tells; and pictures do not fall back on the integral,
+ * which takes a hundred times as long.
  */
 #include <math.h>
 #include <stdio.h>
@@ -14,7 +14,7 @@
 
 #include "../../src/world/integral/cubature.h"
 #include "../../src/world/reference.h"
-#include "../../src/world/visibility/skyline.h"
+#include "../../src/world/visibility/boundary.h"
 
 static const char *const sources[] = {
     "{type: planar, rectangle: {center: [20, 30, 900], size: [300, 260], aim: [0, 0, 0]}, radiance: 1}",
@@ -64,7 +64,7 @@ static size_t compare(const char *text, struct dice *dice, size_t many)
         double found;
         assert_int_equal(lx_occlusion_make(&prepared, &element, emitter, true, &occlusion), 0);
         had += occlusion.obstacles.count >= many;
-        if (!lx_skyline_irradiance(emitter, asked.normal, &occlusion, &found))
+        if (!lx_boundary_irradiance(emitter, asked.normal, &occlusion, &found))
             fail_msg("%zu obstacles are too many:\n%s", occlusion.obstacles.count, text);
         found *= emitter->radiance.value;
         const lx_bounded seen =

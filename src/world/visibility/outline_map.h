@@ -1,15 +1,15 @@
 /* SPDX-License-Identifier: MIT */
-/* Laying one sweep of an outline out: what its lines (outline_lines.c) and its slabs (outline_lay.c) share. */
-#ifndef LX_WORLD_OUTLINE_LAY_H
-#define LX_WORLD_OUTLINE_LAY_H
+/* The trapezoidal map of one sweep of an outline: what its lines (outline_lines.c) and slabs (outline_map.c) share. */
+#ifndef LX_WORLD_OUTLINE_MAP_H
+#define LX_WORLD_OUTLINE_MAP_H
 
 #include "outline.h"
 
 /* A rectangle of u and v in which a sweep lies, how far before it things may be, and the lines so far. */
-struct laying {
+struct map_build {
     const struct lx_occlusion *occlusion;
     const struct lx_sweep *sweep;
-    struct lx_outline_lay *lay;
+    struct lx_trapezoid_map *map;
     double u[2], v[2];
     double limit_mm, farthest_mm;         /* along x: up to where things hide surely, from where on they do not */
     double horizons[LX_MOST_HORIZONS][3]; /* in the frame of the sweep: seen is what is above all of them */
@@ -39,6 +39,6 @@ static inline double lx_outline_height(const struct lx_outline_line *line, doubl
 
 /* The rectangle, the lines in the order of where they begin, and all events and walls in theirs; 0, or -1 when memory
  * ran out. */
-int lx_outline_draw(struct laying *laying);
+int lx_outline_draw(struct map_build *build);
 
 #endif

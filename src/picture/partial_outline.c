@@ -9,9 +9,9 @@
 #include <stdlib.h>
 
 #include "../base/vector.h"
-#include "../kernel/glimpse_rules.h"
+#include "../kernel/sector_rules.h"
 #include "../world/visibility/outline.h"
-#include "glimpse.h"
+#include "partial_highlight.h"
 
 enum { MOST_PENDING = 64, MOST_PARTS = 20000 };
 
@@ -30,7 +30,7 @@ struct part {
 };
 
 struct work {
-    const struct lx_glimpse *asked;
+    const struct lx_partial_highlight *asked;
     const struct lx_sweep_frame *frame;
     struct lx_lobe_at at;
     double most; /* of the highlight, for a solid angle of 1 and S = 1 */
@@ -42,7 +42,7 @@ struct work {
 
 static void flush(struct work *work)
 {
-    const struct lx_glimpse *asked = work->asked;
+    const struct lx_partial_highlight *asked = work->asked;
     struct lx_beams_double *beams = &work->beams;
     const size_t used = work->node_count, count = lx_padded(used);
     work->node_count = 0;
@@ -83,15 +83,15 @@ static void add_nodes(struct work *work, const struct part *part, unsigned acros
     if (work->node_count + across * along > LX_BLOCK)
         flush(work);
     for (unsigned i = 0; i < across; i++) {
-        const double u = part->low + lx_glimpse_places[across - 1][i] * width;
+        const double u = part->low + lx_sector_places[across - 1][i] * width;
         const double from = height_of(part, 0, u), height = height_of(part, 1, u) - from;
         for (unsigned k = 0; k < along; k++) {
             const size_t at = work->node_count++;
             double place[3];
-            place_at(work, u, from + lx_glimpse_places[along - 1][k] * height, place);
+            place_at(work, u, from + lx_sector_places[along - 1][k] * height, place);
             beams->x[at] = place[0], beams->y[at] = place[1], beams->z[at] = place[2];
             beams->weight[at] =
-                lx_glimpse_weights[across - 1][i] * lx_glimpse_weights[along - 1][k] * width * fmax(height, 0);
+                lx_sector_weights[across - 1][i] * lx_sector_weights[along - 1][k] * width * fmax(height, 0);
         }
     }
 }
@@ -157,12 +157,12 @@ static bool add_part(struct work *work, const struct part *whole)
         const double sine = fmin(look.reach, 1), cosine = sqrt(1 - sine * sine);
         const double bound =
             work->most * look.area *
-            (sine < 1 ? lx_glimpse_power(work->asked->lobe, work->at.mirrored, look.middle, cosine, sine) : 1);
+            (sine < 1 ? lx_sector_power(work->asked->lobe, work->at.mirrored, look.middle, cosine, sine) : 1);
         if (work->left_out + bound <= LEFT_OUT * work->asked->allowed) {
             work->left_out += bound;
             continue;
         }
-        const double width = lx_glimpse_width(work->asked->lobe, work->asked->view, look.middle, sine);
+        const double width = lx_sector_width(work->asked->lobe, work->asked->view, look.middle, sine);
         const double longest = fmax(look.across, look.along);
         if (longest > 2 * WIDEST || longest > 2 * MOST_WIDTHS * width) {
             if (count + 2 > MOST_PENDING)
@@ -171,52 +171,53 @@ static bool add_part(struct work *work, const struct part *whole)
             count += 2;
             continue;
         }
-        add_nodes(work, &part, lx_glimpse_order(least_order(look.across), look.across / 2 / width),
-                  lx_glimpse_order(least_order(look.along), look.along / 2 / width));
+        add_nodes(work, &part, lx_sector_order(least_order(look.across), look.across / 2 / width),
+                  lx_sector_order(least_order(look.along), look.along / 2 / width));
     }
     return true;
 }
 
 /* All that is seen of a sweep. */
-static bool add_lay(struct work *work, const struct lx_outline_lay *lay)
+static bool add_lay(struct work *work, const struct lx_trapezoid_map *map)
 {
-    for (size_t i = 0; i < lay->slab_count; i++) {
-        const struct lx_outline_slab *slab = &lay->slabs[i];
+    for (size_t i = 0; i < map->slab_count; i++) {
+        const struct lx_outline_slab *slab = &map->slabs[i];
         uint32_t from = slab->floor;
         if (slab->floor == slab->ceiling)
             continue; /* nothing is looked at */
         for (uint32_t k = 0; k <= slab->count; k++) {
-            const uint32_t to = k < slab->count ? lay->parts[slab->first + k].lower : slab->ceiling;
-            const struct lx_outline_line *lower = &lay->lines[from], *upper = &lay->lines[to];
+            const uint32_t to = k < slab->count ? map->parts[slab->first + k].lower : slab->ceiling;
+            const struct lx_outline_line *lower = &map->lines[from], *upper = &map->lines[to];
             const struct part part = {slab->low, slab->high, {lower->start, upper->start}, {lower->rise, upper->rise}};
             if (from != to && !add_part(work, &part))
                 return false;
-            from = k < slab->count ? lay->parts[slab->first + k].upper : from;
+            from = k < slab->count ? map->parts[slab->first + k].upper : from;
         }
     }
     return true;
 }
 
-bool lx_glimpse_outline(const struct lx_glimpse *glimpse, const struct lx_asking *asking, double *sum)
+bool lx_partial_highlight_outline(const struct lx_partial_highlight *partial, const struct lx_asking *asking,
+                                  double *sum)
 {
-    const struct lx_emitter *emitter = glimpse->source->emitter;
-    struct lx_occlusion with_horizon = *glimpse->occlusion, *const occlusion = &with_horizon;
+    const struct lx_emitter *emitter = partial->source->emitter;
+    struct lx_occlusion with_horizon = *partial->occlusion, *const occlusion = &with_horizon;
     struct lx_sweeps sweeps = {0};
     struct work work; /* large: what is not needed stays as it is */
     if (!emitter->facets || emitter->attenuation != LX_INVERSE_SQUARE || !lx_outline_is_alone(occlusion) ||
-        glimpse->lobe->exponent.value < SMOOTH ||
-        (LX_ENDS_AT_HORIZON(glimpse->lobe->highlight) && !lx_outline_add_horizon(occlusion, glimpse->normal)))
+        partial->lobe->exponent.value < SMOOTH ||
+        (LX_ENDS_AT_HORIZON(partial->lobe->highlight) && !lx_outline_add_horizon(occlusion, partial->normal)))
         return false;
-    bool is_good = lx_sweeps_make(emitter, occlusion->place_mm, glimpse->normal, true, &sweeps) == 0 &&
-                   lx_outline_lay(occlusion, &sweeps, asking) == 0 && !occlusion->outline->is_broken;
-    work.asked = glimpse;
-    work.most = emitter->radiance.value * glimpse->lobe->specular;
+    bool is_good = lx_sweeps_make(emitter, occlusion->place_mm, partial->normal, true, &sweeps) == 0 &&
+                   lx_trapezoid_map(occlusion, &sweeps, asking) == 0 && !occlusion->outline->is_broken;
+    work.asked = partial;
+    work.most = emitter->radiance.value * partial->lobe->specular;
     work.sum = work.left_out = 0;
     work.node_count = work.part_count = 0;
-    lx_lobe_at_set(glimpse->normal, glimpse->view, &work.at);
+    lx_lobe_at_set(partial->normal, partial->view, &work.at);
     if (is_good)
         is_good = work.most * (lx_outline_unsure(occlusion->outline) + lx_outline_skipped(occlusion->outline)) <=
-                  LEFT_OUT * glimpse->allowed;
+                  LEFT_OUT * partial->allowed;
     for (size_t i = 0; i < sweeps.count && is_good; i++) {
         work.frame = &sweeps.items[i].frame;
         is_good = add_lay(&work, &occlusion->outline->lays[i]);

@@ -60,15 +60,15 @@ static double integrate_glossy(const struct lx_plan *plan, const struct lx_plann
 /* Adds the diffuse light of an extended source by a law without a closed form: by rules of Gauss, and where the source
  * is too near for them by integrals for each element. */
 static void light_by_law(const struct lx_plan *plan, const struct lx_planned_surface *surface,
-                         const struct lx_planned_shell *planned, struct lx_shader_memory *memory, size_t count,
+                         const struct lx_planned_area_light *planned, struct lx_shader_memory *memory, size_t count,
                          const struct lx_asking *asking)
 {
-    const struct lx_shell *shell = &planned->shell;
+    const struct lx_area_light *lamp = &planned->lamp;
     uint8_t left[LX_BLOCK] = {0};
     lx_light_by_law *const light =
-        planned->in_single ? plan->kernels->law_single[shell->type] : plan->kernels->law_double[shell->type];
+        planned->in_single ? plan->kernels->law_single[lamp->type] : plan->kernels->law_double[lamp->type];
     if (light)
-        light(shell, plan->rules, surface->lobe_exact.diffuse, &memory->seen.block, count, asking, memory->sum, left);
+        light(lamp, plan->rules, surface->lobe_exact.diffuse, &memory->seen.block, count, asking, memory->sum, left);
     else
         memset(left, 1, count);
     for (size_t i = 0; i < count; i++) {
@@ -101,9 +101,10 @@ static struct lx_sampler sampler_of(const struct lx_plan *plan, const struct lx_
 static bool sees_all(const struct lx_plan *plan, const struct lx_planned_surface *surface,
                      struct lx_shader_memory *memory, size_t start, size_t last)
 {
-    for (size_t s = 0; s < surface->shell_count; s++)
-        if (surface->shells[s].blocker_count > 0 &&
-            !lx_find_sight(plan, surface, &surface->shells[s], &memory->seen.block, start, last, &memory->penumbra))
+    for (size_t s = 0; s < surface->area_light_count; s++)
+        if (surface->area_lights[s].blocker_count > 0 &&
+            !lx_find_sight(plan, surface, &surface->area_lights[s], &memory->seen.block, start, last,
+                           &memory->penumbra))
             return false;
     return true;
 }
@@ -140,7 +141,7 @@ static void light_by_seen_highlight(const struct lx_plan *plan, const struct lx_
                                     const struct lx_asking *asking)
 {
     const double SMALL = 0.5; /* of the tolerance */
-    const struct lx_planned_shell *planned = &surface->shells[s];
+    const struct lx_planned_area_light *planned = &surface->area_lights[s];
     const struct lx_block_double *block = &memory->seen.block;
     struct lx_penumbra *penumbra = &memory->penumbra;
     struct whole_highlight whole = {.is_tried = false};
@@ -151,12 +152,12 @@ static void light_by_seen_highlight(const struct lx_plan *plan, const struct lx_
         const uint8_t sight = penumbra->sight[i];
         const double known = fmax(plan->least_maximum, memory->sum[i]);
         const struct lx_element element = element_of(surface, block, i);
-        double glimpsed;
+        double partial_sum;
         if (sight == LX_SEES_NOTHING)
             continue;
         if (sight == LX_SEES_PART &&
-            lx_glimpse_of_part(plan, surface, planned, &element, i, known, penumbra, asking, &glimpsed)) {
-            memory->sum[i] += glimpsed;
+            lx_partial_highlight_of_part(plan, surface, planned, &element, i, known, penumbra, asking, &partial_sum)) {
+            memory->sum[i] += partial_sum;
             continue;
         }
         sample_whole(plan, surface, s, memory, start, asking, &whole);
@@ -193,30 +194,30 @@ static void light_by_highlights(const struct lx_plan *plan, const struct lx_plan
     }
 }
 
-/* Whether light of a shell may fall on an element: a part above its horizon, and of facets a face in front of which it
- * is. */
-static bool may_light(const struct lx_shell *shell, const struct lx_block_double *block, size_t i)
+/* Whether light of an area light may fall on an element: a part above its horizon, and of facets a face in front of
+ * which it is. */
+static bool may_light(const struct lx_area_light *lamp, const struct lx_block_double *block, size_t i)
 {
-    const double p[3] = {block->px[i] - shell->center[0], block->py[i] - shell->center[1],
-                         block->pz[i] - shell->center[2]};
-    bool any = !shell->facets;
-    if (block->nx[i] * p[0] + block->ny[i] * p[1] + block->nz[i] * p[2] > shell->radius_mm + shell->touch_mm)
+    const double p[3] = {block->px[i] - lamp->center[0], block->py[i] - lamp->center[1],
+                         block->pz[i] - lamp->center[2]};
+    bool any = !lamp->facets;
+    if (block->nx[i] * p[0] + block->ny[i] * p[1] + block->nz[i] * p[2] > lamp->radius_mm + lamp->touch_mm)
         return false;
-    for (size_t f = 0; f < shell->face_count && !any; f++) {
-        const struct lx_shell_face_double *face = &shell->faces_double[f];
+    for (size_t f = 0; f < lamp->face_count && !any; f++) {
+        const struct lx_area_light_face_double *face = &lamp->faces_double[f];
         const double height = face->normal[0] * p[0] + face->normal[1] * p[1] + face->normal[2] * p[2];
-        any = height > face->height - shell->touch_mm;
+        any = height > face->height - lamp->touch_mm;
     }
     return any;
 }
 
-/* Adds the diffuse light of a shell by the reference, element by element. */
-static void light_by_reference(const struct lx_planned_surface *surface, const struct lx_planned_shell *planned,
+/* Adds the diffuse light of an area light by the reference, element by element. */
+static void light_by_reference(const struct lx_planned_surface *surface, const struct lx_planned_area_light *planned,
                                struct lx_shader_memory *memory, size_t count, const struct lx_asking *asking)
 {
     const struct lx_emitter *emitter = planned->emitter;
     for (size_t i = 0; i < count && lx_asking_goes_on(asking); i++) {
-        if (!may_light(&planned->shell, &memory->seen.block, i))
+        if (!may_light(&planned->lamp, &memory->seen.block, i))
             continue;
         const struct lx_element element = element_of(surface, &memory->seen.block, i);
         if (lx_extended_touches(emitter, element.place_mm))
@@ -227,36 +228,36 @@ static void light_by_reference(const struct lx_planned_surface *surface, const s
 }
 
 /* Adds the diffuse light of an extended source that nothing hides. */
-static void light_by_shell(const struct lx_plan *plan, const struct lx_planned_surface *surface,
-                           const struct lx_planned_shell *planned, struct lx_shader_memory *memory, size_t count,
-                           const struct lx_asking *asking)
+static void light_by_area_light(const struct lx_plan *plan, const struct lx_planned_surface *surface,
+                                const struct lx_planned_area_light *planned, struct lx_shader_memory *memory,
+                                size_t count, const struct lx_asking *asking)
 {
-    const struct lx_shell *shell = &planned->shell;
+    const struct lx_area_light *lamp = &planned->lamp;
     const double diffuse = surface->lobe_exact.diffuse;
     if (planned->emitter->attenuation != LX_INVERSE_SQUARE)
         light_by_law(plan, surface, planned, memory, count, asking);
     else if (planned->by_reference)
         light_by_reference(surface, planned, memory, count, asking);
-    else if (shell->edges_single)
-        plan->kernels->facets_single(shell, diffuse, &memory->seen.copy, count, asking, memory->sum);
+    else if (lamp->edges_single)
+        plan->kernels->facets_single(lamp, diffuse, &memory->seen.copy, count, asking, memory->sum);
     else
-        plan->kernels->light_by_shell[shell->type](shell, diffuse, &memory->seen.block, count, asking, memory->sum);
+        plan->kernels->light_by_area_light[lamp->type](lamp, diffuse, &memory->seen.block, count, asking, memory->sum);
 }
 
-/* Adds the light of a shell that some elements see in part, or not at all. */
+/* Adds the light of an area light that some elements see in part, or not at all. */
 static void light_by_seen(const struct lx_plan *plan, const struct lx_planned_surface *surface,
-                          const struct lx_planned_shell *planned, struct lx_shader_memory *memory, size_t count,
+                          const struct lx_planned_area_light *planned, struct lx_shader_memory *memory, size_t count,
                           const struct lx_asking *asking)
 {
     const struct lx_block_double *block = &memory->seen.block;
     double before[LX_BLOCK];
     if (lx_find_sight(plan, surface, planned, block, 0, count, &memory->penumbra)) {
-        light_by_shell(plan, surface, planned, memory, count, asking);
+        light_by_area_light(plan, surface, planned, memory, count, asking);
         return;
     }
     memcpy(before, memory->sum, lx_padded(count) * sizeof *before);
     if (memchr(memory->penumbra.sight, LX_SEES_ALL, count))
-        light_by_shell(plan, surface, planned, memory, count, asking);
+        light_by_area_light(plan, surface, planned, memory, count, asking);
     for (size_t i = 0; i < count && lx_asking_goes_on(asking); i++) {
         if (memory->penumbra.sight[i] == LX_SEES_ALL)
             continue;
@@ -268,12 +269,12 @@ static void light_by_seen(const struct lx_plan *plan, const struct lx_planned_su
 }
 
 /* Adds the extended sources' light: first all that is diffuse, as the highlights need be exact only beside the rest. */
-void lx_light_by_shells(const struct lx_plan *plan, const struct lx_planned_surface *surface,
-                        struct lx_shader_memory *memory, size_t count, const struct lx_asking *asking)
+void lx_light_by_area_lights(const struct lx_plan *plan, const struct lx_planned_surface *surface,
+                             struct lx_shader_memory *memory, size_t count, const struct lx_asking *asking)
 {
     const double diffuse = surface->lobe_exact.diffuse;
-    for (size_t s = 0; s < surface->shell_count && diffuse > 0; s++) {
-        const struct lx_planned_shell *planned = &surface->shells[s];
+    for (size_t s = 0; s < surface->area_light_count && diffuse > 0; s++) {
+        const struct lx_planned_area_light *planned = &surface->area_lights[s];
         if (!lx_is_chosen(memory->portion, surface->lights.count + s))
             continue;
         if (s % SHELLS_BETWEEN_CHECKS == SHELLS_BETWEEN_CHECKS - 1 && !lx_asking_goes_on(asking))
@@ -281,7 +282,7 @@ void lx_light_by_shells(const struct lx_plan *plan, const struct lx_planned_surf
         if (planned->blocker_count > 0)
             light_by_seen(plan, surface, planned, memory, count, asking);
         else
-            light_by_shell(plan, surface, planned, memory, count, asking);
+            light_by_area_light(plan, surface, planned, memory, count, asking);
     }
     const bool has_highlights = surface->glossy_count > 0 && (!memory->portion || memory->portion->highlights);
     for (size_t start = 0; start < count && has_highlights; start += LX_LANES) {

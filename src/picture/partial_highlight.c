@@ -1,14 +1,14 @@
 /* SPDX-License-Identifier: MIT */
 /* Highlights over what is seen of a source, sector by sector. */
-#include "glimpse.h"
+#include "partial_highlight.h"
 
 #include <math.h>
 #include <string.h>
 
 #include "../base/vector.h"
-#include "../kernel/glimpse_rules.h"
+#include "../kernel/sector_rules.h"
 #include "../light/solid/extended.h"
-#include "../world/visibility/skyline.h"
+#include "../world/visibility/boundary.h"
 
 enum { MOST_PENDING = 48, MOST_PARTS = 160 };
 
@@ -27,18 +27,18 @@ static const double MOST_OBLIQUE = 1.6;
 
 /* What is being summed. */
 struct work {
-    const struct lx_glimpse *asked;
+    const struct lx_partial_highlight *asked;
     const struct lx_emitter *emitter;
-    struct lx_skyline skyline;
-    struct lx_skyline_polygon pending[MOST_PENDING];
+    struct lx_boundary boundary;
+    struct lx_boundary_polygon pending[MOST_PENDING];
     size_t pending_count;
     struct lx_lobe_at at;
-    double face[3];                      /* of a law other than 1/r^2: the normal of the face, to the source, */
-    double height_mm;                    /* and how far its plane is */
-    const struct lx_skyline_side *curve; /* around the part; NULL: none */
-    double center[3];                    /* of a ball */
-    double middle[3];                    /* of the part, unit */
-    double width;                        /* of the lobe there, as a tangent */
+    double face[3];                       /* of a law other than 1/r^2: the normal of the face, to the source, */
+    double height_mm;                     /* and how far its plane is */
+    const struct lx_boundary_side *curve; /* around the part; NULL: none */
+    double center[3];                     /* of a ball */
+    double middle[3];                     /* of the part, unit */
+    double width;                         /* of the lobe there, as a tangent */
     double sum, left_out;
     size_t node_count;
     struct lx_beams_double beams;
@@ -90,7 +90,7 @@ static void flush_matte(struct work *work)
 /* The highlight of all nodes so far, or what else is asked for. */
 static void flush(struct work *work)
 {
-    const struct lx_glimpse *asked = work->asked;
+    const struct lx_partial_highlight *asked = work->asked;
     struct lx_beams_double *beams = &work->beams;
     const size_t count = lx_padded(work->node_count);
     if (asked->is_matte) {
@@ -118,16 +118,16 @@ static unsigned order_for(const struct work *work, double length)
 {
     unsigned order = length < 0.15 ? 2 : length < 0.4 ? 3 : 4; /* by the cosines alone */
     if (work->asked->is_matte)
-        return LX_GLIMPSE_NODES;
+        return LX_PARTIAL_HIGHLIGHT_NODES;
     if (!lx_has_axis(work->emitter) && work->emitter->attenuation != LX_INVERSE_SQUARE)
         order += 2;
-    return lx_glimpse_order(order, length / 2 / work->width);
+    return lx_sector_order(order, length / 2 / work->width);
 }
 
 /* The nodes between the middle and a place on the border, in its plane; eased, diffuse light takes two rules. */
 static void add_spoke(struct work *work, const double x[3], unsigned order, double weight)
 {
-    const double *places = lx_glimpse_places[order - 1], *weights = lx_glimpse_weights[order - 1];
+    const double *places = lx_sector_places[order - 1], *weights = lx_sector_weights[order - 1];
     struct lx_beams_double *beams = &work->beams;
     const bool by_square = work->emitter->attenuation == LX_INVERSE_SQUARE;
     const bool is_eased = !lx_has_axis(work->emitter) && !by_square; /* distances end like roots at the rim */
@@ -162,12 +162,12 @@ static double distance(const double a[3], const double b[3])
 }
 
 /* The triangle of the middle and a piece of a great circle. */
-static void add_triangle(struct work *work, const struct lx_skyline_side *side, double from, double to, int sign)
+static void add_triangle(struct work *work, const struct lx_boundary_side *side, double from, double to, int sign)
 {
     double u[3], a[3], b[3], turned[3];
-    lx_skyline_place(side, from, u);
+    lx_boundary_place(side, from, u);
     project(work, u, a);
-    lx_skyline_place(side, to, u);
+    lx_boundary_place(side, to, u);
     project(work, u, b);
     lx_cross(a, b, turned);
     const double area = fabs(lx_dot(work->middle, turned)) * (lx_dot(side->g, work->middle) < 0 ? -sign : sign);
@@ -177,18 +177,18 @@ static void add_triangle(struct work *work, const struct lx_skyline_side *side, 
     const unsigned across = order_for(work, fmax(distance(work->middle, a), distance(work->middle, b)));
     for (unsigned p = 0; p < parts; p++)
         for (unsigned i = 0; i < along; i++) {
-            const double t = (p + lx_glimpse_places[along - 1][i]) / parts;
+            const double t = (p + lx_sector_places[along - 1][i]) / parts;
             const double x[3] = {a[0] + t * (b[0] - a[0]), a[1] + t * (b[1] - a[1]), a[2] + t * (b[2] - a[2])};
-            add_spoke(work, x, across, area * lx_glimpse_weights[along - 1][i] / parts);
+            add_spoke(work, x, across, area * lx_sector_weights[along - 1][i] / parts);
         }
 }
 
 /* The sector of the middle and a piece of a circle, which is walked counter-clockwise about g. */
-static void add_sector(struct work *work, const struct lx_skyline_side *side, double from, double to, int sign)
+static void add_sector(struct work *work, const struct lx_boundary_side *side, double from, double to, int sign)
 {
     double u[3], x[3], before[3] = {0}, length = 0, farthest = 0;
     for (int i = 0; i <= 4; i++) {
-        lx_skyline_place(side, from + (to - from) * i / 4, u);
+        lx_boundary_place(side, from + (to - from) * i / 4, u);
         project(work, u, x);
         length += i > 0 ? distance(before, x) : 0;
         farthest = fmax(farthest, distance(work->middle, x));
@@ -202,7 +202,7 @@ static void add_sector(struct work *work, const struct lx_skyline_side *side, do
     const unsigned along = by_turn > by_length ? by_turn : by_length;
     for (unsigned p = 0; p < parts; p++)
         for (unsigned i = 0; i < along; i++) {
-            const double t = from + (p + lx_glimpse_places[along - 1][i]) * turn, c = cos(t), s = sin(t);
+            const double t = from + (p + lx_sector_places[along - 1][i]) * turn, c = cos(t), s = sin(t);
             double slope[3], turned[3];
             for (int k = 0; k < 3; k++) {
                 u[k] = side->limit * side->g[k] + side->sine * (c * side->p[k] + s * side->q[k]);
@@ -212,11 +212,11 @@ static void add_sector(struct work *work, const struct lx_skyline_side *side, do
             const double ahead = lx_dot(work->middle, u);
             project(work, u, x);
             add_spoke(work, x, across,
-                      sign * lx_dot(work->middle, turned) / (ahead * ahead) * lx_glimpse_weights[along - 1][i] * turn);
+                      sign * lx_dot(work->middle, turned) / (ahead * ahead) * lx_sector_weights[along - 1][i] * turn);
         }
 }
 
-static void add_piece(void *data, const struct lx_skyline_side *side, double from, double to, int sign)
+static void add_piece(void *data, const struct lx_boundary_side *side, double from, double to, int sign)
 {
     struct work *work = data;
     if (side->is_circle)
@@ -240,10 +240,10 @@ static double bound_of(const struct work *work, double cosine, double farthest_m
     const double sine = sqrt(fmax(1 - cosine * cosine, 0));
     return work->emitter->radiance.value * work->asked->lobe->specular * law_at(work->emitter, farthest_mm) * 2 * M_PI *
            (1 - cosine) *
-           (cosine > 0 ? lx_glimpse_power(work->asked->lobe, work->at.mirrored, work->middle, cosine, sine) : 1);
+           (cosine > 0 ? lx_sector_power(work->asked->lobe, work->at.mirrored, work->middle, cosine, sine) : 1);
 }
 
-static bool look_at(struct work *work, const struct lx_skyline_polygon *part, struct look *look)
+static bool look_at(struct work *work, const struct lx_boundary_polygon *part, struct look *look)
 {
     double farthest = 0, least = HUGE_VAL, most = 0;
     memset(work->middle, 0, sizeof work->middle);
@@ -275,7 +275,7 @@ static bool look_at(struct work *work, const struct lx_skyline_polygon *part, st
 static bool ends_steeply(const struct work *work, double sine)
 {
     const double SMOOTH = 4; /* an exponent */
-    const struct lx_glimpse *asked = work->asked;
+    const struct lx_partial_highlight *asked = work->asked;
     double limit;
     if (asked->is_matte || !(asked->lobe->exponent.value < SMOOTH))
         return false;
@@ -284,10 +284,10 @@ static bool ends_steeply(const struct work *work, double sine)
 }
 
 /* Replaces a part by its two halves, cut across the way to its farthest corner; false: there is no room. */
-static bool halve(struct work *work, const struct lx_skyline_polygon *part)
+static bool halve(struct work *work, const struct lx_boundary_polygon *part)
 {
     double across[3] = {0}, farthest = -1;
-    if (work->pending_count + 2 > MOST_PENDING || part->count + 1 > LX_SKYLINE_SIDES)
+    if (work->pending_count + 2 > MOST_PENDING || part->count + 1 > LX_BOUNDARY_SIDES)
         return false;
     for (unsigned i = 0; i < part->count; i++) {
         double corner[3] = {part->corners[i][0], part->corners[i][1], part->corners[i][2]};
@@ -298,9 +298,9 @@ static bool halve(struct work *work, const struct lx_skyline_polygon *part)
         farthest = fmax(farthest, angle);
     }
     for (int i = 0; i < 2; i++) {
-        struct lx_skyline_polygon *half = &work->pending[work->pending_count];
+        struct lx_boundary_polygon *half = &work->pending[work->pending_count];
         *half = *part;
-        lx_skyline_cut(half, across);
+        lx_boundary_cut(half, across);
         work->pending_count += half->count > 0;
         for (int k = 0; k < 3; k++)
             across[k] = -across[k];
@@ -312,7 +312,7 @@ static bool halve(struct work *work, const struct lx_skyline_polygon *part)
 static bool work_off(struct work *work)
 {
     for (size_t parts = 0; work->pending_count > 0; parts++) {
-        const struct lx_skyline_polygon part = work->pending[--work->pending_count];
+        const struct lx_boundary_polygon part = work->pending[--work->pending_count];
         struct look look;
         if (parts == MOST_PARTS || !look_at(work, &part, &look))
             return false;
@@ -321,9 +321,8 @@ static bool work_off(struct work *work)
             continue;
         }
         const double sine = sqrt(fmax(1 - look.cosine * look.cosine, 0));
-        work->width = work->asked->is_matte
-                          ? HUGE_VAL
-                          : lx_glimpse_width(work->asked->lobe, work->asked->view, work->middle, sine);
+        work->width = work->asked->is_matte ? HUGE_VAL
+                                            : lx_sector_width(work->asked->lobe, work->asked->view, work->middle, sine);
         const bool is_near = look.cosine > 0 && sine <= WIDEST * look.cosine;
         if (!is_near || sine > MOST_WIDTHS * work->width * look.cosine || look.oblique > MOST_OBLIQUE) {
             if (!halve(work, &part))
@@ -332,15 +331,15 @@ static bool work_off(struct work *work)
         }
         if (ends_steeply(work, sine))
             return false;
-        if (!lx_skyline_add_polygon(&part, &work->skyline.bodies[0]))
+        if (!lx_boundary_add_polygon(&part, &work->boundary.bodies[0]))
             continue; /* it has no width */
-        struct lx_skyline_body *body = &work->skyline.bodies[0];
+        struct lx_boundary_body *body = &work->boundary.bodies[0];
         if (work->curve) {
-            if (body->count == LX_SKYLINE_SIDES)
+            if (body->count == LX_BOUNDARY_SIDES)
                 return false;
             body->sides[body->count++] = *work->curve;
         }
-        if (!lx_skyline_walk(&work->skyline, add_piece, work))
+        if (!lx_boundary_walk(&work->boundary, add_piece, work))
             return false;
         flush(work);
     }
@@ -350,13 +349,13 @@ static bool work_off(struct work *work)
 /* ---- the source ---- */
 
 /* All of a shape, or what of it is above the horizon. */
-static bool add_shape(struct work *work, const struct lx_skyline_shape *shape)
+static bool add_shape(struct work *work, const struct lx_boundary_shape *shape)
 {
-    struct lx_skyline_polygon *part = &work->pending[0];
+    struct lx_boundary_polygon *part = &work->pending[0];
     *part = shape->polygon;
     work->curve = shape->has_curve ? &shape->curve : NULL;
     if (work->asked->is_matte || LX_ENDS_AT_HORIZON(work->asked->lobe->highlight))
-        lx_skyline_cut(part, work->asked->normal);
+        lx_boundary_cut(part, work->asked->normal);
     work->pending_count = part->count > 0;
     return work_off(work);
 }
@@ -366,8 +365,8 @@ static bool add_faces(struct work *work)
 {
     const struct lx_facets *facets = work->emitter->facets;
     for (size_t f = 0; f < facets->face_count; f++) {
-        struct lx_skyline_shape shape = {.has_curve = false};
-        if (!lx_skyline_face(work->asked->occlusion, facets, f, &shape.polygon, work->face))
+        struct lx_boundary_shape shape = {.has_curve = false};
+        if (!lx_boundary_face(work->asked->occlusion, facets, f, &shape.polygon, work->face))
             return false;
         if (shape.polygon.count == 0)
             continue;
@@ -381,7 +380,7 @@ static bool add_faces(struct work *work)
 static bool add_source(struct work *work)
 {
     const struct lx_emitter *emitter = work->emitter;
-    struct lx_skyline_shapes shapes;
+    struct lx_boundary_shapes shapes;
     if (emitter->attenuation != LX_INVERSE_SQUARE) {
         if (emitter->facets)
             return add_faces(work);
@@ -392,29 +391,29 @@ static bool add_source(struct work *work)
             work->face[k] = -axis[k];
         work->height_mm = lx_dot(work->face, work->center);
     }
-    if (!lx_skyline_shape(work->asked->occlusion, emitter, &shapes))
+    if (!lx_boundary_shape(work->asked->occlusion, emitter, &shapes))
         return false;
     for (unsigned i = 0; i < shapes.count; i++)
         if (!add_shape(work, &shapes.items[i]) ||
-            (i + 1 < shapes.count && !lx_skyline_put_aside(&shapes.items[i], &work->skyline)))
+            (i + 1 < shapes.count && !lx_boundary_put_aside(&shapes.items[i], &work->boundary)))
             return false;
     return true;
 }
 
-bool lx_glimpse_sum(const struct lx_glimpse *glimpse, double *sum)
+bool lx_partial_highlight_sum(const struct lx_partial_highlight *partial, double *sum)
 {
-    const struct lx_emitter *emitter = glimpse->source->emitter;
+    const struct lx_emitter *emitter = partial->source->emitter;
     struct work work; /* large: what is not needed stays as it is */
-    if (!lx_skyline_begin(glimpse->occlusion, &work.skyline) || !lx_skyline_is_before(glimpse->occlusion, emitter))
+    if (!lx_boundary_begin(partial->occlusion, &work.boundary) || !lx_boundary_is_before(partial->occlusion, emitter))
         return false;
-    work.asked = glimpse;
+    work.asked = partial;
     work.emitter = emitter;
     work.sum = work.left_out = 0;
     work.node_count = work.pending_count = 0;
     memset(work.face, 0, sizeof work.face);
-    lx_lobe_at_set(glimpse->normal, glimpse->view, &work.at);
+    lx_lobe_at_set(partial->normal, partial->view, &work.at);
     for (int k = 0; k < 3; k++)
-        work.center[k] = emitter->center_mm[k] - glimpse->occlusion->place_mm[k];
+        work.center[k] = emitter->center_mm[k] - partial->occlusion->place_mm[k];
     if (!add_source(&work))
         return false;
     *sum = fmax(work.sum, 0);

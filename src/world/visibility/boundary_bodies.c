@@ -1,17 +1,17 @@
 /* SPDX-License-Identifier: MIT */
-/* The bodies of a skyline: cones over polygons, balls, disks and cylinders, and those of the obstacles. */
+/* The bodies of a boundary: cones over polygons, balls, disks and cylinders, and those of the obstacles. */
 #include <math.h>
 #include <stddef.h>
 #include <string.h>
 
 #include "../../base/vector.h"
 #include "../../light/solid/extended.h"
-#include "skyline_bodies.h"
+#include "boundary_bodies.h"
 
 /* The side of a cone between two of its edges, which has `inside` on its inner side; false: it has no width. */
-static bool make_side(const double from[3], const double to[3], const double inside[3], struct lx_skyline_side *side)
+static bool make_side(const double from[3], const double to[3], const double inside[3], struct lx_boundary_side *side)
 {
-    *side = (struct lx_skyline_side){.limit = 0};
+    *side = (struct lx_boundary_side){.limit = 0};
     lx_cross(from, to, side->g);
     const double length = lx_normalize(side->g);
     if (!(length > 1e-14 * sqrt(lx_dot(from, from) * lx_dot(to, to))))
@@ -25,7 +25,7 @@ static bool make_side(const double from[3], const double to[3], const double ins
 }
 
 /* The cone over a convex polygon; false: it is seen edge-on. */
-static bool make_cone(const double (*corners)[3], unsigned count, struct lx_skyline_body *body)
+static bool make_cone(const double (*corners)[3], unsigned count, struct lx_boundary_body *body)
 {
     double middle[3] = {0, 0, 0};
     body->count = 0;
@@ -42,17 +42,17 @@ static bool make_cone(const double (*corners)[3], unsigned count, struct lx_skyl
     return body->count >= 3;
 }
 
-bool lx_skyline_add_polygon(const struct lx_skyline_polygon *polygon, struct lx_skyline_body *body)
+bool lx_boundary_add_polygon(const struct lx_boundary_polygon *polygon, struct lx_boundary_body *body)
 {
     return make_cone(polygon->corners, polygon->count, body);
 }
 
-void lx_skyline_add_circle(const double axis[3], double cosine, double sine, struct lx_skyline_body *body)
+void lx_boundary_add_circle(const double axis[3], double cosine, double sine, struct lx_boundary_body *body)
 {
-    struct lx_skyline_side *side = &body->sides[body->count++];
+    struct lx_boundary_side *side = &body->sides[body->count++];
     const int least = fabs(axis[0]) <= fabs(axis[1]) ? (fabs(axis[0]) <= fabs(axis[2]) ? 0 : 2)
                                                      : (fabs(axis[1]) <= fabs(axis[2]) ? 1 : 2);
-    *side = (struct lx_skyline_side){.limit = cosine, .is_circle = true, .sine = sine};
+    *side = (struct lx_boundary_side){.limit = cosine, .is_circle = true, .sine = sine};
     memcpy(side->g, axis, sizeof side->g);
     for (int k = 0; k < 3; k++)
         side->p[k] = (k == least) - axis[least] * axis[k];
@@ -60,19 +60,19 @@ void lx_skyline_add_circle(const double axis[3], double cosine, double sine, str
     lx_cross(axis, side->p, side->q);
 }
 
-bool lx_skyline_add_ball(const double center[3], double radius, struct lx_skyline_body *body)
+bool lx_boundary_add_ball(const double center[3], double radius, struct lx_boundary_body *body)
 {
     double axis[3] = {center[0], center[1], center[2]};
     const double sine = radius / lx_normalize(axis);
-    if (!(sine < 1) || body->count == LX_SKYLINE_SIDES)
+    if (!(sine < 1) || body->count == LX_BOUNDARY_SIDES)
         return false;
-    lx_skyline_add_circle(axis, sqrt((1 - sine) * (1 + sine)), sine, body);
+    lx_boundary_add_circle(axis, sqrt((1 - sine) * (1 + sine)), sine, body);
     return true;
 }
 
-void lx_skyline_cut(struct lx_skyline_polygon *polygon, const double normal[3])
+void lx_boundary_cut(struct lx_boundary_polygon *polygon, const double normal[3])
 {
-    double left[LX_SKYLINE_SIDES][3];
+    double left[LX_BOUNDARY_SIDES][3];
     unsigned found = 0;
     for (unsigned i = 0; i < polygon->count; i++) {
         const double *a = polygon->corners[i], *b = polygon->corners[(i + 1) % polygon->count];
@@ -91,15 +91,15 @@ void lx_skyline_cut(struct lx_skyline_polygon *polygon, const double normal[3])
 
 /* With c the centre over its distance and p, q the radii across each other over the same, u is inside where
  * u = x c + y p + z q has x more than the length of y and z. */
-bool lx_skyline_disk(const double center[3], const double axis[3], double radius, struct lx_skyline_side *side)
+bool lx_boundary_disk(const double center[3], const double axis[3], double radius, struct lx_boundary_side *side)
 {
     const double EDGE_ON = 1e-9;
-    struct lx_skyline_body circle = {.sides = side};
+    struct lx_boundary_body circle = {.sides = side};
     double normal[3];
     const double height = lx_dot(center, axis);
     for (int k = 0; k < 3; k++)
         normal[k] = height < 0 ? -axis[k] : axis[k];
-    lx_skyline_add_circle(normal, 1, radius, &circle);
+    lx_boundary_add_circle(normal, 1, radius, &circle);
     memcpy(side->g, center, sizeof side->g);
     const double away = lx_normalize(side->g);
     if (!(fabs(height) > EDGE_ON * away))
@@ -120,9 +120,9 @@ bool lx_skyline_disk(const double center[3], const double axis[3], double radius
     return true;
 }
 
-struct lx_skyline_tube lx_skyline_tube_of(const double center[3], const double axis[3], double radius, double half)
+struct lx_boundary_tube lx_boundary_tube_of(const double center[3], const double axis[3], double radius, double half)
 {
-    struct lx_skyline_tube tube = {.height = -lx_dot(center, axis), .radius = radius, .half = half};
+    struct lx_boundary_tube tube = {.height = -lx_dot(center, axis), .radius = radius, .half = half};
     for (int k = 0; k < 3; k++) {
         tube.axis[k] = axis[k];
         tube.ends[0][k] = center[k] + half * axis[k];
@@ -133,9 +133,9 @@ struct lx_skyline_tube lx_skyline_tube_of(const double center[3], const double a
     return tube;
 }
 
-struct lx_skyline_polygon lx_skyline_side_of_tube(const struct lx_skyline_tube *tube)
+struct lx_boundary_polygon lx_boundary_side_of_tube(const struct lx_boundary_tube *tube)
 {
-    struct lx_skyline_polygon polygon = {.count = 4};
+    struct lx_boundary_polygon polygon = {.count = 4};
     const double cosine = tube->radius / tube->away, sine = sqrt((1 - cosine) * (1 + cosine));
     double aside[3];
     lx_cross(tube->axis, tube->out, aside);
@@ -150,110 +150,111 @@ struct lx_skyline_polygon lx_skyline_side_of_tube(const struct lx_skyline_tube *
 /* ---- obstacles ---- */
 
 /* Begins one more body, behind one that is complete; NULL: there is no room for so many sides. */
-static struct lx_skyline_body *append(struct lx_skyline *skyline, unsigned sides)
+static struct lx_boundary_body *append(struct lx_boundary *boundary, unsigned sides)
 {
-    const struct lx_skyline_side *end = skyline->sides + LX_SKYLINE_SIDES + LX_SKYLINE_OBSTACLE_SIDES;
-    if (skyline->count == LX_SKYLINE_BODIES)
+    const struct lx_boundary_side *end = boundary->sides + LX_BOUNDARY_SIDES + LX_BOUNDARY_OBSTACLE_SIDES;
+    if (boundary->count == LX_BOUNDARY_BODIES)
         return NULL;
-    struct lx_skyline_body *body = &skyline->bodies[skyline->count];
-    body->sides = body[-1].sides + (skyline->count > 1 ? body[-1].count : LX_SKYLINE_SIDES);
+    struct lx_boundary_body *body = &boundary->bodies[boundary->count];
+    body->sides = body[-1].sides + (boundary->count > 1 ? body[-1].count : LX_BOUNDARY_SIDES);
     body->count = 0;
     body->is_pipe = false;
     if (end - body->sides < (ptrdiff_t)sides)
         return NULL;
-    skyline->count++;
+    boundary->count++;
     return body;
 }
 
-static bool append_outline(struct lx_skyline *skyline, const struct lx_skyline_side *side)
+static bool append_outline(struct lx_boundary *boundary, const struct lx_boundary_side *side)
 {
-    struct lx_skyline_body *body = append(skyline, 1);
+    struct lx_boundary_body *body = append(boundary, 1);
     if (body)
         body->sides[body->count++] = *side;
     return body;
 }
 
 /* What can be seen through a pipe: all that is inside the outlines of both ends. */
-static bool look_through(struct lx_skyline *skyline, const struct lx_skyline_tube *tube,
-                         const struct lx_skyline_side ends[2])
+static bool look_through(struct lx_boundary *boundary, const struct lx_boundary_tube *tube,
+                         const struct lx_boundary_side ends[2])
 {
     const double near = fabs(tube->height) - tube->half, far = fabs(tube->height) + tube->half, share = near / far;
     if (!(near > 0) || tube->away * (1 - share) >= tube->radius * (1 + share))
         return true;
-    if (skyline->has_hole)
+    if (boundary->has_hole)
         return false;
-    memcpy(skyline->hole, ends, sizeof skyline->hole);
-    return skyline->has_hole = true;
+    memcpy(boundary->hole, ends, sizeof boundary->hole);
+    return boundary->has_hole = true;
 }
 
 /*
  * The side of a cylinder with open ends.  Seen from outside all of the cylinder is the disks at its ends and the
  * rectangle between; seen from above an end only that end; through the pipe what is in both ends.
  */
-static bool append_pipe(struct lx_skyline *skyline, const struct lx_obstacle *pipe)
+static bool append_pipe(struct lx_boundary *boundary, const struct lx_obstacle *pipe)
 {
-    const struct lx_skyline_tube tube = lx_skyline_tube_of(pipe->center_mm, pipe->axis, pipe->radius_mm, pipe->half_mm);
-    const unsigned first = skyline->count;
-    const bool had_hole = skyline->has_hole;
-    struct lx_skyline_side ends[2];
+    const struct lx_boundary_tube tube =
+        lx_boundary_tube_of(pipe->center_mm, pipe->axis, pipe->radius_mm, pipe->half_mm);
+    const unsigned first = boundary->count;
+    const bool had_hole = boundary->has_hole;
+    struct lx_boundary_side ends[2];
     bool is_seen[2];
     if (pipe->is_around ? !(fabs(tube.height) > tube.half + pipe->touch_mm)
                         : !(tube.away > tube.radius + pipe->touch_mm))
         return false;
     for (int i = 0; i < 2; i++)
-        is_seen[i] = lx_skyline_disk(tube.ends[i], tube.axis, tube.radius, &ends[i]);
+        is_seen[i] = lx_boundary_disk(tube.ends[i], tube.axis, tube.radius, &ends[i]);
     for (int i = 0; i < 2; i++)
-        if (is_seen[i] && !append_outline(skyline, &ends[i]))
+        if (is_seen[i] && !append_outline(boundary, &ends[i]))
             return false;
     if (!pipe->is_around) {
-        const struct lx_skyline_polygon side = lx_skyline_side_of_tube(&tube);
-        struct lx_skyline_body *body = append(skyline, side.count);
-        if (!body || !lx_skyline_add_polygon(&side, body))
+        const struct lx_boundary_polygon side = lx_boundary_side_of_tube(&tube);
+        struct lx_boundary_body *body = append(boundary, side.count);
+        if (!body || !lx_boundary_add_polygon(&side, body))
             return false;
     }
-    if (is_seen[0] && is_seen[1] && !look_through(skyline, &tube, ends))
+    if (is_seen[0] && is_seen[1] && !look_through(boundary, &tube, ends))
         return false;
-    for (unsigned i = first; i < skyline->count && skyline->has_hole && !had_hole; i++)
-        skyline->bodies[i].is_pipe = true;
+    for (unsigned i = first; i < boundary->count && boundary->has_hole && !had_hole; i++)
+        boundary->bodies[i].is_pipe = true;
     return true;
 }
 
-static bool append_obstacle(struct lx_skyline *skyline, const struct lx_obstacle *obstacle)
+static bool append_obstacle(struct lx_boundary *boundary, const struct lx_obstacle *obstacle)
 {
-    struct lx_skyline_side side;
-    struct lx_skyline_body *body;
+    struct lx_boundary_side side;
+    struct lx_boundary_body *body;
     switch (obstacle->type) {
     case LX_OBSTACLE_BALL:
-        body = obstacle->is_around ? NULL : append(skyline, 1);
-        return body && lx_skyline_add_ball(obstacle->center_mm, obstacle->radius_mm, body);
+        body = obstacle->is_around ? NULL : append(boundary, 1);
+        return body && lx_boundary_add_ball(obstacle->center_mm, obstacle->radius_mm, body);
     case LX_OBSTACLE_POLYGON:
-        body = append(skyline, obstacle->corner_count);
+        body = append(boundary, obstacle->corner_count);
         return body && make_cone(obstacle->corners_mm, obstacle->corner_count, body);
     case LX_OBSTACLE_DISK:
-        return lx_skyline_disk(obstacle->center_mm, obstacle->axis, obstacle->radius_mm, &side) &&
-               append_outline(skyline, &side);
-    case LX_OBSTACLE_TUBE: return append_pipe(skyline, obstacle);
+        return lx_boundary_disk(obstacle->center_mm, obstacle->axis, obstacle->radius_mm, &side) &&
+               append_outline(boundary, &side);
+    case LX_OBSTACLE_TUBE: return append_pipe(boundary, obstacle);
     default: return false;
     }
 }
 
-bool lx_skyline_begin(const struct lx_occlusion *occlusion, struct lx_skyline *skyline)
+bool lx_boundary_begin(const struct lx_occlusion *occlusion, struct lx_boundary *boundary)
 {
-    skyline->count = 1;
-    skyline->bodies[0].sides = skyline->sides;
-    skyline->has_hole = skyline->bodies[0].is_pipe = false;
+    boundary->count = 1;
+    boundary->bodies[0].sides = boundary->sides;
+    boundary->has_hole = boundary->bodies[0].is_pipe = false;
     if (occlusion->has_outline || occlusion->is_dark)
         return false;
     for (size_t i = 0; i < occlusion->obstacles.count; i++)
-        if (!append_obstacle(skyline, &occlusion->obstacles.items[i]))
+        if (!append_obstacle(boundary, &occlusion->obstacles.items[i]))
             return false;
     return true;
 }
 
-bool lx_skyline_put_aside(const struct lx_skyline_shape *shape, struct lx_skyline *skyline)
+bool lx_boundary_put_aside(const struct lx_boundary_shape *shape, struct lx_boundary *boundary)
 {
     if (shape->has_curve)
-        return append_outline(skyline, &shape->curve);
-    struct lx_skyline_body *body = append(skyline, shape->polygon.count);
-    return body && lx_skyline_add_polygon(&shape->polygon, body);
+        return append_outline(boundary, &shape->curve);
+    struct lx_boundary_body *body = append(boundary, shape->polygon.count);
+    return body && lx_boundary_add_polygon(&shape->polygon, body);
 }

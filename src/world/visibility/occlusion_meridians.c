@@ -9,7 +9,7 @@
 /* The longitudes of the planes through the pole that touch the circle around a centre: n.(C C^T - R^2 (1 - a a^T)).n
  * = 0 for their normals n, or of a ball without the axis. */
 static size_t touch_circle(const double center[3], const double *axis, double radius,
-                           const struct lx_sweep_frame *frame, double brinks[2][3])
+                           const struct lx_sweep_frame *frame, double meridians[2][3])
 {
     const double *x = frame->x, *y = frame->y, square = radius * radius;
     const double cx = lx_dot(center, x), cy = lx_dot(center, y), ax = axis ? lx_dot(axis, x) : 0,
@@ -24,28 +24,29 @@ static size_t touch_circle(const double center[3], const double *axis, double ra
     for (int i = 0; i < 2; i++) {
         const double sign = normals[i][1] < 0 ? -1 : 1;
         for (int k = 0; k < 3; k++)
-            brinks[i][k] = sign * (normals[i][1] * x[k] - normals[i][0] * y[k]);
+            meridians[i][k] = sign * (normals[i][1] * x[k] - normals[i][0] * y[k]);
     }
     return 2;
 }
 
-size_t lx_obstacle_brinks(const struct lx_obstacle *obstacle, const struct lx_sweep_frame *frame,
-                          double brinks[LX_MOST_BRINKS][3], bool *round)
+size_t lx_obstacle_meridians(const struct lx_obstacle *obstacle, const struct lx_sweep_frame *frame,
+                             double meridians[LX_MOST_MERIDIANS][3], bool *round)
 {
     *round = obstacle->type != LX_OBSTACLE_POLYGON;
     switch (obstacle->type) {
     case LX_OBSTACLE_POLYGON:
-        memcpy(brinks, obstacle->corners_mm, obstacle->corner_count * sizeof *brinks);
+        memcpy(meridians, obstacle->corners_mm, obstacle->corner_count * sizeof *meridians);
         return obstacle->corner_count;
-    case LX_OBSTACLE_DISK: return touch_circle(obstacle->center_mm, obstacle->axis, obstacle->radius_mm, frame, brinks);
-    case LX_OBSTACLE_BALL: return touch_circle(obstacle->center_mm, NULL, obstacle->radius_mm, frame, brinks);
+    case LX_OBSTACLE_DISK:
+        return touch_circle(obstacle->center_mm, obstacle->axis, obstacle->radius_mm, frame, meridians);
+    case LX_OBSTACLE_BALL: return touch_circle(obstacle->center_mm, NULL, obstacle->radius_mm, frame, meridians);
     case LX_OBSTACLE_TUBE: {
         size_t count = 0;
         for (int sign = -1; sign <= 1; sign += 2) {
             double center[3];
             for (int k = 0; k < 3; k++)
                 center[k] = obstacle->center_mm[k] + sign * obstacle->half_mm * obstacle->axis[k];
-            count += touch_circle(center, obstacle->axis, obstacle->radius_mm, frame, brinks + count);
+            count += touch_circle(center, obstacle->axis, obstacle->radius_mm, frame, meridians + count);
         }
         return count;
     }

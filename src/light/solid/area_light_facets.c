@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* The end of the flat faces of an emitter, which several may use. */
-#include "shell_facets.h"
+#include "area_light_facets.h"
 
 #include <stdlib.h>
 

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* Leads: from each emitter along its profile's peaks, downward, and behind each surface. */
-#include "leads.h"
+#include "candidate_rays.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -15,21 +15,21 @@
 enum { MOST_PEAKS = 16, AROUND = 8 };
 
 struct gathering {
-    struct lx_leads *leads;
+    struct lx_candidate_rays *rays;
     size_t each;   /* how many peaks there may be of one emitter, and surfaces, at least 1 */
     bool is_short; /* memory ran out */
 };
 
 static void append(struct gathering *gathering, const double from_mm[3], const double way[3])
 {
-    struct lx_leads *leads = gathering->leads;
-    if (lx_reserve(&leads->items, &leads->capacity, leads->count + 1, sizeof *leads->items)) {
+    struct lx_candidate_rays *rays = gathering->rays;
+    if (lx_reserve(&rays->items, &rays->capacity, rays->count + 1, sizeof *rays->items)) {
         gathering->is_short = true;
         return;
     }
-    struct lx_lead *lead = &leads->items[leads->count++];
-    memcpy(lead->from_mm, from_mm, sizeof lead->from_mm);
-    memcpy(lead->way, way, sizeof lead->way);
+    struct lx_candidate_ray *ray = &rays->items[rays->count++];
+    memcpy(ray->from_mm, from_mm, sizeof ray->from_mm);
+    memcpy(ray->way, way, sizeof ray->way);
 }
 
 static void values_of(const lx_bounded3 *from, double to[3])
@@ -139,12 +139,13 @@ static size_t stride_of(size_t count, size_t most)
     return count > most ? (count + most - 1) / most : 1;
 }
 
-int lx_leads_make(const struct lx_prepared *prepared, const double downward[3], size_t most, struct lx_leads *leads)
+int lx_candidate_rays_make(const struct lx_prepared *prepared, const double downward[3], size_t most,
+                           struct lx_candidate_rays *rays)
 {
     const size_t emitters = prepared->emitters.count,
                  surfaces = prepared->shadows_on_free ? prepared->surface_count : 0;
     const size_t stride = stride_of(emitters, most), asked = emitters / stride + 1;
-    struct gathering gathering = {.leads = leads, .each = most / asked + 1};
+    struct gathering gathering = {.rays = rays, .each = most / asked + 1};
     const size_t surface_stride = stride_of(surfaces, gathering.each);
     for (size_t i = 0; i < emitters && !gathering.is_short; i += stride) {
         struct lx_emitter room;
@@ -166,8 +167,8 @@ int lx_leads_make(const struct lx_prepared *prepared, const double downward[3], 
     return gathering.is_short ? -1 : 0;
 }
 
-void lx_leads_clear(struct lx_leads *leads)
+void lx_candidate_rays_clear(struct lx_candidate_rays *rays)
 {
-    free(leads->items);
-    *leads = (struct lx_leads){0};
+    free(rays->items);
+    *rays = (struct lx_candidate_rays){0};
 }

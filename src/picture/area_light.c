@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Shells for the kernels. */
+/* Area lights for the kernels. */
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -20,7 +20,7 @@ static void value_of3(lx_wide3 a, double result[3])
     result[0] = lx_wide_value(a.x), result[1] = lx_wide_value(a.y), result[2] = lx_wide_value(a.z);
 }
 
-static void set_edge(const struct lx_facets *facets, const struct lx_edge *edge, struct lx_shell_edge_double *made)
+static void set_edge(const struct lx_facets *facets, const struct lx_edge *edge, struct lx_area_light_edge_double *made)
 {
     lx_wide3 center = lx_wide3_of(facets->center_mm);
     lx_wide3 from = lx_wide3_sub(facets->corners_mm[edge->from], center);
@@ -35,27 +35,28 @@ static void set_edge(const struct lx_facets *facets, const struct lx_edge *edge,
     made->right = edge->right;
 }
 
-static luxel_status set_facets(const struct lx_facets *facets, const struct lx_asking *asking, struct lx_shell *shell)
+static luxel_status set_facets(const struct lx_facets *facets, const struct lx_asking *asking,
+                               struct lx_area_light *lamp)
 {
-    shell->faces_double = lx_new_aligned(facets->face_count, sizeof *shell->faces_double);
-    shell->edges_double = lx_new_aligned(facets->edge_count, sizeof *shell->edges_double);
-    shell->facets = facets;
-    if (!shell->faces_double || !shell->edges_double)
+    lamp->faces_double = lx_new_aligned(facets->face_count, sizeof *lamp->faces_double);
+    lamp->edges_double = lx_new_aligned(facets->edge_count, sizeof *lamp->edges_double);
+    lamp->facets = facets;
+    if (!lamp->faces_double || !lamp->edges_double)
         return LUXEL_ERROR_MEMORY;
-    shell->face_count = facets->face_count;
-    shell->edge_count = facets->edge_count;
+    lamp->face_count = facets->face_count;
+    lamp->edge_count = facets->edge_count;
     lx_wide3 center = lx_wide3_of(facets->center_mm);
     for (size_t i = 0; i < facets->face_count; i++) {
         const struct lx_face *face = &facets->faces[i];
         lx_wide3 corner = lx_wide3_sub(facets->corners_mm[facets->loop[face->first]], center);
-        value_of3(face->normal, shell->faces_double[i].normal);
-        shell->faces_double[i].height = lx_wide_value(lx_wide3_dot(face->normal, corner));
-        shell->most_patches += (face->count - 1) / 2;
+        value_of3(face->normal, lamp->faces_double[i].normal);
+        lamp->faces_double[i].height = lx_wide_value(lx_wide3_dot(face->normal, corner));
+        lamp->most_patches += (face->count - 1) / 2;
         if (!lx_asking_at_step(asking, i, BETWEEN_CHECKS))
             return LUXEL_CANCELLED;
     }
     for (size_t i = 0; i < facets->edge_count; i++) {
-        set_edge(facets, &facets->edges[i], &shell->edges_double[i]);
+        set_edge(facets, &facets->edges[i], &lamp->edges_double[i]);
         if (!lx_asking_at_step(asking, i, BETWEEN_CHECKS))
             return LUXEL_CANCELLED;
     }
@@ -74,37 +75,37 @@ static double pole_of(double none, double root, double square)
 }
 
 /* Lengths in mm, and areas, where laws have m: 1/(c + l r/1000 + q r^2/10^6) for 10^-6 of the area. */
-struct lx_shell_law lx_law_of(const struct lx_emitter *emitter)
+struct lx_area_light_law lx_law_of(const struct lx_emitter *emitter)
 {
-    struct lx_shell_law law = {.square = 1};
+    struct lx_area_light_law law = {.square = 1};
     switch (emitter->attenuation) {
     case LX_INVERSE_SQUARE: break;
-    case LX_PRACTICAL: law = (struct lx_shell_law){.none = 1e3 * emitter->k_mm, .root = 1e3}; break;
-    case LX_NO_ATTENUATION: law = (struct lx_shell_law){.none = 1e6}; break;
+    case LX_PRACTICAL: law = (struct lx_area_light_law){.none = 1e3 * emitter->k_mm, .root = 1e3}; break;
+    case LX_NO_ATTENUATION: law = (struct lx_area_light_law){.none = 1e6}; break;
     case LX_POLYNOMIAL:
-        law = (struct lx_shell_law){.none = 1e6 * emitter->coefficients[0],
-                                    .root = 1e3 * emitter->coefficients[1],
-                                    .square = emitter->coefficients[2]};
+        law = (struct lx_area_light_law){.none = 1e6 * emitter->coefficients[0],
+                                         .root = 1e3 * emitter->coefficients[1],
+                                         .square = emitter->coefficients[2]};
     }
     law.pole = pole_of(law.none, law.root, law.square);
     return law;
 }
 
 /* The quadrilaterals that faces are cut into for patches, from the source's centre. */
-static luxel_status set_quads(const struct lx_asking *asking, struct lx_shell *shell)
+static luxel_status set_quads(const struct lx_asking *asking, struct lx_area_light *lamp)
 {
-    struct lx_patch *patches = lx_new_array(shell->most_patches, sizeof *patches);
+    struct lx_patch *patches = lx_new_array(lamp->most_patches, sizeof *patches);
     luxel_status status = LUXEL_OK;
-    shell->quads = lx_new_array(shell->most_patches, sizeof *shell->quads);
-    if (!shell->quads || !patches)
+    lamp->quads = lx_new_array(lamp->most_patches, sizeof *lamp->quads);
+    if (!lamp->quads || !patches)
         status = LUXEL_ERROR_MEMORY;
     const struct lx_around everywhere = {.radius = HUGE_VAL};
-    const size_t count = status == LUXEL_OK ? lx_patches_make(shell, &everywhere, asking, patches) : 0;
+    const size_t count = status == LUXEL_OK ? lx_patches_make(lamp, &everywhere, asking, patches) : 0;
     for (size_t i = 0; i < count; i++) {
-        struct lx_shell_quad *quad = &shell->quads[shell->quad_count++];
+        struct lx_area_light_quad *quad = &lamp->quads[lamp->quad_count++];
         memcpy(quad->normal, patches[i].n, sizeof quad->normal);
         for (int k = 0; k < 3; k++) {
-            const double first = patches[i].o[k] - shell->center[k], a = patches[i].a[k], b = patches[i].b[k];
+            const double first = patches[i].o[k] - lamp->center[k], a = patches[i].a[k], b = patches[i].b[k];
             quad->corners[0][k] = first;
             quad->corners[1][k] = first + a;
             quad->corners[2][k] = first + a + b + patches[i].g[k];
@@ -117,13 +118,13 @@ static luxel_status set_quads(const struct lx_asking *asking, struct lx_shell *s
     return status;
 }
 
-luxel_status lx_shell_make(const struct lx_emitter *emitter, const struct lx_shape *lit, const struct lx_asking *asking,
-                           struct lx_shell *shell)
+luxel_status lx_area_light_make(const struct lx_emitter *emitter, const struct lx_shape *lit,
+                                const struct lx_asking *asking, struct lx_area_light *lamp)
 {
     const struct lx_facets *facets = emitter->facets;
     const struct lx_emitter_kind *kind = lx_emitter_kind(emitter);
     const double *center = lx_emitter_center(emitter);
-    *shell = (struct lx_shell){
+    *lamp = (struct lx_area_light){
         .type = emitter->type,
         .is_disk = lx_is_disk(emitter),
         .is_ball = !lx_has_axis(emitter),
@@ -137,16 +138,16 @@ luxel_status lx_shell_make(const struct lx_emitter *emitter, const struct lx_sha
         .turned_mm2 = kind->share_seen * kind->area_mm2(emitter).value,
         .section_mm2 = kind->section_mm2(emitter),
     };
-    shell->is_general = !lx_kernels_get(0)->light_by_shell[shell->type];
+    lamp->is_general = !lx_kernels_get(0)->light_by_area_light[lamp->type];
     double away = 0;
     for (int i = 0; i < 3; i++) {
-        shell->center[i] = center[i] - lit->anchor_mm[i];
-        away += fabs(shell->center[i]);
+        lamp->center[i] = center[i] - lit->anchor_mm[i];
+        away += fabs(lamp->center[i]);
     }
-    shell->touch_mm = 16 * LX_ROUNDING * (away + shell->radius_mm + lit->radius_mm);
-    luxel_status status = facets ? set_facets(facets, asking, shell) : LUXEL_OK;
+    lamp->touch_mm = 16 * LX_ROUNDING * (away + lamp->radius_mm + lit->radius_mm);
+    luxel_status status = facets ? set_facets(facets, asking, lamp) : LUXEL_OK;
     if (status == LUXEL_OK && facets && emitter->attenuation != LX_INVERSE_SQUARE)
-        status = set_quads(asking, shell);
+        status = set_quads(asking, lamp);
     return status;
 }
 
@@ -166,15 +167,15 @@ static double length_between(const double a[3], const double b[3])
     return hypot(hypot(b[0] - a[0], b[1] - a[1]), b[2] - a[2]);
 }
 
-static struct lx_shell_node node_at(const double place[3], double weight)
+static struct lx_area_light_node node_at(const double place[3], double weight)
 {
-    return (struct lx_shell_node){place[0],        place[1],        place[2],        weight,
-                                  (float)place[0], (float)place[1], (float)place[2], (float)weight};
+    return (struct lx_area_light_node){place[0],        place[1],        place[2],        weight,
+                                       (float)place[0], (float)place[1], (float)place[2], (float)weight};
 }
 
 /* The product rule with so many places along the edges between corners 0 and 1, and between 0 and 3. */
-static void set_quad_nodes(const struct lx_gauss_rules *rules, const struct lx_shell_quad *quad,
-                           const unsigned places[2], struct lx_shell_node *nodes)
+static void set_quad_nodes(const struct lx_gauss_rules *rules, const struct lx_area_light_quad *quad,
+                           const unsigned places[2], struct lx_area_light_node *nodes)
 {
     const struct lx_gauss_rule *by_s = &rules->rules[places[0] - 1], *by_t = &rules->rules[places[1] - 1];
     for (unsigned i = 0; i < places[0] * places[1]; i++) {
@@ -193,12 +194,12 @@ static void set_quad_nodes(const struct lx_gauss_rules *rules, const struct lx_s
     }
 }
 
-static luxel_status set_quads_nodes(const struct lx_gauss_rules *rules, double nearest, struct lx_shell *shell)
+static luxel_status set_quads_nodes(const struct lx_gauss_rules *rules, double nearest, struct lx_area_light *lamp)
 {
     double lengths[2] = {0, 0};
     unsigned places[2];
-    for (size_t i = 0; i < shell->quad_count; i++) {
-        const double(*v)[3] = shell->quads[i].corners;
+    for (size_t i = 0; i < lamp->quad_count; i++) {
+        const double(*v)[3] = lamp->quads[i].corners;
         lengths[0] = fmax(lengths[0], fmax(length_between(v[0], v[1]), length_between(v[2], v[3])));
         lengths[1] = fmax(lengths[1], fmax(length_between(v[1], v[2]), length_between(v[3], v[0])));
     }
@@ -206,28 +207,28 @@ static luxel_status set_quads_nodes(const struct lx_gauss_rules *rules, double n
         places[k] = places_for(rules->digits, MISSED_FLAT, lengths[k], nearest);
     if (places[0] == 0 || places[1] == 0)
         return LUXEL_OK;
-    shell->nodes = lx_new_array(shell->quad_count * places[0] * places[1], sizeof *shell->nodes);
-    if (!shell->nodes)
+    lamp->nodes = lx_new_array(lamp->quad_count * places[0] * places[1], sizeof *lamp->nodes);
+    if (!lamp->nodes)
         return LUXEL_ERROR_MEMORY;
-    shell->nodes_each = places[0] * places[1];
-    for (size_t i = 0; i < shell->quad_count; i++)
-        set_quad_nodes(rules, &shell->quads[i], places, shell->nodes + i * shell->nodes_each);
+    lamp->nodes_each = places[0] * places[1];
+    for (size_t i = 0; i < lamp->quad_count; i++)
+        set_quad_nodes(rules, &lamp->quads[i], places, lamp->nodes + i * lamp->nodes_each);
     return LUXEL_OK;
 }
 
 /* Rings whose squared radii go by Gauss's rule, with places at equal distances, every other ring turned by half. */
-static luxel_status set_disk_nodes(const struct lx_gauss_rules *rules, double nearest, struct lx_shell *shell)
+static luxel_status set_disk_nodes(const struct lx_gauss_rules *rules, double nearest, struct lx_area_light *lamp)
 {
-    const unsigned needed = places_for(rules->digits, MISSED_ROUND, 2 * shell->round_mm, nearest);
-    const unsigned rings = (needed + 1) / 2, spokes = 4 * rings, ends = shell->has_side ? 2 : 1;
-    const double *axis = shell->axis, other[3] = {fabs(axis[0]) <= 0.5, fabs(axis[0]) > 0.5, 0};
+    const unsigned needed = places_for(rules->digits, MISSED_ROUND, 2 * lamp->round_mm, nearest);
+    const unsigned rings = (needed + 1) / 2, spokes = 4 * rings, ends = lamp->has_side ? 2 : 1;
+    const double *axis = lamp->axis, other[3] = {fabs(axis[0]) <= 0.5, fabs(axis[0]) > 0.5, 0};
     double a[3], b[3], length = 0;
     if (needed == 0)
         return LUXEL_OK;
-    shell->nodes = lx_new_array(ends * rings * spokes, sizeof *shell->nodes);
-    if (!shell->nodes)
+    lamp->nodes = lx_new_array(ends * rings * spokes, sizeof *lamp->nodes);
+    if (!lamp->nodes)
         return LUXEL_ERROR_MEMORY;
-    shell->nodes_each = rings * spokes;
+    lamp->nodes_each = rings * spokes;
     for (int k = 0; k < 3; k++) {
         b[k] = axis[(k + 1) % 3] * other[(k + 2) % 3] - axis[(k + 2) % 3] * other[(k + 1) % 3];
         length = hypot(length, b[k]);
@@ -235,39 +236,39 @@ static luxel_status set_disk_nodes(const struct lx_gauss_rules *rules, double ne
     for (int k = 0; k < 3; k++)
         a[k] = (b[(k + 1) % 3] * axis[(k + 2) % 3] - b[(k + 2) % 3] * axis[(k + 1) % 3]) / length;
     const struct lx_gauss_rule *rule = &rules->rules[rings - 1];
-    for (unsigned i = 0; i < ends * shell->nodes_each; i++) {
-        const unsigned ring = i / spokes % rings, end = i / shell->nodes_each;
+    for (unsigned i = 0; i < ends * lamp->nodes_each; i++) {
+        const unsigned ring = i / spokes % rings, end = i / lamp->nodes_each;
         const double turn = 2 * M_PI * (i % spokes + 0.5 * (ring % 2)) / spokes;
-        const double radius = shell->round_mm * sqrt((1 + rule->places_double[ring]) / 2);
-        const double area = M_PI * shell->round_mm * shell->round_mm * rule->weights_double[ring] / 2 / spokes;
+        const double radius = lamp->round_mm * sqrt((1 + rule->places_double[ring]) / 2);
+        const double area = M_PI * lamp->round_mm * lamp->round_mm * rule->weights_double[ring] / 2 / spokes;
         double place[3];
         for (int k = 0; k < 3; k++)
-            place[k] = radius * (cos(turn) * a[k] + sin(turn) * b[k] / length) +
-                       (end == 0 ? 1 : -1) * shell->half_mm * axis[k];
-        shell->nodes[i] = node_at(place, area);
+            place[k] =
+                radius * (cos(turn) * a[k] + sin(turn) * b[k] / length) + (end == 0 ? 1 : -1) * lamp->half_mm * axis[k];
+        lamp->nodes[i] = node_at(place, area);
     }
     return LUXEL_OK;
 }
 
-luxel_status lx_shell_set_nodes(const struct lx_gauss_rules *rules, double nearest, struct lx_shell *shell)
+luxel_status lx_area_light_set_nodes(const struct lx_gauss_rules *rules, double nearest, struct lx_area_light *lamp)
 {
     if (!(nearest > 0))
         return LUXEL_OK;
-    if (shell->facets)
-        return set_quads_nodes(rules, nearest, shell);
-    if (shell->is_ball) { /* rings go from the edge of what is seen, behind which singularities are */
-        const double away = nearest / shell->round_mm;
-        shell->nodes_each = places_for(rules->digits, MISSED_BALL, 1, sqrt(away * (away + 2)));
+    if (lamp->facets)
+        return set_quads_nodes(rules, nearest, lamp);
+    if (lamp->is_ball) { /* rings go from the edge of what is seen, behind which singularities are */
+        const double away = nearest / lamp->round_mm;
+        lamp->nodes_each = places_for(rules->digits, MISSED_BALL, 1, sqrt(away * (away + 2)));
         return LUXEL_OK;
     }
-    return set_disk_nodes(rules, nearest, shell);
+    return set_disk_nodes(rules, nearest, lamp);
 }
 
-void lx_shell_forget_nodes(struct lx_shell *shell)
+void lx_area_light_forget_nodes(struct lx_area_light *lamp)
 {
-    free(shell->nodes);
-    shell->nodes = NULL;
-    shell->nodes_each = 0;
+    free(lamp->nodes);
+    lamp->nodes = NULL;
+    lamp->nodes_each = 0;
 }
 
 static void copy3(const double from[3], float to[3])
@@ -276,19 +277,19 @@ static void copy3(const double from[3], float to[3])
         to[i] = (float)from[i];
 }
 
-luxel_status lx_shell_make_single(struct lx_shell *shell, const struct lx_asking *asking)
+luxel_status lx_area_light_make_single(struct lx_area_light *lamp, const struct lx_asking *asking)
 {
-    struct lx_shell_face_single *faces = lx_new_aligned(shell->face_count, sizeof *faces);
-    struct lx_shell_edge_single *edges = lx_new_aligned(shell->edge_count, sizeof *edges);
+    struct lx_area_light_face_single *faces = lx_new_aligned(lamp->face_count, sizeof *faces);
+    struct lx_area_light_edge_single *edges = lx_new_aligned(lamp->edge_count, sizeof *edges);
     luxel_status status = faces && edges ? LUXEL_OK : LUXEL_ERROR_MEMORY;
-    for (size_t i = 0; i < shell->face_count && status == LUXEL_OK; i++) {
-        copy3(shell->faces_double[i].normal, faces[i].normal);
-        faces[i].height = (float)shell->faces_double[i].height;
+    for (size_t i = 0; i < lamp->face_count && status == LUXEL_OK; i++) {
+        copy3(lamp->faces_double[i].normal, faces[i].normal);
+        faces[i].height = (float)lamp->faces_double[i].height;
         if (!lx_asking_at_step(asking, i, BETWEEN_CHECKS))
             status = LUXEL_CANCELLED;
     }
-    for (size_t i = 0; i < shell->edge_count && status == LUXEL_OK; i++) {
-        const struct lx_shell_edge_double *edge = &shell->edges_double[i];
+    for (size_t i = 0; i < lamp->edge_count && status == LUXEL_OK; i++) {
+        const struct lx_area_light_edge_double *edge = &lamp->edges_double[i];
         copy3(edge->from, edges[i].from);
         copy3(edge->to, edges[i].to);
         copy3(edge->along, edges[i].along);
@@ -301,8 +302,8 @@ luxel_status lx_shell_make_single(struct lx_shell *shell, const struct lx_asking
             status = LUXEL_CANCELLED;
     }
     if (status == LUXEL_OK) {
-        shell->faces_single = faces;
-        shell->edges_single = edges;
+        lamp->faces_single = faces;
+        lamp->edges_single = edges;
         return LUXEL_OK;
     }
     free(faces);
@@ -310,13 +311,13 @@ luxel_status lx_shell_make_single(struct lx_shell *shell, const struct lx_asking
     return status;
 }
 
-void lx_shell_clear(struct lx_shell *shell)
+void lx_area_light_clear(struct lx_area_light *lamp)
 {
-    free(shell->faces_double);
-    free(shell->edges_double);
-    free(shell->faces_single);
-    free(shell->edges_single);
-    free(shell->quads);
-    lx_shell_forget_nodes(shell);
-    *shell = (struct lx_shell){0};
+    free(lamp->faces_double);
+    free(lamp->edges_double);
+    free(lamp->faces_single);
+    free(lamp->edges_single);
+    free(lamp->quads);
+    lx_area_light_forget_nodes(lamp);
+    *lamp = (struct lx_area_light){0};
 }

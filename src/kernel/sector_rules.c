@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* Rules of Gauss for lobes, and how wide and how high these are in a part of a source. */
-#include "glimpse_rules.h"
+#include "sector_rules.h"
 
 #include <math.h>
 
@@ -8,7 +8,7 @@
 #include "../material/lobe.h"
 
 /* Rules of Gauss on (0, 1). */
-const double lx_glimpse_places[LX_GLIMPSE_NODES][LX_GLIMPSE_NODES] = {
+const double lx_sector_places[LX_PARTIAL_HIGHLIGHT_NODES][LX_PARTIAL_HIGHLIGHT_NODES] = {
     {0.5},
     {0.21132486540518713, 0.78867513459481287},
     {0.1127016653792583, 0.5, 0.8872983346207417},
@@ -21,7 +21,7 @@ const double lx_glimpse_places[LX_GLIMPSE_NODES][LX_GLIMPSE_NODES] = {
     {0.019855071751231856, 0.10166676129318658, 0.2372337950418355, 0.40828267875217511, 0.59171732124782495,
      0.7627662049581645, 0.89833323870681348, 0.9801449282487682},
 };
-const double lx_glimpse_weights[LX_GLIMPSE_NODES][LX_GLIMPSE_NODES] = {
+const double lx_sector_weights[LX_PARTIAL_HIGHLIGHT_NODES][LX_PARTIAL_HIGHLIGHT_NODES] = {
     {1},
     {0.50000000000000011, 0.50000000000000011},
     {0.27777777777777762, 0.44444444444444442, 0.27777777777777762},
@@ -37,17 +37,17 @@ const double lx_glimpse_weights[LX_GLIMPSE_NODES][LX_GLIMPSE_NODES] = {
 
 /* A rule of so many nodes leaves no more than 3e-5 of the greatest value of exp(-x^2/2) over an interval of twice this
  * length, wherever it lies. */
-static const double REACHES[LX_GLIMPSE_NODES] = {0.013, 0.229, 0.64, 1.128, 1.642, 2.164, 2.687, 3.209};
+static const double REACHES[LX_PARTIAL_HIGHLIGHT_NODES] = {0.013, 0.229, 0.64, 1.128, 1.642, 2.164, 2.687, 3.209};
 
-unsigned lx_glimpse_order(unsigned least, double half)
+unsigned lx_sector_order(unsigned least, double half)
 {
-    while (least < LX_GLIMPSE_NODES && REACHES[least - 1] < half)
+    while (least < LX_PARTIAL_HIGHLIGHT_NODES && REACHES[least - 1] < half)
         least++;
     return least;
 }
 
-double lx_glimpse_power(const struct lx_lobe_double *lobe, const double mirrored[3], const double middle[3],
-                        double cosine, double sine)
+double lx_sector_power(const struct lx_lobe_double *lobe, const double mirrored[3], const double middle[3],
+                       double cosine, double sine)
 {
     const double towards = fmin(lx_dot(middle, mirrored), 1);
     const double aside = sqrt(fmax(1 - towards * towards, 0));
@@ -55,7 +55,7 @@ double lx_glimpse_power(const struct lx_lobe_double *lobe, const double mirrored
     return pow(lx_power_lobe_of(lobe->model)->greatest_square(nearest), lobe->exponent.value / 2);
 }
 
-double lx_glimpse_width(const struct lx_lobe_double *lobe, const double view[3], const double middle[3], double sine)
+double lx_sector_width(const struct lx_lobe_double *lobe, const double view[3], const double middle[3], double sine)
 {
     const double NARROWEST = 0.05; /* of the widest */
     double half[3];

@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: MIT */
-/* The source of a skyline: of which shapes it is as an element sees it, and whether obstacles are before it. */
+/* The source of a boundary: of which shapes it is as an element sees it, and whether obstacles are before it. */
 #include <math.h>
 #include <string.h>
 
 #include "../../base/vector.h"
 #include "../../light/solid/extended.h"
-#include "skyline_bodies.h"
+#include "boundary_bodies.h"
 
 /* ---- what is before it ---- */
 
@@ -79,7 +79,7 @@ static bool is_before_round(const struct lx_occlusion *occlusion, const struct l
     }
     const double axis[3] = {emitter->axis.x.value, emitter->axis.y.value, emitter->axis.z.value};
     const double half = lx_half_height(emitter);
-    const struct lx_skyline_tube tube = lx_skyline_tube_of(center, axis, emitter->radius_mm, half);
+    const struct lx_boundary_tube tube = lx_boundary_tube_of(center, axis, emitter->radius_mm, half);
     const double opposite[3] = {-axis[0], -axis[1], -axis[2]};
     return (lx_emitter_kind(emitter)->has_side && tube.away > tube.radius &&
             is_in_front(obstacle, tube.out, tube.radius - tube.away)) ||
@@ -113,8 +113,8 @@ static bool is_beyond_obstacle(const struct lx_occlusion *occlusion, const struc
         lx_cross(first, second, axes[0]);
         lx_normalize(axes[0]);
     } else if (obstacle->type == LX_OBSTACLE_TUBE) {
-        const struct lx_skyline_tube tube =
-            lx_skyline_tube_of(obstacle->center_mm, obstacle->axis, obstacle->radius_mm, obstacle->half_mm);
+        const struct lx_boundary_tube tube =
+            lx_boundary_tube_of(obstacle->center_mm, obstacle->axis, obstacle->radius_mm, obstacle->half_mm);
         for (int k = 0; k < 3; k++) {
             axes[1][k] = -tube.out[k];
             axes[2][k] = obstacle->center_mm[k];
@@ -134,7 +134,7 @@ static bool is_beyond_obstacle(const struct lx_occlusion *occlusion, const struc
     return false;
 }
 
-bool lx_skyline_is_before(const struct lx_occlusion *occlusion, const struct lx_emitter *emitter)
+bool lx_boundary_is_before(const struct lx_occlusion *occlusion, const struct lx_emitter *emitter)
 {
     for (size_t i = 0; i < occlusion->obstacles.count; i++) {
         const struct lx_obstacle *obstacle = &occlusion->obstacles.items[i];
@@ -150,7 +150,7 @@ bool lx_skyline_is_before(const struct lx_occlusion *occlusion, const struct lx_
 
 /* The edges of an outline, each from one corner to another. */
 struct rim {
-    unsigned from[LX_SKYLINE_SIDES], to[LX_SKYLINE_SIDES], count;
+    unsigned from[LX_BOUNDARY_SIDES], to[LX_BOUNDARY_SIDES], count;
 };
 
 static bool looks_to_place(const struct lx_occlusion *occlusion, const struct lx_facets *facets, int face)
@@ -168,7 +168,7 @@ static bool find_rim(const struct lx_occlusion *occlusion, const struct lx_facet
         const bool left = looks_to_place(occlusion, facets, edge->left);
         if (left == looks_to_place(occlusion, facets, edge->right))
             continue;
-        if (rim->count + 1 == LX_SKYLINE_SIDES)
+        if (rim->count + 1 == LX_BOUNDARY_SIDES)
             return false;
         rim->from[rim->count] = left ? edge->from : edge->to;
         rim->to[rim->count++] = left ? edge->to : edge->from;
@@ -176,8 +176,8 @@ static bool find_rim(const struct lx_occlusion *occlusion, const struct lx_facet
     return true;
 }
 
-bool lx_skyline_face(const struct lx_occlusion *occlusion, const struct lx_facets *facets, size_t f,
-                     struct lx_skyline_polygon *outline, double away[3])
+bool lx_boundary_face(const struct lx_occlusion *occlusion, const struct lx_facets *facets, size_t f,
+                      struct lx_boundary_polygon *outline, double away[3])
 {
     const struct lx_face *face = &facets->faces[f];
     outline->count = 0;
@@ -186,7 +186,7 @@ bool lx_skyline_face(const struct lx_occlusion *occlusion, const struct lx_facet
         away[k] = -away[k];
     if (!(height < 0))
         return true;
-    if (face->count + 1 > LX_SKYLINE_SIDES)
+    if (face->count + 1 > LX_BOUNDARY_SIDES)
         return false;
     for (unsigned i = 0; i < face->count; i++)
         corner_from(occlusion, facets, facets->loop[face->first + i], outline->corners[i]);
@@ -194,14 +194,14 @@ bool lx_skyline_face(const struct lx_occlusion *occlusion, const struct lx_facet
     return true;
 }
 
-bool lx_skyline_outline(const struct lx_occlusion *occlusion, const struct lx_facets *facets,
-                        struct lx_skyline_polygon *outline)
+bool lx_boundary_outline(const struct lx_occlusion *occlusion, const struct lx_facets *facets,
+                         struct lx_boundary_polygon *outline)
 {
     enum { MOST_EDGES = 64 }; /* of bodies whose outlines have few corners */
     struct rim rim;
     double unused[3];
     if (facets->face_count == 1)
-        return lx_skyline_face(occlusion, facets, 0, outline, unused);
+        return lx_boundary_face(occlusion, facets, 0, outline, unused);
     if (facets->edge_count > MOST_EDGES || !find_rim(occlusion, facets, &rim))
         return false;
     outline->count = 0;
@@ -218,7 +218,7 @@ bool lx_skyline_outline(const struct lx_occlusion *occlusion, const struct lx_fa
 
 /* A square around a disk, its outline apart, or around a ball. */
 static void make_square(const double center[3], const double p[3], const double q[3], double radius,
-                        struct lx_skyline_polygon *square)
+                        struct lx_boundary_polygon *square)
 {
     const double WIDER = 1.02;
     square->count = 4;
@@ -229,22 +229,22 @@ static void make_square(const double center[3], const double p[3], const double 
 }
 
 /* An end of a cylinder, or a disk; nothing where it is seen edge-on. */
-static void add_disk(const double center[3], const double axis[3], double radius, struct lx_skyline_shapes *shapes)
+static void add_disk(const double center[3], const double axis[3], double radius, struct lx_boundary_shapes *shapes)
 {
-    struct lx_skyline_shape *shape = &shapes->items[shapes->count];
-    if (!lx_skyline_disk(center, axis, radius, &shape->curve))
+    struct lx_boundary_shape *shape = &shapes->items[shapes->count];
+    if (!lx_boundary_disk(center, axis, radius, &shape->curve))
         return;
     shape->has_curve = true;
     make_square(shape->curve.g, shape->curve.p, shape->curve.q, 1, &shape->polygon);
     shapes->count++;
 }
 
-static bool shape_ball(const double center[3], double radius, struct lx_skyline_shapes *shapes)
+static bool shape_ball(const double center[3], double radius, struct lx_boundary_shapes *shapes)
 {
     const double MOST = 2; /* a tangent */
-    struct lx_skyline_shape *shape = &shapes->items[0];
-    struct lx_skyline_body body = {.sides = &shape->curve};
-    if (!lx_skyline_add_ball(center, radius, &body) || !(shape->curve.sine < MOST * shape->curve.limit))
+    struct lx_boundary_shape *shape = &shapes->items[0];
+    struct lx_boundary_body body = {.sides = &shape->curve};
+    if (!lx_boundary_add_ball(center, radius, &body) || !(shape->curve.sine < MOST * shape->curve.limit))
         return false;
     shape->has_curve = true;
     make_square(shape->curve.g, shape->curve.p, shape->curve.q, shape->curve.sine / shape->curve.limit,
@@ -254,11 +254,11 @@ static bool shape_ball(const double center[3], double radius, struct lx_skyline_
 }
 
 static void shape_cylinder(const double center[3], const double axis[3], double radius, double half,
-                           struct lx_skyline_shapes *shapes)
+                           struct lx_boundary_shapes *shapes)
 {
-    const struct lx_skyline_tube tube = lx_skyline_tube_of(center, axis, radius, half);
+    const struct lx_boundary_tube tube = lx_boundary_tube_of(center, axis, radius, half);
     if (tube.away > tube.radius) {
-        shapes->items[0] = (struct lx_skyline_shape){.polygon = lx_skyline_side_of_tube(&tube)};
+        shapes->items[0] = (struct lx_boundary_shape){.polygon = lx_boundary_side_of_tube(&tube)};
         shapes->count = 1;
     }
     for (int i = 0; i < 2; i++)
@@ -266,8 +266,8 @@ static void shape_cylinder(const double center[3], const double axis[3], double 
             add_disk(tube.ends[i], axis, radius, shapes);
 }
 
-bool lx_skyline_shape(const struct lx_occlusion *occlusion, const struct lx_emitter *emitter,
-                      struct lx_skyline_shapes *shapes)
+bool lx_boundary_shape(const struct lx_occlusion *occlusion, const struct lx_emitter *emitter,
+                       struct lx_boundary_shapes *shapes)
 {
     double center[3];
     const double axis[3] = {emitter->axis.x.value, emitter->axis.y.value, emitter->axis.z.value};
@@ -276,7 +276,7 @@ bool lx_skyline_shape(const struct lx_occlusion *occlusion, const struct lx_emit
         center[k] = emitter->center_mm[k] - occlusion->place_mm[k];
     if (emitter->facets) {
         shapes->items[0].has_curve = false;
-        if (!lx_skyline_outline(occlusion, emitter->facets, &shapes->items[0].polygon))
+        if (!lx_boundary_outline(occlusion, emitter->facets, &shapes->items[0].polygon))
             return false;
         shapes->count = shapes->items[0].polygon.count > 0;
         return true;

@@ -10,25 +10,25 @@
  * to 1 of (N.w) 2 D (1 - q)^(3/2) (1 - t^2)/((1 + t^2 + (1 - t^2) R/D)^2 (w.w)^2), q = R^2/D^2, which over t alone
  * comes to no more than twice D |1 - q|^(3/2).
  */
-#ifndef LX_PICTURE_SHELL_BOUND_H
-#define LX_PICTURE_SHELL_BOUND_H
+#ifndef LX_PICTURE_AREA_LIGHT_BOUND_H
+#define LX_PICTURE_AREA_LIGHT_BOUND_H
 
 #include "../kernel/kernel.h"
 
 /* The largest |a| of a law where r and r^2 have these real parts at least, which are above 0: no coefficient is below
  * it. */
-static inline double lx_law_at(const struct lx_shell_law *law, double r, double square)
+static inline double lx_law_at(const struct lx_area_light_law *law, double r, double square)
 {
     return 1 / (law->none + law->root * r + law->square * square);
 }
 
 /* What r^2 a(r) comes to at most over a ball as a vicinity sees it, as an analytic function; 1/square by the law 1/r^2;
  * infinite where that is not certain. */
-double lx_most_of_ball(const struct lx_shell *shell, const struct lx_vicinity *at);
+double lx_most_of_ball(const struct lx_area_light *lamp, const struct lx_vicinity *at);
 
 /* A bound of the brightness by a source in the vicinity, `gain` being diffuse times radiance times the area that shines
  * (of a ball, of its section; of a cylinder, of the section along its axis and one end); 0 where it does not light the
  * square; infinite where it may not be analytic. */
-double lx_smooth_shell_bound(const struct lx_shell *shell, double gain, const struct lx_vicinity *at);
+double lx_smooth_area_light_bound(const struct lx_area_light *lamp, double gain, const struct lx_vicinity *at);
 
 #endif

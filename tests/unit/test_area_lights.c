@@ -81,22 +81,22 @@ static void place_and_normal(const struct lx_block_double *block, size_t i, lx_b
 /* A source of some kind, and what the kernels know of it. */
 struct body {
     struct lx_emitter source;
-    struct lx_shell shell;
+    struct lx_area_light lamp;
 };
 
 static struct body make_body(int kind)
 {
     const struct lx_shape lit = {.anchor_mm = {anchor[0], anchor[1], anchor[2]}};
     struct body body = {.source = source_of(kind, center, 3, 250)};
-    assert_int_equal(lx_shell_make(&body.source, &lit, NULL, &body.shell), LUXEL_OK);
-    if (body.shell.type == LX_FACETS)
-        assert_int_equal(lx_shell_make_single(&body.shell, NULL), LUXEL_OK);
+    assert_int_equal(lx_area_light_make(&body.source, &lit, NULL, &body.lamp), LUXEL_OK);
+    if (body.lamp.type == LX_FACETS)
+        assert_int_equal(lx_area_light_make_single(&body.lamp, NULL), LUXEL_OK);
     return body;
 }
 
 static void clear_body(struct body *body)
 {
-    lx_shell_clear(&body->shell);
+    lx_area_light_clear(&body->lamp);
     lx_facets_free(body->source.facets);
 }
 
@@ -125,7 +125,7 @@ static void closed_forms(void **state)
                     continue;
                 for (int i = 0; i < LX_BLOCK; i++)
                     sum[i] = 0.5;
-                kernels->light_by_shell[body.shell.type](&body.shell, 0.75, &block, LX_BLOCK, NULL, sum);
+                kernels->light_by_area_light[body.lamp.type](&body.lamp, 0.75, &block, LX_BLOCK, NULL, sum);
                 for (int i = 0; i < LX_BLOCK; i++) {
                     double off = fabs(sum[i] - 0.5 - 0.75 * expected[i]) / (most[i] + 1e-3);
                     if (!(off <= 2e-13))
@@ -162,28 +162,28 @@ static void begin_with(void *block, const void *other, size_t size, size_t start
 }
 
 /* By the closed forms in float64, and in float32 where there are such. */
-static void add_body(const struct lx_kernels *kernels, const struct lx_shell *shell,
+static void add_body(const struct lx_kernels *kernels, const struct lx_area_light *lamp,
                      const struct lx_block_double *block, const struct lx_block_single *copy, size_t count, double *sum,
                      double *sum_in_single)
 {
-    kernels->light_by_shell[shell->type](shell, 0.75, block, count, NULL, sum);
-    if (shell->edges_single)
-        kernels->facets_single(shell, 0.75, copy, count, NULL, sum_in_single);
+    kernels->light_by_area_light[lamp->type](lamp, 0.75, block, count, NULL, sum);
+    if (lamp->edges_single)
+        kernels->facets_single(lamp, 0.75, copy, count, NULL, sum_in_single);
 }
 
 /* What stands beside an element does not matter to it, also where vectors of them go side by side. */
-static void check_runs(const struct lx_kernels *kernels, const struct lx_shell *shell,
+static void check_runs(const struct lx_kernels *kernels, const struct lx_area_light *lamp,
                        const struct lx_block_double *block, const struct lx_block_single *copy)
 {
     static struct lx_block_double alone;
     static struct lx_block_single copy_alone;
     double sum[LX_BLOCK] = {0}, sum_in_single[LX_BLOCK] = {0};
-    add_body(kernels, shell, block, copy, LX_BLOCK, sum, sum_in_single);
+    add_body(kernels, lamp, block, copy, LX_BLOCK, sum, sum_in_single);
     for (size_t start = 0; start < LX_BLOCK; start += LX_LANES) {
         double run[LX_LANES] = {0}, run_in_single[LX_LANES] = {0};
         begin_with(&alone, block, sizeof *block->px, start);
         begin_with(&copy_alone, copy, sizeof *copy->px, start);
-        add_body(kernels, shell, &alone, &copy_alone, LX_LANES, run, run_in_single);
+        add_body(kernels, lamp, &alone, &copy_alone, LX_LANES, run, run_in_single);
         assert_memory_equal(run, sum + start, sizeof run);
         assert_memory_equal(run_in_single, sum_in_single + start, sizeof run_in_single);
     }
@@ -202,7 +202,7 @@ static void runs_by_themselves(void **state)
             turn_runs(&random, &block, &copy);
             for (size_t k = 0; lx_kernels_get(k); k++)
                 if (lx_kernels_get(k)->runs())
-                    check_runs(lx_kernels_get(k), &body.shell, &block, &copy);
+                    check_runs(lx_kernels_get(k), &body.lamp, &block, &copy);
         }
         clear_body(&body);
     }
@@ -211,7 +211,7 @@ static void runs_by_themselves(void **state)
 /* -- samples -- */
 
 /* The sum over all samples of a source, its patches cut into so many cells each way. */
-static void sum_samples(const struct lx_kernels *kernels, const struct lx_shell *shell, enum lx_attenuation law,
+static void sum_samples(const struct lx_kernels *kernels, const struct lx_area_light *lamp, enum lx_attenuation law,
                         const struct lx_lobe_double *lobe, const struct lx_block_double *block, unsigned side,
                         double sum[LX_LANES])
 {
@@ -221,9 +221,9 @@ static void sum_samples(const struct lx_kernels *kernels, const struct lx_shell 
     static struct lx_samples_double samples;
     struct lx_patch patches[MOST_PATCHES];
     struct lx_around around = lx_run_around(block, 0);
-    assert_true(lx_patch_limit(shell) <= MOST_PATCHES);
-    size_t count = lx_patches_make(shell, &around, NULL, patches);
-    assert_true(count <= lx_patch_limit(shell));
+    assert_true(lx_patch_limit(lamp) <= MOST_PATCHES);
+    size_t count = lx_patches_make(lamp, &around, NULL, patches);
+    assert_true(count <= lx_patch_limit(lamp));
     for (int i = 0; i < LX_LANES; i++)
         sum[i] = 0;
     samples.law = law;
@@ -233,8 +233,8 @@ static void sum_samples(const struct lx_kernels *kernels, const struct lx_shell 
         for (int c = 0; c < CELLS * CELLS; c++) {
             struct lx_cell cell = {(double)(c % CELLS) / CELLS, (double)(c / CELLS) / CELLS, 1.0 / CELLS, 1.0 / CELLS};
             double part[LX_LANES];
-            lx_patch_samples(&patches[p], shell->touch_mm, &samples);
-            lx_cell_samples(&patches[p], &cell, side, shell->radiance * metres[law], 2, &samples);
+            lx_patch_samples(&patches[p], lamp->touch_mm, &samples);
+            lx_cell_samples(&patches[p], &cell, side, lamp->radiance * metres[law], 2, &samples);
             kernels->samples_double(&samples, 2, (size_t)side * side, lobe, block, 0, part);
             for (int i = 0; i < LX_LANES; i++)
                 sum[i] += part[i];
@@ -299,8 +299,8 @@ static void samples_are_the_integral(void **state)
                 double fine[LX_LANES], coarse[LX_LANES];
                 if (!kernels->runs())
                     continue;
-                sum_samples(kernels, &body.shell, body.source.attenuation, &constants, &block, 3, fine);
-                sum_samples(kernels, &body.shell, body.source.attenuation, &constants, &block, 2, coarse);
+                sum_samples(kernels, &body.lamp, body.source.attenuation, &constants, &block, 3, fine);
+                sum_samples(kernels, &body.lamp, body.source.attenuation, &constants, &block, 2, coarse);
                 for (size_t i = 0; i < LX_LANES; i++)
                     if (!(fabs(fine[i] - expected[i]) <= 1e-6 * expected[i] &&
                           fabs(coarse[i] - expected[i]) <= 3e-5 * expected[i]))
@@ -387,7 +387,7 @@ static void cells_are_held(void **state)
         for (int n = 0; n < 100; n++) {
             make_run(&random, &block);
             struct lx_around around = lx_run_around(&block, 0);
-            size_t count = lx_patches_make(&body.shell, &around, NULL, patches);
+            size_t count = lx_patches_make(&body.lamp, &around, NULL, patches);
             const double element[3] = {block.px[0], block.py[0], block.pz[0]};
             for (size_t p = 0; p < count; p++) {
                 double size = logarithmic(&random, 0.01, 0.5), middle[3], farthest = 0;

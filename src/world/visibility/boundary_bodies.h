@@ -1,0 +1,23 @@
+/* SPDX-License-Identifier: MIT */
+/* What bodies of visible boundaries are made of that are neither polygons nor balls. */
+#ifndef LX_WORLD_BOUNDARY_BODIES_H
+#define LX_WORLD_BOUNDARY_BODIES_H
+
+#include "boundary.h"
+
+/* The outline of a disk as a side; false: it is seen edge-on. */
+bool lx_boundary_disk(const double center[3], const double axis[3], double radius, struct lx_boundary_side *side);
+
+/* A cylinder as an element sees it: of the outline of all of it. */
+struct lx_boundary_tube {
+    double ends[2][3];           /* their centres */
+    double out[3], away, height; /* of the element: from the axis, unit; how far; from the middle, along the axis */
+    double axis[3], radius, half;
+};
+
+struct lx_boundary_tube lx_boundary_tube_of(const double center[3], const double axis[3], double radius, double half);
+
+/* The rectangle between the two generators that are the outline of the side. */
+struct lx_boundary_polygon lx_boundary_side_of_tube(const struct lx_boundary_tube *tube);
+
+#endif
