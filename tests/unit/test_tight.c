@@ -325,7 +325,7 @@ static const struct tally integrals_before[SOURCES][4] = {
     {{36, 0, 24, -5.156414}, {36, 0, 24, -27.883672}, {26, 0, 34, -77.384521}, {22, 0, 38, -157.848395}},
     {{33, 0, 27, -6.405328}, {33, 0, 27, -25.414859}, {20, 0, 40, -51.672908}, {16, 0, 44, -127.042280}},
     {{46, 0, 14, -6.126166}, {46, 0, 14, -25.454391}, {39, 0, 21, -23.599685}, {39, 0, 21, -39.579377}},
-    {{34, 0, 26, -5.778030}, {34, 0, 26, -24.784338}, {23, 0, 37, -98.816626}, {17, 0, 43, -197.433440}},
+    {{34, 0, 26, -5.778030}, {34, 0, 26, -24.784552}, {23, 0, 37, -98.816626}, {17, 0, 43, -197.433481}},
     {{32, 0, 28, -7.637015}, {32, 0, 28, -26.342005}, {18, 0, 42, -87.432681}, {16, 0, 44, -130.224319}},
 };
 
@@ -500,7 +500,7 @@ static void shade_tile(const struct lx_plan *plan, const struct test_scene *test
 }
 
 static const struct tally plans_before[PLANNED] = {
-    {53, 264, 903, -11.914417},        {495, 0, 472, 0.082127},           {57, 0, 243, 3.594322},
+    {50, 253, 774, -11.649186},        {495, 0, 472, 0.082127},           {57, 0, 243, 3.594322},
     {26638, 15935, 261767, -6.214474}, {26609, 15935, 261796, -5.234620}, {247538, 0, 56802, -50.690010},
     {0, 0, 320436, 8.053540},          {0, 0, 320436, 8.042434},          {0, 0, 320436, 0.453031},
     {5308, 0, 7708, -12.497797},       {5350, 0, 7666, 1.317650},         {9768, 0, 3248, 2.304833},
@@ -519,8 +519,9 @@ static void plans(void **state)
         make_random_scene(&random, i % 3, &test);
         for (size_t s = 0; s < test.prepared.surface_count; s++)
             for (size_t e = 0; e < test.prepared.emitters.count; e++)
-                add(&planned[BOUND], lx_bound_light(&test.prepared, &test.surfaces[s].shape, &test.surfaces[s].lobe,
-                                                    &test.prepared.emitters.items[e]));
+                if (lx_has_one_way(&test.prepared.emitters.items[e]))
+                    add(&planned[BOUND], lx_bound_light(&test.prepared, &test.surfaces[s].shape, &test.surfaces[s].lobe,
+                                                        &test.prepared.emitters.items[e]));
         if (i % 2)
             add_points(&random, &test, room);
         assert_int_equal(lx_plan_make(&test.prepared, lx_kernels_choose("generic"), &settings, &plan), LUXEL_OK);
