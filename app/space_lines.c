@@ -181,7 +181,7 @@ static void add_box(AppSpace *space, const luxel_scene *scene, const AppBody *bo
     }
 }
 
-/* Of what has an axis and no height. */
+/* The normal of a surface that has an axis and no height. */
 static void add_front(AppSpace *space, const luxel_scene *scene, gsize index)
 {
     char base[APP_KEY_SIZE];

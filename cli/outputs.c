@@ -103,7 +103,7 @@ void outputs_tell(const struct options *options, const char *const *files, const
             message_note(_("%s is written"), files[i]);
 }
 
-/* What draws the picture that a command for tables was asked for. */
+/* A hint at the command that draws the picture which one for tables was asked for. */
 static void hint_figure(const struct options *options, const char *path)
 {
     static const char *const drawn[] = {".png", ".svg", ".pdf"};

@@ -24,8 +24,8 @@ struct lx_measuring {
     size_t number;             /* of the grid */
 };
 
-/* What is asked of a world for the light on a plane, direct light alone as long as nothing is known to be reflected;
- * and what number i of the answer comes to. */
+/* The question to a world for the light on a plane, direct light alone as long as nothing is known to be reflected; and
+ * the sum that number i of the answer is. */
 static inline enum lx_wanted lx_wanted_of_plane(const struct lx_world *world)
 {
     return world->reflected ? (enum lx_wanted)(LX_WANT_IRRADIANCE | LX_WANT_REFLECTED) : LX_WANT_IRRADIANCE;

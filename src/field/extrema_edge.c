@@ -133,7 +133,7 @@ static double wall_distance(const struct lx_extremum_search *search, const struc
     }
     if (edge->type == LX_EDGE_HIDDEN) {
         const struct lx_origin eye = lx_eye_of(search);
-        return lx_shape_hides_place(&search->prepared->surfaces[edge->surface].shape, place, &eye);
+        return lx_shape_beside_sight(&search->prepared->surfaces[edge->surface].shape, place, &eye);
     }
     lx_screen_of(search, place, seen);
     if (edge->type == LX_EDGE_SCREEN)

@@ -117,7 +117,7 @@ static inline const struct lx_lobe_kind *lx_lobe_kind_of(const struct lx_lobe *l
     return lx_lobe_kinds[lobe->model];
 }
 
-/* What is known of a kernel's highlight. */
+/* The power that a model's highlight is; NULL: it is none. */
 static inline const struct lx_power_lobe *lx_power_lobe_of(enum lx_model model)
 {
     return lx_lobe_kinds[model]->power;

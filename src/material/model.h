@@ -19,8 +19,8 @@ enum lx_model { LX_MODELS(LX_MODEL_NUMBER) LX_MODEL_COUNT };
 enum lx_highlight { LX_HIGHLIGHT_PLAIN, LX_HIGHLIGHT_GATED, LX_HIGHLIGHT_COSINE };
 
 /*
- * What kernels ask a lobe.  These are macros, as the order in which compilers fold what they know decides which
- * products and sums they contract, and so on the last bits of pictures.
+ * The questions that kernels ask a lobe.  These are macros, as the order in which compilers fold what they know decides
+ * which products and sums they contract, and so on the last bits of pictures.
  *
  * Whether a kernel's lobe has a highlight; whether S of that is N.H, of the half vector, or R.V, of the mirrored ray.
  */

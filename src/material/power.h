@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* What lobes that are powers S^n have in common. */
+/* The formulas and functions that lobes which are powers S^n have in common. */
 #ifndef LX_MATERIAL_POWER_H
 #define LX_MATERIAL_POWER_H
 

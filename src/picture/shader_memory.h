@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* What shading a run of pixels (shader.c) and its light of extended sources (shader_area_lights.c) share. */
+/* The memory that shading a run of pixels (shader.c) and its light of area lights (shader_area_lights.c) share. */
 #ifndef LX_PICTURE_SHADER_MEMORY_H
 #define LX_PICTURE_SHADER_MEMORY_H
 

@@ -185,7 +185,7 @@ static bool add_turned(struct lx_occluder_cones *cones, const struct lx_matte_fa
     return facing != LX_FACES_NOT;
 }
 
-/* What its own surface hides from a receiver that has not its normal; and of a tube also from others. */
+/* The cone that its own surface hides from a receiver that has not its normal; a tube hides one from others, too. */
 static void add_own(struct lx_occluder_cones *cones, const struct lx_prepared_surface *own,
                     const struct lx_receiver *receiver)
 {

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* What is requested of a solution of reflected light: its scene, the bound, and the places that this is for. */
+/* The request for a solution of reflected light: its scene, the bound, and the places that this is for. */
 #ifndef LX_REFLECT_REQUEST_H
 #define LX_REFLECT_REQUEST_H
 
@@ -7,7 +7,7 @@
 #include "../world/world.h"
 #include "receiver.h"
 
-/* What a solution for a picture was made with, beside its scene. */
+/* The settings that a solution for a picture was made with, beside its scene. */
 struct lx_reflected_key {
     int quantity;
     double error, tolerance;

@@ -25,8 +25,8 @@ struct lx_frame lx_observer_frame(const struct lx_observer *observer);
 /* How high the observer stands above the screen, along that z axis. */
 double lx_observer_height(const struct lx_observer *observer);
 
-/* What is up for those who stand in the scene: the axis that a room names, which an observer who looks at its plan does
- * not change, else the observer's `up`; NULL: neither is given. */
+/* The direction that is up for those who stand in the scene: the axis that a room names, which an observer who looks at
+ * its plan does not change, else the observer's `up`; NULL: neither is given. */
 const double *lx_scene_up(const struct lx_scene_parameters *scene);
 
 /* Adds the sides of the screen ("left, top") beyond which a surface reaches; none of one that surrounds the observer or

@@ -136,11 +136,11 @@ bool lx_shape_faces(const struct lx_shape *shape, const struct lx_origin *eye)
     return !shape->kind->faces || shape->kind->faces(shape, eye);
 }
 
-double lx_shape_hides_place(const struct lx_shape *shape, const double place_mm[3], const struct lx_origin *eye)
+double lx_shape_beside_sight(const struct lx_shape *shape, const double place_mm[3], const struct lx_origin *eye)
 {
     double way[3];
-    if (shape->kind->cones)
-        return shape->kind->cones(shape, place_mm, eye);
+    if (shape->kind->beside_sight)
+        return shape->kind->beside_sight(shape, place_mm, eye);
     const bool endless = lx_way_to(eye, place_mm, way);
     return shape->kind->beside(shape, place_mm, way, endless);
 }

@@ -177,7 +177,7 @@ static double inside_beside(const struct lx_shape *sphere, const double place[3]
 }
 
 /* From what is inside an observer outside sees through the near half. */
-static double inside_hides_place(const struct lx_shape *sphere, const double place_mm[3], const struct lx_origin *eye)
+static double inside_beside_sight(const struct lx_shape *sphere, const double place_mm[3], const struct lx_origin *eye)
 {
     double way[3];
     if (holds_within(sphere, place_mm))
@@ -328,7 +328,7 @@ const struct lx_surface_kind lx_inside_kind = {
     .standing = lx_standing_within,
     .is_dark = inside_is_dark,
     .distance = inside_distance,
-    .cones = inside_hides_place,
+    .beside_sight = inside_beside_sight,
     .beside = inside_beside,
     .shadow_edges = 2,
     .shadow_edge = lx_sphere_shadow_edge,

@@ -69,8 +69,8 @@ struct lx_sheet_type {
     double (*distance)(const struct lx_smooth_sheet *sheet, const double place_mm[3]);
     /* The way to a place from the nearest one of its axis, or from its middle. */
     void (*outwards)(const struct lx_smooth_sheet *sheet, const double place_mm[3], double way[3]);
-    /* What of it is turned to a place; in part: but for what is on the side of a plane that the normal, of any length,
-     * looks to. */
+    /* The part of it that is turned to a place; LX_FACES_PARTLY: all but the side of a plane that the normal, of any
+     * length, looks to. */
     enum lx_sheet_facing (*facing)(const struct lx_smooth_sheet *sheet, const double place_mm[3], double touch_mm,
                                    double normal[3], double through_mm[3]);
     /* The share of the light from any of its places that any other receives, for each mm^2.  NULL: that differs. */

@@ -209,8 +209,8 @@ static void out_of_tube(const struct lx_smooth_sheet *tube, const double place_m
         way[i] -= along * tube->axis[i];
 }
 
-/* What is turned away from a place outside is on one side of the plane, or line, in which ways from there touch it;
- * from inside, or on it, all that is turned inwards is seen, and nothing of the rest. */
+/* The part that is turned away from a place outside is on one side of the plane, or line, in which ways from there
+ * touch it; from inside, or on it, all that is turned inwards is seen, and nothing of the rest. */
 static enum lx_sheet_facing face_round(const struct lx_smooth_sheet *sheet, const double way[3], double normal[3],
                                        double through_mm[3])
 {

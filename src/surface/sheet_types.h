@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* What the files of sheets share: how many sectors go around, and the rims that types name. */
+/* The names that the files of sheets share: how many sectors go around, and the rims of types. */
 #ifndef LX_SURFACE_SHEET_TYPES_H
 #define LX_SURFACE_SHEET_TYPES_H
 

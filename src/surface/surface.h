@@ -206,7 +206,7 @@ struct lx_surface_kind {
     bool (*faces)(const struct lx_shape *shape, const struct lx_origin *eye);
     /* As `beside`, of the way to an observer who it faces, where it hides other things from sight than from light.
      * NULL: it does not. */
-    double (*cones)(const struct lx_shape *shape, const double place_mm[3], const struct lx_origin *eye);
+    double (*beside_sight)(const struct lx_shape *shape, const double place_mm[3], const struct lx_origin *eye);
     /* How far the way from a place passes by it; 0 on the edge of its shadow, less inside, smooth beside both. */
     double (*beside)(const struct lx_shape *shape, const double place_mm[3], const double way[3], bool endless);
     /* Quadratic functions of the place, one of which is 0 where its shadow begins: the value of function i, from 0 to
@@ -299,7 +299,7 @@ enum lx_standing lx_standing_within(const struct lx_shape *shape, double highest
                                     bool perspective);
 double lx_shape_distance(const struct lx_shape *shape, const double offset_mm[3], double direction[3]);
 bool lx_shape_faces(const struct lx_shape *shape, const struct lx_origin *eye);
-double lx_shape_hides_place(const struct lx_shape *shape, const double place_mm[3], const struct lx_origin *eye);
+double lx_shape_beside_sight(const struct lx_shape *shape, const double place_mm[3], const struct lx_origin *eye);
 
 /* Whether a search can walk on it and over the edges of its shadow. */
 bool lx_shape_is_walkable(const struct lx_shape *shape);

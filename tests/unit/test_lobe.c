@@ -138,7 +138,7 @@ static void normalized(void **unused)
         }
 }
 
-/* What a highlight answers fits its value: its logarithm, where it ends, and how great it may be near a direction. */
+/* The answers of a highlight fit its value: its logarithm, where it ends, and how great it may be near a direction. */
 static void answers_fit(void **unused)
 {
     struct randomness random = {.state = 2026};

@@ -179,7 +179,7 @@ static void parts_what_is_seen(void **state)
     compare_with_picture("builtin:pot.ply", 1, 65, false);
 }
 
-/* Of what is no mesh: where its lines reach, and the area that they go around, of all its parts together. */
+/* The silhouette of a surface that is no mesh: where its lines reach, and the area that they go around together. */
 static void outlines_other_surfaces(void **state)
 {
     (void)state;

@@ -427,20 +427,20 @@ enum {
 
 static struct tally planned[PLANNED];
 
-WRAPPED(struct lx_share_bound, lx_bound_cluster, const struct lx_receiver_region *tract, const double anchor_mm[3],
+WRAPPED(struct lx_share_bound, lx_bound_cluster, const struct lx_receiver_region *region, const double anchor_mm[3],
         const struct lx_lobe_limits *limits, const struct lx_tree *tree, const struct lx_cluster *cluster,
         const struct lx_cluster_turn *turn, bool is_hidden)
 {
-    struct lx_share_bound bound = REAL(lx_bound_cluster)(tract, anchor_mm, limits, tree, cluster, turn, is_hidden);
+    struct lx_share_bound bound = REAL(lx_bound_cluster)(region, anchor_mm, limits, tree, cluster, turn, is_hidden);
     add(&planned[CLUSTER_ERROR], bound.error);
     add(&planned[CLUSTER_MOST], bound.most);
     add(&planned[CLUSTER_LEAST], bound.least);
     return bound;
 }
 
-WRAPPED(struct lx_stand, lx_stand_of, const struct lx_receiver_region *tract, const double place[3], bool has_half)
+WRAPPED(struct lx_stand, lx_stand_of, const struct lx_receiver_region *region, const double place[3], bool has_half)
 {
-    struct lx_stand stand = REAL(lx_stand_of)(tract, place, has_half);
+    struct lx_stand stand = REAL(lx_stand_of)(region, place, has_half);
     add(&planned[NEAREST], stand.nearest_mm);
     add(&planned[AWAY], stand.away_mm);
     add(&planned[HALF], stand.least_half);
@@ -448,9 +448,9 @@ WRAPPED(struct lx_stand, lx_stand_of, const struct lx_receiver_region *tract, co
 }
 
 WRAPPED(bool, lx_cut_make, const struct lx_plan *plan, const struct lx_planned_surface *surface,
-        const struct lx_receiver_region *tract, const struct lx_asking *asking, struct lx_cut *cut)
+        const struct lx_receiver_region *region, const struct lx_asking *asking, struct lx_cut *cut)
 {
-    bool goes_on = REAL(lx_cut_make)(plan, surface, tract, asking, cut);
+    bool goes_on = REAL(lx_cut_make)(plan, surface, region, asking, cut);
     add(&planned[CUT_ERROR], cut->error);
     add(&planned[WHOLE], (double)cut->whole_count);
     add(&planned[OPENED], (double)cut->opened_count);

@@ -84,12 +84,12 @@ WRAPPED(void, lx_round_samples, const struct lx_patch *patch, double from_s, dou
     REAL(lx_round_samples)(patch, from_s, to_s, rings, spokes, off, gain, samples);
 }
 
-WRAPPED(struct lx_share_bound, lx_bound_cluster, const struct lx_receiver_region *tract, const double anchor_mm[3],
+WRAPPED(struct lx_share_bound, lx_bound_cluster, const struct lx_receiver_region *region, const double anchor_mm[3],
         const struct lx_lobe_limits *limits, const struct lx_tree *tree, const struct lx_cluster *cluster,
         const struct lx_cluster_turn *turn, bool is_hidden)
 {
     counts[BOUNDS]++;
-    return REAL(lx_bound_cluster)(tract, anchor_mm, limits, tree, cluster, turn, is_hidden);
+    return REAL(lx_bound_cluster)(region, anchor_mm, limits, tree, cluster, turn, is_hidden);
 }
 
 /* -- the scenes -- */

@@ -32,7 +32,7 @@ struct lx_lobe_limits {
 
 struct lx_lobe_limits lx_lobe_limits_of(const struct lx_lobe_double *lobe);
 
-/* What a cluster gives to an element of a region. */
+/* The share that a cluster gives to an element of a region. */
 struct lx_share_bound {
     double error; /* how far what its point in the middle gives may be off; infinite where there is no bound */
     double most;  /* no more than this */

@@ -38,7 +38,7 @@ struct lx_cluster_turn {
     double sum;     /* of intensity times that angle */
 };
 
-/* What depends on the places, intensities and axes alone; it does not change once built. */
+/* The part of a tree that depends on the places, intensities and axes alone; it does not change once built. */
 struct lx_built_tree {
     struct lx_kept kept;
     struct lx_cluster *clusters;

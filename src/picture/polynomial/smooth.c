@@ -82,7 +82,7 @@ void lx_bases_make(struct lx_basis bases[LX_BASES])
 
 /* ---- lights ---- */
 
-/* What an area light shines with, in front of it. */
+/* The most that an area light shines with, in front of it. */
 static double gain_of(const struct lx_planned_area_light *planned, double diffuse)
 {
     const struct lx_area_light *lamp = &planned->lamp;

@@ -22,7 +22,7 @@ int lx_sweep_ball(const struct lx_emitter *ball, const double place_mm[3], const
 /* The round ends of a capsule, whose centres and distance from the element, along the axis and from it, these are. */
 int lx_sweep_round_ends(const struct lx_emitter *capsule, const double caps[2][3], const double axis[3], double along,
                         double away, const double place_mm[3], const double across[3], struct lx_sweeps *sweeps);
-/* What of an arc of the ball is on the end. */
+/* The share of an arc of the ball that is on the end. */
 struct lx_arc lx_dome_arc(const struct lx_sweep *dome, struct lx_arc arc);
 int lx_sweep_ellipsoid(const struct lx_emitter *ellipsoid, const double place_mm[3], const double across[3],
                        struct lx_sweeps *sweeps);

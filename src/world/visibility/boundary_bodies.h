@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* What bodies of visible boundaries are made of that are neither polygons nor balls. */
+/* The parts of bodies of visible boundaries that are neither polygons nor balls. */
 #ifndef LX_WORLD_BOUNDARY_BODIES_H
 #define LX_WORLD_BOUNDARY_BODIES_H
 

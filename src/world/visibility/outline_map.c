@@ -32,7 +32,7 @@ static bool range_of_rectangle(const struct map_build *build, double range[2])
     return true;
 }
 
-/* What is looked at on the arc at u: of the source, above the horizons. */
+/* The range that is looked at on the arc at u: of the source, above the horizons. */
 static bool look_range(const struct map_build *build, double u, double range[2])
 {
     if (!(build->sweep->kind == LX_SWEEP_STRIP ? range_of_strip(build, u, range) : range_of_rectangle(build, range)))
