@@ -153,9 +153,7 @@ static luxel_status find(const luxel_scene *scene, struct lx_session *session, l
     luxel_status status = lx_reflect_shared(scene, session, diagnostics);
     if (!session->world.reflected)
         session->world.reflected = lx_reflected_of_picture(scene, session);
-    const bool is_enough = session->world.reflected &&
-                           (settings->share_reflected || lx_reflected_is_reached(session->world.reflected, &request));
-    if (status == LUXEL_OK && !is_enough) {
+    if (status == LUXEL_OK && !lx_reflected_serves(session, &request)) {
         lx_reflected_free(session->world.reflected);
         status = lx_reflected_make(&request, &session->world.reflected);
     }

@@ -139,7 +139,7 @@ static luxel_status solve(struct lx_session *session, const struct lx_reflecting
         .control = reflecting->control,
     };
     struct lx_radiosity *made = NULL;
-    if (world->reflected && (session->settings.share_reflected || lx_reflected_is_reached(world->reflected, &request)))
+    if (lx_reflected_serves(session, &request))
         return LUXEL_OK;
     const luxel_status status = lx_reflected_make(&request, &made);
     lx_reflected_free(world->reflected);

@@ -38,9 +38,16 @@ struct lx_reflecting {
 luxel_status lx_reflect_places(struct lx_session *session, const struct lx_reflecting *reflecting, bool is_known,
                                luxel_diagnostics *diagnostics);
 
-/* What the session's worlds tell reflected light by. */
+/* The answer of a session's world for reflected light: its member `reflect`. */
 void lx_reflect_elements(const struct lx_world *world, const struct lx_elements *elements,
                          const struct lx_asking *asking, struct lx_received *received);
+
+/* Whether the solution that the session's world has, if any, is enough for a request. */
+static inline bool lx_reflected_serves(const struct lx_session *session, const struct lx_reflected_request *request)
+{
+    const struct lx_radiosity *reflected = session->world.reflected;
+    return reflected && (session->settings.share_reflected || lx_reflected_is_reached(reflected, request));
+}
 
 /* The key of a solution for the plane of the i-th grid, and the solution that the scene keeps, to be released; NULL:
  * none. */

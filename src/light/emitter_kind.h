@@ -15,7 +15,7 @@ struct lx_emitter_kind {
     const char *name;
 
     /* ---- without size: uniform, parallel, a point ---- */
-    /* What it gives at a place: its reference. */
+    /* The light that it gives at a place: its reference. */
     struct lx_sample (*sample)(const struct lx_emitter *emitter, lx_bounded3 place_mm);
 
     /* ---- with size; the rest is theirs, and is NULL or false for the others ---- */
@@ -35,6 +35,9 @@ struct lx_emitter_kind {
     lx_bounded (*irradiance)(const struct lx_emitter *emitter, lx_bounded3 place_mm, lx_bounded3 normal);
     /* Appends points that stand for parts of it, as lx_extended_cut() says. */
     int (*cut)(const struct lx_emitter *emitter, unsigned parts, struct lx_emitters *emitters);
+    /* How far it comes along a direction from a place, and from where on. */
+    double (*extent)(const struct lx_emitter *emitter, const double place_mm[3], const double direction[3],
+                     double *nearest);
     /* Its place that is farthest in a direction. */
     void (*farthest)(const struct lx_emitter *emitter, const double towards[3], double place_mm[3]);
     /* A place in the plane of a flat one and the normal of the side that shines; NULL or false: it is a body. */

@@ -36,16 +36,19 @@ static void on_circle(const double center_mm[3], double radius_mm, const double 
         place_mm[k] = center_mm[k] + radius_mm * (cos(angle) * across[k] + sin(angle) * upward[k]);
 }
 
-/* Adds a circle, from each place of which the surface goes on by `inwards`; NULL: to the middle. */
+/* Adds a circle, from each place of which the surface goes on by `inwards`; NULL: to the middle, or away from it where
+ * the circle is a hole. */
 static void add_circle(struct rim *rim, const double center_mm[3], double radius_mm, const double across[3],
-                       const double upward[3], const double *inwards)
+                       const double upward[3], const double *inwards, bool is_hole)
 {
     for (int i = 0; i < rim->pieces; i++) {
         double from[3], to[3], inside[3];
         on_circle(center_mm, radius_mm, across, upward, i, rim->pieces, from);
         on_circle(center_mm, radius_mm, across, upward, i + 1, rim->pieces, to);
         for (int k = 0; k < 3; k++)
-            inside[k] = inwards ? (from[k] + to[k]) / 2 + inwards[k] : center_mm[k];
+            inside[k] = inwards   ? (from[k] + to[k]) / 2 + inwards[k]
+                        : is_hole ? from[k] + to[k] - center_mm[k]
+                                  : center_mm[k];
         add(rim, from, to, inside);
     }
 }
@@ -56,15 +59,9 @@ void lx_rim_of_disk(const struct lx_smooth_sheet *disk, const struct lx_origin *
 {
     struct rim rim = {take, data, pieces, false};
     (void)light;
-    add_circle(&rim, disk->center_mm, disk->half_mm[0], disk->across, disk->upward, NULL);
-    for (int i = 0; i < pieces && disk->half_mm[1] > 0; i++) {
-        double from[3], to[3], inside[3];
-        on_circle(disk->center_mm, disk->half_mm[1], disk->across, disk->upward, i, pieces, from);
-        on_circle(disk->center_mm, disk->half_mm[1], disk->across, disk->upward, i + 1, pieces, to);
-        for (int k = 0; k < 3; k++)
-            inside[k] = from[k] + to[k] - disk->center_mm[k];
-        add(&rim, from, to, inside);
-    }
+    add_circle(&rim, disk->center_mm, disk->half_mm[0], disk->across, disk->upward, NULL, false);
+    if (disk->half_mm[1] > 0)
+        add_circle(&rim, disk->center_mm, disk->half_mm[1], disk->across, disk->upward, NULL, true);
 }
 
 /* The circle in which ways from the light touch a ball; inside of it there is none. */
@@ -81,7 +78,7 @@ void lx_rim_of_ball(const struct lx_smooth_sheet *ball, const struct lx_origin *
     lx_around_axis(way, across, upward);
     for (int k = 0; k < 3; k++)
         middle[k] = ball->center_mm[k] + radius * sine * way[k];
-    add_circle(&rim, middle, radius * sqrt(1 - sine * sine), across, upward, NULL);
+    add_circle(&rim, middle, radius * sqrt(1 - sine * sine), across, upward, NULL, false);
 }
 
 /* Both rims of a tube, and where ways from the light touch its side. */
@@ -97,7 +94,7 @@ void lx_rim_of_tube(const struct lx_smooth_sheet *tube, const struct lx_origin *
             middle[k] = tube->center_mm[k] + side * half * tube->axis[k];
             inwards[k] = -side * half * tube->axis[k];
         }
-        add_circle(&rim, middle, radius, tube->across, tube->upward, inwards);
+        add_circle(&rim, middle, radius, tube->across, tube->upward, inwards, false);
     }
     lx_way_to(light, tube->center_mm, way);
     const double x = lx_dot(way, tube->across), y = lx_dot(way, tube->upward), away = hypot(x, y);

@@ -187,11 +187,7 @@ luxel_value luxel_evaluate_sphere(const luxel_evaluator *evaluator, size_t surfa
 
 bool luxel_evaluator_integrates(const luxel_evaluator *evaluator)
 {
-    const struct lx_emitters *emitters = &evaluator->prepared.emitters;
-    for (size_t i = 0; i < lx_item_count(emitters); i++)
-        if (lx_is_extended(&emitters->items[i]))
-            return true;
-    return false;
+    return evaluator->prepared.emitters.extended > 0;
 }
 
 luxel_quantity luxel_evaluator_quantity(const luxel_evaluator *evaluator)

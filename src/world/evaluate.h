@@ -15,7 +15,7 @@ struct luxel_evaluator {
     struct lx_world world; /* of it */
 };
 
-/* What is to be asked for a value of a quantity. */
+/* The question to a world for a value of a quantity. */
 static inline enum lx_wanted lx_wanted_for(luxel_quantity quantity)
 {
     return quantity == LUXEL_IRRADIANCE ? LX_WANT_IRRADIANCE : LX_WANT_BRIGHTNESS;

@@ -40,5 +40,6 @@ const struct lx_emitter_kind lx_ball_emitter = {
     .touches = touches,
     .irradiance = lx_ball_irradiance,
     .cut = lx_ball_cut,
+    .extent = lx_round_extent,
     .farthest = lx_round_farthest,
 };

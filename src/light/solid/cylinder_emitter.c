@@ -37,5 +37,6 @@ const struct lx_emitter_kind lx_cylinder_emitter = {
     .touches = lx_round_touches,
     .irradiance = lx_cylinder_irradiance,
     .cut = lx_cylinder_cut,
+    .extent = lx_round_extent,
     .farthest = lx_round_farthest,
 };

@@ -40,6 +40,7 @@ const struct lx_emitter_kind lx_disk_emitter = {
     .touches = lx_round_touches,
     .irradiance = lx_disk_irradiance,
     .cut = lx_disk_cut,
+    .extent = lx_round_extent,
     .farthest = lx_round_farthest,
     .plane = plane,
 };

@@ -3,7 +3,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "../../base/vector.h"
 #include "extended.h"
 
 lx_bounded lx_extended_irradiance(const struct lx_emitter *emitter, lx_bounded3 place_mm, lx_bounded3 normal)
@@ -37,28 +36,4 @@ bool lx_emitter_plane(const struct lx_emitter *emitter, double place_mm[3], doub
 {
     const struct lx_emitter_kind *kind = lx_emitter_kind(emitter);
     return kind->plane && kind->plane(emitter, place_mm, normal);
-}
-
-double lx_emitter_extent(const struct lx_emitter *emitter, const double place_mm[3], const double direction[3],
-                         double *nearest)
-{
-    const struct lx_facets *facets = emitter->facets;
-    double offset[3], farthest = -HUGE_VAL;
-    *nearest = HUGE_VAL;
-    for (size_t i = 0; facets && i < facets->corner_count; i++) {
-        const lx_wide3 *corner = &facets->corners_mm[i];
-        const double at[3] = {lx_wide_value(corner->x), lx_wide_value(corner->y), lx_wide_value(corner->z)};
-        for (int k = 0; k < 3; k++)
-            offset[k] = at[k] - place_mm[k];
-        const double along = lx_dot(direction, offset);
-        farthest = fmax(farthest, along);
-        *nearest = fmin(*nearest, along);
-    }
-    if (facets)
-        return farthest;
-    for (int k = 0; k < 3; k++)
-        offset[k] = emitter->center_mm[k] - place_mm[k];
-    const double middle = lx_dot(direction, offset), around = lx_round_reach(emitter, direction);
-    *nearest = middle - around;
-    return middle + around;
 }

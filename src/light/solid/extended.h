@@ -55,8 +55,11 @@ static inline void lx_emitter_origin(const struct lx_emitter *emitter, double at
 bool lx_emitter_plane(const struct lx_emitter *emitter, double place_mm[3], double normal[3]);
 
 /* How far an extended one comes along a unit direction from a place, and from where on. */
-double lx_emitter_extent(const struct lx_emitter *emitter, const double place_mm[3], const double direction[3],
-                         double *nearest);
+static inline double lx_emitter_extent(const struct lx_emitter *emitter, const double place_mm[3],
+                                       const double direction[3], double *nearest)
+{
+    return lx_emitter_kind(emitter)->extent(emitter, place_mm, direction, nearest);
+}
 
 /* Whether the place lies on the source, as far as its error tells: there is no L from every part of it. */
 static inline bool lx_extended_touches(const struct lx_emitter *emitter, lx_bounded3 place_mm)

@@ -50,6 +50,22 @@ static lx_bounded irradiance(const struct lx_emitter *emitter, lx_bounded3 place
     return lx_facets_irradiance(emitter->facets, place_mm, normal);
 }
 
+static double extent(const struct lx_emitter *emitter, const double place_mm[3], const double direction[3],
+                     double *nearest)
+{
+    double corner[3], farthest = -HUGE_VAL;
+    *nearest = HUGE_VAL;
+    for (size_t i = 0; i < emitter->facets->corner_count; i++) {
+        corner_of(emitter->facets, i, corner);
+        for (int k = 0; k < 3; k++)
+            corner[k] -= place_mm[k];
+        const double along = lx_dot(direction, corner);
+        farthest = fmax(farthest, along);
+        *nearest = fmin(*nearest, along);
+    }
+    return farthest;
+}
+
 static void farthest(const struct lx_emitter *emitter, const double towards[3], double place_mm[3])
 {
     double furthest = -HUGE_VAL, corner[3];
@@ -81,6 +97,7 @@ const struct lx_emitter_kind lx_facets_emitter = {
     .touches = touches,
     .irradiance = irradiance,
     .cut = lx_facets_cut,
+    .extent = extent,
     .farthest = farthest,
     .plane = plane,
 };

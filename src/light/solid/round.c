@@ -362,12 +362,24 @@ lx_bounded lx_cylinder_irradiance(const struct lx_emitter *cylinder, lx_bounded3
     return lx_rounded(estimate.value, estimate.error, 2);
 }
 
-double lx_round_reach(const struct lx_emitter *emitter, const double direction[3])
+/* How far it reaches from its centre in a unit direction. */
+static double reach_of(const struct lx_emitter *emitter, const double direction[3])
 {
     const double axis[3] = {emitter->axis.x.value, emitter->axis.y.value, emitter->axis.z.value};
     const double along = lx_has_axis(emitter) ? lx_dot(direction, axis) : 0;
     const double across = lx_emitter_kind(emitter)->bulges ? 1 : sqrt(fmax(1 - along * along, 0));
     return emitter->radius_mm * across + lx_half_height(emitter) * fabs(along);
+}
+
+double lx_round_extent(const struct lx_emitter *emitter, const double place_mm[3], const double direction[3],
+                       double *nearest)
+{
+    double offset[3];
+    for (int k = 0; k < 3; k++)
+        offset[k] = emitter->center_mm[k] - place_mm[k];
+    const double middle = lx_dot(direction, offset), around = reach_of(emitter, direction);
+    *nearest = middle - around;
+    return middle + around;
 }
 
 void lx_round_farthest(const struct lx_emitter *emitter, const double towards[3], double place_mm[3])

@@ -39,11 +39,10 @@ static inline bool lx_is_capsule(const struct lx_emitter *emitter)
     return lx_emitter_kind(emitter)->has_side && lx_emitter_kind(emitter)->bulges;
 }
 
-/* How far it reaches from its centre in a unit direction, and its place there. */
-double lx_round_reach(const struct lx_emitter *emitter, const double direction[3]);
-void lx_round_farthest(const struct lx_emitter *emitter, const double towards[3], double place_mm[3]);
-
 /* The rest as emitter_kind.h asks for it. */
+double lx_round_extent(const struct lx_emitter *emitter, const double place_mm[3], const double direction[3],
+                       double *nearest);
+void lx_round_farthest(const struct lx_emitter *emitter, const double towards[3], double place_mm[3]);
 bool lx_round_touches(const struct lx_emitter *emitter, lx_bounded3 place_mm);
 lx_bounded lx_disk_irradiance(const struct lx_emitter *disk, lx_bounded3 place_mm, lx_bounded3 normal);
 lx_bounded lx_ball_irradiance(const struct lx_emitter *ball, lx_bounded3 place_mm, lx_bounded3 normal);
