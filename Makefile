@@ -70,7 +70,7 @@ help:
 	@echo 'make web             the web page in build-web/page: static files, for any server, and luxel.html alone'
 	@echo 'make check-web       the same, tried in Node and in Chromium; ends with "N passed, N failed"'
 	@echo 'make notebook        write docs/python/tutorial.ipynb anew from docs/PYTHON.md'
-	@echo 'make abi             add new functions to the list of exported symbols'
+	@echo 'make abi             add new functions and members of structures to the lists of tests/abi'
 	@echo 'make format          format the C sources with clang-format'
 	@echo 'make po              take new texts from the sources into the translations (po/)'
 	@echo 'make clean           remove what was built'
@@ -257,7 +257,7 @@ validation: build
 	@echo docs/VALIDATION.md
 
 abi: build
-	@$(COMPILE) $(BUILD) abi
+	@$(COMPILE) $(BUILD) abi layout
 
 packages:
 	@tools/setup packages

@@ -8,6 +8,6 @@
 
 const char *app_choice_label(const char *choice)
 {
-    const char *label = luxel_choice_label(choice);
+    const char *label = luxel_parameter_choice_label(choice);
     return label ? gettext(label) : choice;
 }

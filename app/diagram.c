@@ -67,7 +67,7 @@ static char *figures_of(const luxel_photometry *photometry)
 {
     luxel_photometry_figures figures;
     char flux[APP_NUMBER_SIZE], beam[APP_NUMBER_SIZE], greatest[APP_NUMBER_SIZE];
-    if (luxel_photometry_measure(photometry, &figures) != LUXEL_OK)
+    if (luxel_photometry_find_figures(photometry, &figures) != LUXEL_OK)
         return g_strdup("");
     app_number_round(figures.zone_lumens, 4, flux);
     app_number_round(figures.greatest_cd, 4, greatest);

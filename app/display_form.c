@@ -253,8 +253,8 @@ static void app_display_form_init(AppDisplayForm *self)
                            .meaning = _(fields[i].meaning),
                            .choices = i == FIELD_PALETTE ? palettes : grounds};
         if (i == FIELD_EXPOSURE) {
-            spec.legal = (luxel_interval){TRUE, -40, 40, FALSE};
-            spec.advised = (luxel_interval){TRUE, -10, 10, FALSE};
+            spec.legal = (luxel_parameter_range){TRUE, -40, 40, FALSE};
+            spec.advised = (luxel_parameter_range){TRUE, -10, 10, FALSE};
             spec.unit = _("stops");
         }
         self->rows[i] = app_row_new(&spec);

@@ -70,7 +70,7 @@ char *app_faults_text(const luxel_diagnostics *faults, const char *path)
 
 static luxel_status write_field(const Work *work, const luxel_settings *settings, luxel_diagnostics *faults)
 {
-    const luxel_output how = {.bits = strcmp(work->how->name, "png16") == 0 ? 16 : 8};
+    const luxel_field_output how = {.bits = strcmp(work->how->name, "png16") == 0 ? 16 : 8};
     luxel_field *field;
     luxel_status status = luxel_render(work->scene, settings, faults, &field);
     if (status != LUXEL_OK)
@@ -87,7 +87,7 @@ static luxel_status write_figure(const Work *work, const luxel_settings *setting
     luxel_figure_settings_init(&figure);
     figure.palette = work->display.palette;
     figure.logarithmic = work->display.logarithmic;
-    figure.bands = work->display.isophotes ? LUXEL_CONTOURS : LUXEL_SMOOTH;
+    figure.bands = work->display.isophotes ? LUXEL_BANDS_CONTOURS : LUXEL_BANDS_SMOOTH;
     figure.extrema = work->display.maximum;
     figure.language = &language;
     if (work->display.is_locked) {

@@ -47,7 +47,7 @@ static const char *component_name(const luxel_parameter *parameter, int componen
 {
     static const char *const space[] = {"x", "y", "z"};
     static const char *const pixels[] = {N_("columns"), N_("rows")}, *const sides[] = {N_("width"), N_("height")};
-    if (parameter->value_type == LUXEL_WHOLE_NUMBERS)
+    if (parameter->value_type == LUXEL_PARAMETER_WHOLE_NUMBERS)
         return _(pixels[component]);
     return parameter->count == 3 ? space[component] : _(sides[component]);
 }
@@ -63,18 +63,18 @@ static char *label_of(const AppForm *self, const luxel_parameter *parameter, int
     return component < 0 ? g_strdup(label) : g_strdup_printf("%s, %s", label, component_name(parameter, component));
 }
 
-static AppRowKind kind_of(luxel_value_type type)
+static AppRowKind kind_of(luxel_parameter_type type)
 {
     switch (type) {
-    case LUXEL_NUMBER:
-    case LUXEL_NUMBERS: return APP_ROW_NUMBER;
-    case LUXEL_WHOLE_NUMBER:
-    case LUXEL_WHOLE_NUMBERS: return APP_ROW_WHOLE;
-    case LUXEL_YES_OR_NO: return APP_ROW_SWITCH;
-    case LUXEL_CHOICE: return APP_ROW_CHOICE;
-    case LUXEL_CHOICE_OR_PAIR: return APP_ROW_RANGE;
-    case LUXEL_CHOICE_OR_WHOLE: return APP_ROW_CHOICE_OR_WHOLE;
-    case LUXEL_TEXT: return APP_ROW_TEXT;
+    case LUXEL_PARAMETER_NUMBER:
+    case LUXEL_PARAMETER_NUMBERS: return APP_ROW_NUMBER;
+    case LUXEL_PARAMETER_WHOLE_NUMBER:
+    case LUXEL_PARAMETER_WHOLE_NUMBERS: return APP_ROW_WHOLE;
+    case LUXEL_PARAMETER_YES_OR_NO: return APP_ROW_SWITCH;
+    case LUXEL_PARAMETER_CHOICE: return APP_ROW_CHOICE;
+    case LUXEL_PARAMETER_CHOICE_OR_PAIR: return APP_ROW_RANGE;
+    case LUXEL_PARAMETER_CHOICE_OR_WHOLE: return APP_ROW_CHOICE_OR_WHOLE;
+    case LUXEL_PARAMETER_TEXT: return APP_ROW_TEXT;
     default: return APP_ROW_YAML;
     }
 }
@@ -329,7 +329,7 @@ static void browse(AppRow *row, Entry *entry)
 
 static gboolean is_file(const luxel_parameter *parameter)
 {
-    return parameter->value_type == LUXEL_TEXT &&
+    return parameter->value_type == LUXEL_PARAMETER_TEXT &&
            (g_str_has_suffix(parameter->path, ".file") || g_str_has_suffix(parameter->path, ".mesh"));
 }
 
@@ -416,10 +416,10 @@ static gboolean belongs(const AppForm *self, const char *path)
 
 static void add_entries(AppForm *self, const luxel_parameter *parameter)
 {
-    const luxel_value_type type = parameter->value_type;
-    if (type == LUXEL_GROUP || type == LUXEL_GROUPS || type == LUXEL_VARIANTS)
+    const luxel_parameter_type type = parameter->value_type;
+    if (type == LUXEL_PARAMETER_GROUP || type == LUXEL_PARAMETER_GROUPS || type == LUXEL_PARAMETER_VARIANTS)
         return;
-    if ((type == LUXEL_NUMBERS || type == LUXEL_WHOLE_NUMBERS) && parameter->count <= 3)
+    if ((type == LUXEL_PARAMETER_NUMBERS || type == LUXEL_PARAMETER_WHOLE_NUMBERS) && parameter->count <= 3)
         add_vector(self, parameter);
     else
         add_single(self, parameter);

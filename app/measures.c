@@ -129,14 +129,14 @@ gboolean app_pixel_at(const luxel_field *field, double x_mm, double y_mm, guint 
 /* ---- points and sources ---- */
 
 /* The points of a shot's scene by the scene of another one, or of itself; NULL: it was given up, or failed. */
-static luxel_probe *probe_points(const AppShot *of, const AppShot *by, gsize count, Kept *kept)
+static luxel_probes *probe_points(const AppShot *of, const AppShot *by, gsize count, Kept *kept)
 {
     luxel_settings settings = settings_of(by, kept);
     luxel_place *places = g_new0(luxel_place, count);
-    luxel_probe *probes = NULL;
+    luxel_probes *probes = NULL;
     for (gsize i = 0; i < count; i++)
         luxel_scene_point(of->moment->scene, i, &places[i].screen_mm[0], &places[i].screen_mm[1]);
-    if (luxel_probe_many(by->moment->scene, &settings, places, count, NULL, &probes) != LUXEL_OK)
+    if (luxel_probe_places(by->moment->scene, &settings, places, count, NULL, &probes) != LUXEL_OK)
         probes = NULL;
     g_free(places);
     return probes;
@@ -239,8 +239,8 @@ static void measure_sources(AppRunner *runner, const AppQuestion *question, Kept
 static void measure_points(AppRunner *runner, const AppQuestion *question, Kept *kept)
 {
     const gsize all = luxel_scene_point_count(question->shot->moment->scene), count = MIN(all, APP_MOST_POINTS);
-    luxel_probe *probes = count > 0 ? probe_points(question->shot, question->shot, count, kept) : NULL;
-    luxel_probe *minus = probes && question->minus ? probe_points(question->shot, question->minus, count, kept) : NULL;
+    luxel_probes *probes = count > 0 ? probe_points(question->shot, question->shot, count, kept) : NULL;
+    luxel_probes *minus = probes && question->minus ? probe_points(question->shot, question->minus, count, kept) : NULL;
     const gboolean is_whole = probes && (minus || !question->minus);
     if (count == 0 || is_whole || !app_runner_is_outdated(runner)) { /* else it was given up */
         AppMeasures *measures = new_measures(question);
@@ -252,20 +252,20 @@ static void measure_points(AppRunner *runner, const AppQuestion *question, Kept 
             AppPoint *point = &measures->points[i];
             luxel_scene_point(question->shot->moment->scene, i, &point->x_mm, &point->y_mm);
             if (is_whole)
-                *point = point_of(kept, question->shot, &probes[i]);
+                *point = point_of(kept, question->shot, luxel_probes_get(probes, i));
             if (is_whole && minus)
-                take_off(point, &minus[i]);
+                take_off(point, luxel_probes_get(minus, i));
         }
         app_runner_report(runner, measures);
     }
-    luxel_probe_free(probes);
-    luxel_probe_free(minus);
+    luxel_probes_free(probes);
+    luxel_probes_free(minus);
 }
 
 /* ---- sections ---- */
 
 /* Whether it was not given up; *profile NULL: there is none. */
-static gboolean read_section(const luxel_path *path, const luxel_evaluator *evaluator, luxel_profile **profile)
+static gboolean read_section(const luxel_profile_path *path, const luxel_evaluator *evaluator, luxel_profile **profile)
 {
     const luxel_status status = luxel_find_profile(evaluator, path, NULL, profile);
     if (status != LUXEL_OK)
@@ -277,11 +277,11 @@ static gboolean read_section(const luxel_path *path, const luxel_evaluator *eval
 static gboolean read_curve(const AppQuestion *question, const luxel_evaluator *evaluator, const luxel_evaluator *minus,
                            double degrees, AppCurve **curve)
 {
-    luxel_path path = {.type = LUXEL_PATH_LINE, .samples = SECTION_SAMPLES};
+    luxel_profile_path path = {.type = LUXEL_PATH_LINE, .samples = SECTION_SAMPLES};
     luxel_profile *profile = NULL, *other = NULL;
     *curve = NULL;
-    if (luxel_line_across_screen(question->shot->moment->scene, question->section_mm, degrees, NULL, path.from_mm,
-                                 path.to_mm) != LUXEL_OK)
+    if (luxel_profile_line(question->shot->moment->scene, question->section_mm, degrees, NULL, path.from_mm,
+                           path.to_mm) != LUXEL_OK)
         return TRUE;
     const gboolean whole = read_section(&path, evaluator, &profile) && (!minus || read_section(&path, minus, &other));
     if (whole && profile && (other || !question->minus))
@@ -331,8 +331,8 @@ static void measure_statistics(AppRunner *runner, const AppQuestion *question, c
     const luxel_field *field = difference ? difference : question->shot->field;
     const gboolean logarithmic = question->logarithmic && !difference;
     measures->has_statistics = luxel_field_summary(field, NULL, NULL, &measures->summary) == LUXEL_OK;
-    if (luxel_field_histogram(field, NULL, logarithmic ? LUXEL_LOGARITHMIC : LUXEL_LINEAR, (double)NAN, (double)NAN,
-                              BINS, NULL, &measures->histogram) != LUXEL_OK)
+    if (luxel_field_histogram(field, NULL, logarithmic ? LUXEL_HISTOGRAM_LOGARITHMIC : LUXEL_HISTOGRAM_LINEAR,
+                              (double)NAN, (double)NAN, BINS, NULL, &measures->histogram) != LUXEL_OK)
         measures->histogram = NULL;
     measures->is_difference = difference != NULL;
     if (!difference && !app_runner_is_outdated(runner))
@@ -475,10 +475,10 @@ static void read_place(AppRunner *runner, gpointer job, gpointer state)
     reading->quantity = luxel_field_quantity(place->shot->field);
     reading->share_count = luxel_evaluator_light_count(evaluator);
     reading->shares = g_new0(double, reading->share_count);
-    reading->value = luxel_evaluate(evaluator, place->x_mm, place->y_mm, reading->shares);
+    luxel_evaluate_screen(evaluator, place->x_mm, place->y_mm, &reading->value, reading->shares);
     reading->has_minus = minus != NULL;
     if (minus)
-        reading->minus = luxel_evaluate(minus, place->x_mm, place->y_mm, NULL);
+        luxel_evaluate_screen(minus, place->x_mm, place->y_mm, &reading->minus, NULL);
     reading->has_pixel = place->shot->is_fine && !place->minus &&
                          app_pixel_at(place->shot->field, place->x_mm, place->y_mm, &reading->column, &reading->row);
     if (reading->has_pixel)

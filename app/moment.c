@@ -8,7 +8,7 @@ static void clear_moment(gpointer data)
 {
     AppMoment *moment = data;
     app_moment_unref(moment->direct);
-    luxel_outlines_free(moment->outlines);
+    luxel_surface_outlines_free(moment->outlines);
     luxel_scene_free(moment->scene);
 }
 

@@ -14,10 +14,10 @@ enum { LOOK = 48 /* pixels across of the pictures that tell how strong sources a
 static const double STEP_MM = 100;                       /* between a source and its double */
 static const double EXAMPLE_CENTER_MM[3] = {0, 0, 1000}; /* what examples shine at */
 
-static const luxel_kind *find_kind(const luxel_parameters *parameters, const char *name)
+static const luxel_parameter_kind *find_kind(const luxel_parameters *parameters, const char *name)
 {
     for (gsize i = 0; i < luxel_parameters_kind_count(parameters); i++) {
-        const luxel_kind *kind = luxel_parameters_kind(parameters, i);
+        const luxel_parameter_kind *kind = luxel_parameters_kind(parameters, i);
         if (strcmp(kind->list, "lights") == 0 && strcmp(kind->name, name) == 0)
             return kind;
     }
@@ -266,7 +266,7 @@ static char *make(const AppDocument *document, const luxel_parameters *parameter
 
 char *app_new_source(const AppDocument *document, const luxel_parameters *parameters, const char *kind, gsize chosen)
 {
-    const luxel_kind *found = find_kind(parameters, kind);
+    const luxel_parameter_kind *found = find_kind(parameters, kind);
     return found && found->example ? make(document, parameters, found->example, chosen, TRUE) : NULL;
 }
 

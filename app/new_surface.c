@@ -69,7 +69,8 @@ static gboolean look(const AppDocument *document, const gsize surfaces[2], doubl
     for (int i = 0; done && i < PLACES * PLACES; i++) {
         const double x = ((i % PLACES + 0.5) / PLACES - 0.5) * size[0];
         const double y = ((double)(i / PLACES) + 0.5) / PLACES - 0.5;
-        const luxel_value value = luxel_trace(evaluator, x, y * size[1]);
+        luxel_value value;
+        luxel_trace_screen(evaluator, x, y * size[1], &value);
         for (int k = 0; k < 2; k++)
             seen[k] += value.on_surface && value.surface == surfaces[k] ? 1.0 / (PLACES * PLACES) : 0;
     }
@@ -195,7 +196,7 @@ static void enclose(AppDocument *trial, gsize room)
 static const char *example_of(const luxel_parameters *parameters, const char *name)
 {
     for (gsize i = 0; i < luxel_parameters_kind_count(parameters); i++) {
-        const luxel_kind *kind = luxel_parameters_kind(parameters, i);
+        const luxel_parameter_kind *kind = luxel_parameters_kind(parameters, i);
         if (strcmp(kind->list, "surfaces") == 0 && strcmp(kind->name, name) == 0)
             return kind->example;
     }

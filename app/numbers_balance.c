@@ -7,7 +7,7 @@
 #include "numbers_private.h"
 
 /* "1 ball, outside", "2 room, floor"; the back of a wall is told, too. */
-static char *name_side(const luxel_lit_side *side)
+static char *name_side(const luxel_balance_side *side)
 {
     GString *text = g_string_new(NULL);
     g_string_append_printf(text, "%zu", side->surface + 1);
@@ -15,8 +15,8 @@ static char *name_side(const luxel_lit_side *side)
         g_string_append_printf(text, " %s", side->surface_name);
     if (side->part_name)
         g_string_append_printf(text, ", %s", gettext(side->part_name));
-    if (!side->part_name || side->side != LUXEL_FRONT)
-        g_string_append_printf(text, ", %s", gettext(luxel_side_name(side->side)));
+    if (!side->part_name || side->side != LUXEL_SIDE_FRONT)
+        g_string_append_printf(text, ", %s", gettext(luxel_surface_side_name(side->side)));
     return g_string_free(text, FALSE);
 }
 
@@ -30,7 +30,7 @@ static void add_heading(GtkWidget *grid, int *row, char *text)
     g_free(text);
 }
 
-static void add_amount(GtkWidget *grid, int *row, const char *words, const luxel_amount *amount)
+static void add_amount(GtkWidget *grid, int *row, const char *words, const luxel_bounded *amount)
 {
     char text[APP_AMOUNT_SIZE];
     GtkWidget *name = gtk_label_new(words);

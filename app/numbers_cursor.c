@@ -38,7 +38,7 @@ static double share_of(const AppNumbers *self, Plot plot, gsize at)
 /* The nearest one to a place of the widget; -1: beside the frame. */
 static gssize find(const AppNumbers *self, Plot plot, double x)
 {
-    const luxel_frame *frame = &self->cursors[plot].frame;
+    const luxel_plot_frame *frame = &self->cursors[plot].frame;
     const double size = (double)size_of(self, plot), share = (x - frame->x) / frame->width;
     if (size < 2 || !(frame->width > 0) || share < -0.02 || share > 1.02)
         return -1;
@@ -114,7 +114,7 @@ void app_numbers_tell_cursor(AppNumbers *self, Plot plot)
 
 /* ---- its look ---- */
 
-static void draw_dot(cairo_t *cairo, const luxel_frame *frame, double x, double value, const double color[3],
+static void draw_dot(cairo_t *cairo, const luxel_plot_frame *frame, double x, double value, const double color[3],
                      const double ground[3])
 {
     const double y = frame->y + frame->height * (frame->top - value) / (frame->top - frame->bottom);
@@ -146,7 +146,7 @@ static void draw_dots(AppNumbers *self, Plot plot, cairo_t *cairo, const luxel_d
 void app_numbers_draw_cursor(AppNumbers *self, Plot plot, cairo_t *cairo, const luxel_drawing_style *style)
 {
     const Cursor *cursor = &self->cursors[plot];
-    const luxel_frame *frame = &cursor->frame;
+    const luxel_plot_frame *frame = &cursor->frame;
     if (cursor->at < 0 || !(frame->width > 0))
         return;
     const double x = frame->x + frame->width * share_of(self, plot, (gsize)cursor->at);

@@ -39,9 +39,9 @@ typedef enum Part { PART_POINTS, PART_SECTION, PART_STATISTICS, PART_BALANCE, PA
 typedef enum Plot { PLOT_HORIZONTAL, PLOT_VERTICAL, PLOT_HISTOGRAM, PLOTS } Plot;
 
 typedef struct Cursor {
-    GtkWidget *words;  /* what it reads */
-    gssize at;         /* the sample or bin, -1: nowhere */
-    luxel_frame frame; /* of the plot, as it was drawn last */
+    GtkWidget *words;       /* what it reads */
+    gssize at;              /* the sample or bin, -1: nowhere */
+    luxel_plot_frame frame; /* of the plot, as it was drawn last */
 } Cursor;
 
 struct _AppNumbers {

@@ -30,7 +30,7 @@ static void draw_profile(GtkDrawingArea *area, cairo_t *cairo, int width, int he
     if (self->names && profile->lights == self->name_count)
         how.names = (const char *const *)self->names;
     luxel_draw_profile(cairo, &style, profile, &how, width, height);
-    if (luxel_measure_profile(&style, profile, &how, width, height, &self->cursors[which].frame) == LUXEL_OK)
+    if (luxel_profile_frame(&style, profile, &how, width, height, &self->cursors[which].frame) == LUXEL_OK)
         app_numbers_draw_cursor(self, which, cairo, &style);
 }
 

@@ -36,14 +36,14 @@ static void draw_histogram(GtkDrawingArea *area, cairo_t *cairo, int width, int 
     AppNumbers *self = data;
     luxel_language language;
     luxel_drawing_style style = app_numbers_style(GTK_WIDGET(area), &language);
-    const luxel_bar bar = {
+    const luxel_color_bar bar = {
         .palette = self->palette, .low = self->low, .high = self->high, .logarithmic = self->logarithmic};
     if (!self->bins)
         return;
     luxel_draw_histogram(cairo, &style, self->bins, self->palette && self->high > self->low ? &bar : NULL,
                          self->unit_name, _("pixels"), width, height);
-    if (luxel_measure_histogram(&style, self->bins, self->unit_name, _("pixels"), width, height,
-                                &self->cursors[PLOT_HISTOGRAM].frame) == LUXEL_OK)
+    if (luxel_histogram_frame(&style, self->bins, self->unit_name, _("pixels"), width, height,
+                              &self->cursors[PLOT_HISTOGRAM].frame) == LUXEL_OK)
         app_numbers_draw_cursor(self, PLOT_HISTOGRAM, cairo, &style);
 }
 

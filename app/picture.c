@@ -259,7 +259,7 @@ static void swap_bytes(AppPicture *picture)
 static void draw_outlines(AppPicture *picture, AppMoment *moment)
 {
     static const double WIDTH = 1.4;
-    if (!moment->outlines && luxel_find_outlines(moment->scene, NULL, &moment->outlines) != LUXEL_OK)
+    if (!moment->outlines && luxel_find_surface_outlines(moment->scene, NULL, &moment->outlines) != LUXEL_OK)
         return;
     const double *ground = picture->display.background;
     const double grey = 0.3 * ground[0] + 0.6 * ground[1] + 0.1 * ground[2] > 0.5 ? 0.35 : 0.5;
@@ -271,7 +271,7 @@ static void draw_outlines(AppPicture *picture, AppMoment *moment)
     const double across = picture->columns / (area->high[0] - area->low[0]);
     const double down = picture->rows / (area->high[1] - area->low[1]);
     for (gsize i = 0; i < moment->outlines->count; i++) {
-        const luxel_outline *line = &moment->outlines->lines[i];
+        const luxel_surface_outline *line = &moment->outlines->lines[i];
         for (gsize k = 0; k < line->count; k++)
             cairo_line_to(cairo, (line->x_mm[k] - area->low[0]) * across, (area->high[1] - line->y_mm[k]) * down);
         cairo_new_sub_path(cairo);

@@ -24,7 +24,8 @@ typedef struct AppMoment {
     gsize only;               /* that light */
     gboolean is_direct;       /* without the reflected light that the document's scene asks for */
     struct AppMoment *direct; /* the same without that light; NULL: there is none, or it is that itself */
-    luxel_outlines *outlines; /* of its surfaces; the painter's, which makes them when they are wanted; NULL: none */
+    luxel_surface_outlines
+        *outlines; /* of its surfaces; the painter's, which makes them when they are wanted; NULL: none */
 } AppMoment;
 
 /* Its field. */

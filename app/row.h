@@ -36,12 +36,12 @@ typedef enum AppRowKind {
 typedef struct AppRowSpec {
     AppRowKind kind;
     const char *label, *unit, *meaning;
-    const char *part;              /* of a number of a vector: its short name, such as "x"; else NULL */
-    const char *choices;           /* "a, b, c" of APP_ROW_CHOICE */
-    luxel_interval legal, advised; /* of numbers */
-    const char *advised_words;     /* or NULL */
-    const char *hint;              /* of a text: what is expected */
-    gboolean is_file;              /* a text that names a file, which can be chosen */
+    const char *part;                     /* of a number of a vector: its short name, such as "x"; else NULL */
+    const char *choices;                  /* "a, b, c" of APP_ROW_CHOICE */
+    luxel_parameter_range legal, advised; /* of numbers */
+    const char *advised_words;            /* or NULL */
+    const char *hint;                     /* of a text: what is expected */
+    gboolean is_file;                     /* a text that names a file, which can be chosen */
 } AppRowSpec;
 
 GtkWidget *app_row_new(const AppRowSpec *spec);

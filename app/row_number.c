@@ -10,7 +10,7 @@
 enum { LOGARITHMIC_FROM = 100 /* highest over lowest advised value from which a slider is logarithmic */ };
 static const double FARTHEST = 1e300;
 
-gboolean app_row_is_outside(const luxel_interval *range, double value)
+gboolean app_row_is_outside(const luxel_parameter_range *range, double value)
 {
     return range->given && (value < range->low || value > range->high || (range->low_open && value <= range->low));
 }

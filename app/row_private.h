@@ -8,7 +8,7 @@
 struct _AppRow {
     GtkBox parent;
     AppRowKind kind;
-    luxel_interval legal, advised;
+    luxel_parameter_range legal, advised;
     char *label, *advised_words;
     gboolean logarithmic; /* the slider */
     gboolean is_updating; /* values are shown, not edited */
@@ -23,7 +23,7 @@ struct _AppRow {
 void app_row_note(AppRow *self, const char *text, gboolean wrong);
 /* Says whether the value lies in the advised range. */
 void app_row_say_state(AppRow *self);
-gboolean app_row_is_outside(const luxel_interval *range, double value);
+gboolean app_row_is_outside(const luxel_parameter_range *range, double value);
 
 /* row_number.c: field and slider of a number, which stands in the line. */
 void app_row_add_number(AppRow *self, GtkWidget *line);

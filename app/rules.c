@@ -61,7 +61,7 @@ static const luxel_parameter *group_of(const AppKeys *keys, const luxel_paramete
     char *path = g_strndup(parameter->path, stem > 0 ? stem - 1 : 0);
     const luxel_parameter *group = find(keys, path);
     g_free(path);
-    return group && group->value_type == LUXEL_GROUP ? group : NULL;
+    return group && group->value_type == LUXEL_PARAMETER_GROUP ? group : NULL;
 }
 
 /* ---- what is shown ---- */
@@ -90,7 +90,7 @@ static gboolean lists(const char *choices, const char *word)
     return found;
 }
 
-static gboolean other_is_chosen(const AppKeys *keys, const luxel_parameter *parameter, const luxel_rule *rule)
+static gboolean other_is_chosen(const AppKeys *keys, const luxel_parameter *parameter, const luxel_parameter_rule *rule)
 {
     const luxel_parameter *other = app_keys_beside(keys, parameter, rule->other);
     if (!rule->choices)
@@ -113,7 +113,8 @@ static gboolean any_written(const AppKeys *keys, const luxel_parameter *paramete
 }
 
 /* Whether none of the keys of which one must be given is, and this is the first of them. */
-static gboolean is_first_of_none(const AppKeys *keys, const luxel_parameter *parameter, const luxel_rule *rule)
+static gboolean is_first_of_none(const AppKeys *keys, const luxel_parameter *parameter,
+                                 const luxel_parameter_rule *rule)
 {
     const char *name = name_of(parameter);
     const gsize length = strlen(name);
@@ -121,7 +122,7 @@ static gboolean is_first_of_none(const AppKeys *keys, const luxel_parameter *par
            !any_written(keys, parameter, rule->choices);
 }
 
-static gboolean rule_shows(const AppKeys *keys, const luxel_parameter *parameter, const luxel_rule *rule,
+static gboolean rule_shows(const AppKeys *keys, const luxel_parameter *parameter, const luxel_parameter_rule *rule,
                            gboolean written)
 {
     if (rule->kind == LUXEL_RULE_USED)
@@ -206,7 +207,7 @@ static void add_set(const AppKeys *keys, const luxel_parameter *parameter, const
 /* A value to begin with where the table has no default: within the advised range, and round. */
 static double first_number(const luxel_parameter *parameter, guint component)
 {
-    const luxel_interval *advised = &parameter->advised_range[MIN(component, 2)];
+    const luxel_parameter_range *advised = &parameter->advised_range[MIN(component, 2)];
     char text[APP_NUMBER_SIZE];
     if (!advised->given)
         return parameter->legal_range.given && parameter->legal_range.low_open ? 1 : 0;
@@ -251,7 +252,7 @@ static char *example_value(const AppKeys *keys, const luxel_parameter *parameter
 {
     char *value = NULL;
     for (gsize i = 0; i < luxel_parameters_kind_count(keys->parameters) && !value; i++) {
-        const luxel_kind *kind = luxel_parameters_kind(keys->parameters, i);
+        const luxel_parameter_kind *kind = luxel_parameters_kind(keys->parameters, i);
         const gsize length = strlen(kind->list);
         if (!kind->example || g_strcmp0(kind->name, keys->type) != 0 ||
             strncmp(parameter->path, kind->list, length) != 0 || parameter->path[length] != '[')
@@ -305,14 +306,15 @@ static char *first_value(const AppKeys *keys, const luxel_parameter *parameter)
 {
     double numbers[3];
     const char *name = name_of(parameter);
-    const gboolean is_list = parameter->value_type == LUXEL_NUMBERS || parameter->value_type == LUXEL_WHOLE_NUMBERS;
+    const gboolean is_list =
+        parameter->value_type == LUXEL_PARAMETER_NUMBERS || parameter->value_type == LUXEL_PARAMETER_WHOLE_NUMBERS;
     if (parameter->default_value)
         return g_strdup(parameter->default_value);
-    if (parameter->value_type == LUXEL_GROUP)
+    if (parameter->value_type == LUXEL_PARAMETER_GROUP)
         return first_group(keys, parameter);
-    if (parameter->value_type == LUXEL_TEXT)
+    if (parameter->value_type == LUXEL_PARAMETER_TEXT)
         return g_strdup("\"\""); /* to be given: until then the row says that there is no such file */
-    if (parameter->value_type == LUXEL_VECTORS)
+    if (parameter->value_type == LUXEL_PARAMETER_VECTORS)
         return first_corners(keys);
     if (is_list && (strcmp(name, "center") == 0 || strcmp(name, "position") == 0)) {
         place_of(keys, numbers);
@@ -337,7 +339,7 @@ static void add_needed(const AppKeys *keys, const luxel_parameter *parameter, co
             is_written(keys, other))
             continue;
         for (gsize r = 0; r < other->rule_count; r++) {
-            const luxel_rule *rule = &other->rules[r];
+            const luxel_parameter_rule *rule = &other->rules[r];
             if (rule->kind != LUXEL_RULE_NEEDED || strcmp(rule->other, name_of(parameter)) != 0 ||
                 (rule->choices && !lists(rule->choices, yaml)))
                 continue;
@@ -407,7 +409,7 @@ static gboolean must_be_given(const AppKeys *keys, const luxel_parameter *parame
     if (parameter->required)
         return !is_written(keys, parameter);
     for (gsize r = 0; r < parameter->rule_count; r++) {
-        const luxel_rule *rule = &parameter->rules[r];
+        const luxel_parameter_rule *rule = &parameter->rules[r];
         if (rule->kind == LUXEL_RULE_ONE_OF && is_first_of_none(keys, parameter, rule))
             return TRUE;
     }
@@ -463,7 +465,7 @@ GPtrArray *app_keys_instead(const AppKeys *keys, const luxel_parameter *paramete
 {
     GPtrArray *names = g_ptr_array_new_with_free_func(g_free);
     for (gsize i = 0; i < parameter->rule_count; i++) {
-        const luxel_rule *rule = &parameter->rules[i];
+        const luxel_parameter_rule *rule = &parameter->rules[i];
         if (rule->kind == LUXEL_RULE_EXCLUDES && app_keys_beside(keys, parameter, rule->other))
             g_ptr_array_add(names, g_strdup(rule->other));
         if (rule->kind != LUXEL_RULE_ONE_OF)
@@ -472,7 +474,7 @@ GPtrArray *app_keys_instead(const AppKeys *keys, const luxel_parameter *paramete
         for (gsize k = 0; choices[k]; k++) {
             const luxel_parameter *other = app_keys_beside(keys, parameter, choices[k]);
             /* a file cannot be guessed */
-            if (other && other != parameter && other->value_type != LUXEL_TEXT)
+            if (other && other != parameter && other->value_type != LUXEL_PARAMETER_TEXT)
                 g_ptr_array_add(names, g_strdup(choices[k]));
         }
         g_strfreev(choices);

@@ -28,7 +28,7 @@ static GMenu *menu_of_kinds(const luxel_parameters *parameters, const char *list
 {
     GMenu *menu = g_menu_new();
     for (gsize i = 0; i < luxel_parameters_kind_count(parameters); i++) {
-        const luxel_kind *kind = luxel_parameters_kind(parameters, i);
+        const luxel_parameter_kind *kind = luxel_parameters_kind(parameters, i);
         if (strcmp(kind->list, list) != 0 || !kind->example)
             continue;
         char *text = g_strdup_printf("%s: %s", app_choice_label(kind->name), kind->meaning);

@@ -75,7 +75,7 @@ void app_ugr_table_show(GtkWidget *expander, const luxel_photometry *photometry)
 {
     luxel_ugr_table table = {0};
     char across[CELL_SIZE], along[CELL_SIZE];
-    if (photometry && luxel_photometry_rate_glare(photometry, SPACING, &table) != LUXEL_OK)
+    if (photometry && luxel_photometry_find_ugr_table(photometry, SPACING, &table) != LUXEL_OK)
         table.exists = false;
     gtk_widget_set_visible(expander, table.exists);
     gtk_expander_set_child(GTK_EXPANDER(expander), table.exists ? new_grid(&table) : NULL);

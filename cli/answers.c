@@ -29,21 +29,21 @@ static const char *const y_names[] = {"y", "у", NULL};
 static const char *const student_names[] = {"student", "name", "surname", "студент", "фамилия", "фио", NULL};
 static const char *const given_names[] = {"first name", "given name", "имя", NULL};
 
-static const luxel_column columns[COLUMN_COUNT] = {
-    [VARIANT] = {LUXEL_COLUMN_TEXT, true, variant_names},
-    [VALUE] = {LUXEL_COLUMN_TEXT, true, value_names},
-    [POINT] = {LUXEL_COLUMN_TEXT, false, point_names},
-    [X] = {LUXEL_COLUMN_LENGTH, false, x_names},
-    [Y] = {LUXEL_COLUMN_LENGTH, false, y_names},
-    [STUDENT] = {LUXEL_COLUMN_TEXT, false, student_names},
-    [GIVEN_NAME] = {LUXEL_COLUMN_TEXT, false, given_names},
+static const luxel_table_column columns[COLUMN_COUNT] = {
+    [VARIANT] = {.type = LUXEL_TABLE_TEXT, .is_required = true, .names = variant_names},
+    [VALUE] = {.type = LUXEL_TABLE_TEXT, .is_required = true, .names = value_names},
+    [POINT] = {.type = LUXEL_TABLE_TEXT, .is_required = false, .names = point_names},
+    [X] = {.type = LUXEL_TABLE_LENGTH, .is_required = false, .names = x_names},
+    [Y] = {.type = LUXEL_TABLE_LENGTH, .is_required = false, .names = y_names},
+    [STUDENT] = {.type = LUXEL_TABLE_TEXT, .is_required = false, .names = student_names},
+    [GIVEN_NAME] = {.type = LUXEL_TABLE_TEXT, .is_required = false, .names = given_names},
 };
 
 struct table {
     struct answers *answers;
     const char *path;
     luxel_table *reader;
-    const luxel_row *row;
+    const luxel_table_row *row;
 };
 
 static char *copy_text(const char *text)

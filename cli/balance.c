@@ -11,25 +11,25 @@
 /* ---- text ---- */
 
 /* "surfaces[1] ball, outside", "surfaces[0] room, floor"; the back of a wall is told, too. */
-static const char *name_side(const luxel_lit_side *side, char buffer[TEXT_SIZE])
+static const char *name_side(const luxel_balance_side *side, char buffer[TEXT_SIZE])
 {
     char *name = side->surface_name ? luxel_escaped_text(side->surface_name) : NULL;
-    const bool is_inner_wall = side->part_name && side->side == LUXEL_FRONT;
+    const bool is_inner_wall = side->part_name && side->side == LUXEL_SIDE_FRONT;
 
     text_format(buffer, "surfaces[%zu]%s%s%s%s%s%s", side->surface, name ? " " : "", name ? name : "",
                 side->part_name ? ", " : "", side->part_name ? side->part_name : "", is_inner_wall ? "" : ", ",
-                is_inner_wall ? "" : _(luxel_side_name(side->side)));
+                is_inner_wall ? "" : _(luxel_surface_side_name(side->side)));
     luxel_text_free(name);
     return buffer;
 }
 
 /* "208.334 ± 8.5e-02": no digits beyond those of the bound, so that what is 0 within it is 0. */
-static const char *write_cell(const luxel_amount *amount, char buffer[TEXT_SIZE])
+static const char *write_cell(const luxel_bounded *amount, char buffer[TEXT_SIZE])
 {
     return text_value_bound(buffer, 7, amount->value, amount->error);
 }
 
-static void add_side(struct text_table *table, const luxel_lit_side *side)
+static void add_side(struct text_table *table, const luxel_balance_side *side)
 {
     char name[TEXT_SIZE], area[TEXT_SIZE], reflectance[TEXT_SIZE], direct[TEXT_SIZE], all[TEXT_SIZE];
 
@@ -51,7 +51,7 @@ static void print_sides(const luxel_balance *balance)
     text_table_print(table, stdout, 2);
 }
 
-static void add_flux(struct text_table *table, const char *name, const luxel_amount *flux)
+static void add_flux(struct text_table *table, const char *name, const luxel_bounded *flux)
 {
     char cell[TEXT_SIZE];
 
@@ -88,7 +88,7 @@ void balance_print(const luxel_balance *balance)
 
 /* ---- JSON ---- */
 
-static void write_amount(struct json *json, const char *key, const luxel_amount *amount)
+static void write_amount(struct json *json, const char *key, const luxel_bounded *amount)
 {
     json_open(json, key, '{');
     json_number(json, "value", amount->value);
@@ -96,14 +96,14 @@ static void write_amount(struct json *json, const char *key, const luxel_amount 
     json_close(json, '}');
 }
 
-static void write_side(struct json *json, const luxel_lit_side *side)
+static void write_side(struct json *json, const luxel_balance_side *side)
 {
     json_open(json, NULL, '{');
     json_whole(json, "surface", side->surface);
     json_text(json, "name", side->surface_name);
     if (side->part_name)
         json_text(json, "wall", side->part_name);
-    json_text(json, "side", luxel_side_name(side->side));
+    json_text(json, "side", luxel_surface_side_name(side->side));
     json_number(json, "area", side->area_m2);
     json_number(json, "reflectance", side->reflectance);
     write_amount(json, "direct", &side->direct);

@@ -65,7 +65,7 @@ struct command {
     const char *more;            /* operands behind it, as the usage line shows each; NULL: none */
     enum operand_kind more_kind; /* OPERAND_NONE: assignments KEY=VALUE, as -s takes them */
     unsigned most_operands;      /* how many in all where there are more, 0: any number */
-    const char *endings; /* of the files that -o writes: ".svg .pdf"; NULL: those of luxel_output_ending(), "": none */
+    const char *endings; /* of the files -o writes: ".svg .pdf"; NULL: those of luxel_field_output_ending(), "": none */
     const char *default_format;  /* of -o -; NULL: --format must name one */
     const char *summary;         /* one line */
     const char *description;     /* a paragraph */

@@ -122,7 +122,7 @@ static int print_json(const struct options *options, const struct loaded *loaded
 {
     char *bytes = NULL;
     size_t size = 0;
-    const luxel_use use = result_use_of_screen(options, true);
+    const luxel_conventions_use use = result_use_of_screen(options, true);
     struct json json = {.stream = open_memstream(&bytes, &size)};
     int code = EXIT_DONE;
 

@@ -57,15 +57,15 @@ static void print_rating(const struct ratings *ratings, size_t i)
     printf(_("the eye at %s mm, looking along (%.6g, %.6g, %.6g)\n"), text_lengths(numbers, 3, place), numbers[3],
            numbers[4], numbers[5]);
     /* the rating is defined to a tenth: a bound below its rounding says nothing */
-    if (glare->has_rating && glare->error < 0.05)
-        printf(_("  UGR %.1f\n"), glare->rating);
+    if (glare->has_rating && glare->rating.error < 0.05)
+        printf(_("  UGR %.1f\n"), glare->rating.value);
     else if (glare->has_rating)
-        printf(_("  UGR %s\n"), text_value_bound(value, 6, glare->rating, glare->error));
+        printf(_("  UGR %s\n"), text_value_bound(value, 6, glare->rating.value, glare->rating.error));
     else
-        printf(glare->background > 0 ? _("  no UGR: nothing dazzles\n")
-                                     : _("  no UGR: the background is dark, as nothing reflects light\n"));
+        printf(glare->background.value > 0 ? _("  no UGR: nothing dazzles\n")
+                                           : _("  no UGR: the background is dark, as nothing reflects light\n"));
     printf(_("  background luminance %s cd/m²\n"),
-           text_value_bound(background, 6, glare->background, glare->background_error));
+           text_value_bound(background, 6, glare->background.value, glare->background.error));
     text_table_row(table, TEXT_CELLS(_("light"), _("type"), _("luminance, cd/m²"), _("solid angle, sr"), _("seen"),
                                      _("position index"), _("share of the glare")));
     for (size_t k = 0; k < glare->source_count; k++)
@@ -95,11 +95,11 @@ static void write_rating(struct json *json, const double numbers[6], const luxel
     json_open(json, NULL, '{');
     json_numbers(json, "eye", numbers, 3);
     json_numbers(json, "view", numbers + 3, 3);
-    json_number(json, "ugr", glare->has_rating ? glare->rating : (double)NAN);
-    json_number(json, "error", glare->has_rating ? glare->error : (double)NAN);
+    json_number(json, "ugr", glare->has_rating ? glare->rating.value : (double)NAN);
+    json_number(json, "error", glare->has_rating ? glare->rating.error : (double)NAN);
     json_open(json, "background", '{');
-    json_number(json, "value", glare->background);
-    json_number(json, "error", glare->background_error);
+    json_number(json, "value", glare->background.value);
+    json_number(json, "error", glare->background.error);
     json_close(json, '}');
     json_open(json, "sources", '[');
     for (size_t k = 0; k < glare->source_count; k++)
@@ -138,13 +138,13 @@ static luxel_status rate_all(struct ratings *ratings, const luxel_settings *sett
     luxel_status status = LUXEL_OK;
 
     for (size_t i = 0; i < ratings->options->place_count && status == LUXEL_OK; i++) {
-        luxel_sight sight;
+        luxel_glare_sight sight = {.eye_mm = {0}};
 
         memcpy(sight.eye_mm, ratings->options->places[i].numbers, sizeof sight.eye_mm);
         memcpy(sight.view, ratings->options->places[i].numbers + 3, sizeof sight.view);
         memcpy(sight.up, ratings->options->up, sizeof sight.up);
         status =
-            luxel_rate_glare(ratings->loaded->scene, settings, &sight, ratings->loaded->diagnostics, &ratings->list[i]);
+            luxel_find_glare(ratings->loaded->scene, settings, &sight, ratings->loaded->diagnostics, &ratings->list[i]);
     }
     return status;
 }

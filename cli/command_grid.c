@@ -24,7 +24,7 @@
 enum { MOST_COLUMNS = 20, MOST_ROWS = 100 };
 
 /* A measuring plane knows no screen, no material and no view. */
-static const luxel_use of_planes = {.screen = false};
+static const luxel_conventions_use of_planes = {.screen = false};
 
 struct grids {
     const luxel_scene *scene;
@@ -79,7 +79,7 @@ static luxel_status measure(const struct options *options, const struct loaded *
         const size_t i = grids->count;
 
         share.own = count_cells(loaded->scene, i);
-        status = luxel_measure(loaded->scene, &settings, i, loaded->diagnostics, &grids->list[i]);
+        status = luxel_find_grid(loaded->scene, &settings, i, loaded->diagnostics, &grids->list[i]);
         grids->count += status == LUXEL_OK;
         share.before += share.own;
         if (status == LUXEL_OK)
@@ -176,7 +176,7 @@ static void write_grid(struct json *json, const luxel_grid *grid, const luxel_gr
     json_numbers(json, "axis", grid->axis, 3);
     json_numbers(json, "up", grid->up, 3);
     json_wholes(json, "n", (const unsigned[]){grid->columns, grid->rows}, 2);
-    write_number_if(json, "average", measured, grid->average);
+    write_number_if(json, "average", measured, grid->average.value);
     write_extremum(json, "minimum", grid, &grid->minimum);
     write_extremum(json, "maximum", grid, &grid->maximum);
     json_open(json, "extrema", '{');
@@ -185,11 +185,11 @@ static void write_grid(struct json *json, const luxel_grid *grid, const luxel_gr
     json_close(json, '}');
     write_number_if(json, "u0", grid->has_evenness, grid->u0);
     write_number_if(json, "ud", grid->has_evenness, grid->ud);
-    write_number_if(json, "flux", grid->flux_unit != NULL, grid->flux);
+    write_number_if(json, "flux", grid->flux_unit != NULL, grid->flux.value);
     json_text(json, "flux_unit", grid->flux_unit);
-    write_number_if(json, "flux_error", grid->flux_unit != NULL, grid->flux_error);
-    write_number_if(json, "mean", grid->has_mean, grid->mean);
-    write_number_if(json, "mean_error", grid->has_mean, grid->mean_error);
+    write_number_if(json, "flux_error", grid->flux_unit != NULL, grid->flux.error);
+    write_number_if(json, "mean", grid->has_mean, grid->mean.value);
+    write_number_if(json, "mean_error", grid->has_mean, grid->mean.error);
     write_number_if(json, "error", measured, grid->error);
     if (grid->has_reflected) {
         json_open(json, "reflected", '{');
@@ -197,7 +197,7 @@ static void write_grid(struct json *json, const luxel_grid *grid, const luxel_gr
         json_number(json, "error", grid->reflected_error);
         json_close(json, '}');
     }
-    write_number_if(json, "average_error", measured, grid->average_error);
+    write_number_if(json, "average_error", measured, grid->average.error);
     write_number_if(json, "sampling_error", grid->has_sampling_error, grid->sampling_error);
     json_text(json, "sampling_error_is",
               !grid->has_sampling_error ? NULL
@@ -319,7 +319,7 @@ static void add_bounded(struct text_table *table, const char *name, double value
 /* How far the average of the values is from the mean over the plane. */
 static void add_sampling(struct text_table *table, const luxel_grid *grid)
 {
-    const double size = fabs(grid->has_mean ? grid->mean : grid->average);
+    const double size = fabs(grid->has_mean ? grid->mean.value : grid->average.value);
     char number[TEXT_SIZE], share[TEXT_SIZE];
 
     text_table_row(
@@ -337,7 +337,7 @@ static void print_statistics(const luxel_grid *grid, const luxel_grid_extrema *e
 
     text_format(heading, _("value (%s)"), _(grid->unit));
     text_table_row(table, TEXT_CELLS("", heading, _("cell (column, row)"), _("position x, y, z (mm)")));
-    add_number(table, _("average of the values"), measured, grid->average);
+    add_number(table, _("average of the values"), measured, grid->average.value);
     add_extremum(table, _("minimum"), grid, &grid->minimum);
     add_extremum(table, _("maximum"), grid, &grid->maximum);
     add_peak(table, _("minimum on the whole plane"), &extrema->minimum);
@@ -347,10 +347,10 @@ static void print_statistics(const luxel_grid *grid, const luxel_grid_extrema *e
     add_number(table, _("U0 = minimum / average of the values"), grid->has_evenness, grid->u0);
     add_number(table, _("Ud = minimum / maximum of the values"), grid->has_evenness, grid->ud);
     if (grid->has_mean)
-        add_bounded(table, _("mean over the plane, whatever its cells"), grid->mean, grid->mean_error);
+        add_bounded(table, _("mean over the plane, whatever its cells"), grid->mean.value, grid->mean.error);
     if (grid->flux_unit) {
         text_format(flux, _("flux through the plane (%s)"), _(grid->flux_unit));
-        add_bounded(table, flux, grid->flux, grid->flux_error);
+        add_bounded(table, flux, grid->flux.value, grid->flux.error);
     }
     if (grid->has_sampling_error)
         add_sampling(table, grid);
@@ -420,7 +420,7 @@ static bool has_spacing(const luxel_scene *scene, size_t i)
 /* What somebody who reads the average alone should know. */
 static void warn(const luxel_scene *scene, const luxel_grid *grid, size_t i)
 {
-    const double size = fabs(grid->has_mean ? grid->mean : grid->average);
+    const double size = fabs(grid->has_mean ? grid->mean.value : grid->average.value);
     char label[TEXT_SIZE], *name = grid->name ? luxel_escaped_text(grid->name) : NULL;
 
     if (name)

@@ -91,7 +91,7 @@ static double length_of(const luxel_isophote *line)
 
 static void print_text(const struct drawing *drawing)
 {
-    const luxel_use use = result_use_of_screen(&drawing->picture->options, drawing->from_picture);
+    const luxel_conventions_use use = result_use_of_screen(&drawing->picture->options, drawing->from_picture);
     const char *unit = picture_unit(drawing->picture);
     struct text_table *table = text_table_new("rrlr");
     char heading[TEXT_SIZE];
@@ -130,7 +130,7 @@ static void write_line(struct json *json, const luxel_isophote *line)
 
 static void print_json(const struct drawing *drawing)
 {
-    const luxel_use use = result_use_of_screen(&drawing->picture->options, drawing->from_picture);
+    const luxel_conventions_use use = result_use_of_screen(&drawing->picture->options, drawing->from_picture);
     struct json json = {.stream = stdout};
 
     json_open(&json, NULL, '{');

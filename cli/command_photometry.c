@@ -54,7 +54,7 @@ static const char *symmetry_words(luxel_photometry_symmetry symmetry)
     return _(words[symmetry]);
 }
 
-static const char *opening_words(const luxel_opening *opening, char buffer[TEXT_SIZE])
+static const char *opening_words(const luxel_photometry_opening *opening, char buffer[TEXT_SIZE])
 {
     static const char *const words[] = {
         [LUXEL_OPENING_POINT] = N_("point"),
@@ -88,7 +88,7 @@ static const char *table_words(const luxel_photometry *photometry, char buffer[T
 {
     const size_t planes = photometry->plane_count, angles = photometry->angle_count;
 
-    if (photometry->type != LUXEL_TYPE_C)
+    if (photometry->type != LUXEL_PHOTOMETRY_TYPE_C)
         return text_format(
             buffer, _("horizontal angles: %zu, %.6g to %.6g degrees; vertical angles: %zu, %.6g to %.6g degrees"),
             planes, photometry->planes[0], photometry->planes[planes - 1], angles, photometry->angles[0],
@@ -103,7 +103,7 @@ static void add_lamps(struct text_table *table, const luxel_photometry *photomet
     char text[TEXT_SIZE], number[TEXT_SIZE];
 
     for (size_t i = 0; i < photometry->lamp_set_count; i++) {
-        const luxel_lamp_set *lamps = &photometry->lamp_sets[i];
+        const luxel_photometry_lamp_set *lamps = &photometry->lamp_sets[i];
 
         text_format(number, "%.6g", fabs(lamps->count));
         if (i == 0)
@@ -123,7 +123,8 @@ static void add_lamps(struct text_table *table, const luxel_photometry *photomet
 
 static void add_file(struct text_table *table, const luxel_photometry *photometry)
 {
-    static const char *const type_words[] = {[LUXEL_TYPE_A] = "A", [LUXEL_TYPE_B] = "B", [LUXEL_TYPE_C] = "C"};
+    static const char *const type_words[] = {
+        [LUXEL_PHOTOMETRY_TYPE_A] = "A", [LUXEL_PHOTOMETRY_TYPE_B] = "B", [LUXEL_PHOTOMETRY_TYPE_C] = "C"};
     char text[TEXT_SIZE];
 
     add(table, _("format"),
@@ -151,7 +152,7 @@ static void add_number(struct text_table *table, const char *name, const char *f
 static void add_angles(struct text_table *table, const luxel_photometry *photometry,
                        const luxel_photometry_figures *figures)
 {
-    const bool is_turn = photometry->type == LUXEL_TYPE_C;
+    const bool is_turn = photometry->type == LUXEL_PHOTOMETRY_TYPE_C;
     char text[TEXT_SIZE];
 
     if (is_turn)
@@ -219,7 +220,7 @@ static void print_ratios(const luxel_photometry_figures *figures)
     const char *rows[2][LUXEL_ROOM_INDICES + 1] = {{_("room index k")}, {_("direct ratio")}};
 
     for (size_t i = 0; i < LUXEL_ROOM_INDICES; i++) {
-        rows[0][i + 1] = text_format(cells[0][i], "%.3g", luxel_room_index(i));
+        rows[0][i + 1] = text_format(cells[0][i], "%.3g", luxel_photometry_room_index(i));
         rows[1][i + 1] = text_format(cells[1][i], "%.3f", figures->direct_ratios[i]);
     }
     text_table_row(table, rows[0]);
@@ -333,7 +334,7 @@ static void print_text(const struct luminaire *luminaire)
     table = text_table_new("ll");
     add_flux(table, luminaire->photometry, figures);
     add_angles(table, luminaire->photometry, figures);
-    if (luminaire->photometry->type == LUXEL_TYPE_C)
+    if (luminaire->photometry->type == LUXEL_PHOTOMETRY_TYPE_C)
         add(table, _("CIE flux code"), code_text(figures, text));
     if (isfinite(figures->spacing[0]) && isfinite(figures->spacing[1]) && isfinite(figures->spacing[2]))
         add(table, _("spacing criterion"), spacing_text(figures, text));

@@ -54,14 +54,14 @@ static void print_shares(const luxel_scene *scene, const luxel_probe *probe)
                               text_error(share->error, error), split ? text_format(parts, "%zu", share->parts) : NULL));
     }
     if (probe->has_reflected) {
-        const double share = probe->reflected_value > 0.0 ? probe->reflected_irradiance / probe->reflected_value : 1.0;
+        const double share = probe->reflected.value > 0.0 ? probe->reflected_irradiance / probe->reflected.value : 1.0;
         char irradiance[TEXT_SIZE], value[TEXT_SIZE], error[TEXT_SIZE];
 
         text_table_row(
             table, TEXT_CELLS(_("reflected"), "",
-                              text_bounded(irradiance, 12, probe->reflected_irradiance, probe->reflected_error * share),
-                              text_bounded(value, 12, probe->reflected_value, probe->reflected_error), "",
-                              text_bound(error, probe->reflected_value, probe->reflected_error), split ? "" : NULL));
+                              text_bounded(irradiance, 12, probe->reflected_irradiance, probe->reflected.error * share),
+                              text_bounded(value, 12, probe->reflected.value, probe->reflected.error), "",
+                              text_bound(error, probe->reflected.value, probe->reflected.error), split ? "" : NULL));
     }
     text_table_print(table, stdout, 4);
 }
@@ -113,7 +113,7 @@ static void print_surface(const struct result *result, const luxel_probe *probe)
 
 static void print_point(const struct result *result, size_t i)
 {
-    const luxel_probe *probe = &result->probes[i];
+    const luxel_probe *probe = luxel_probes_get(result->probes, i);
     char name[TEXT_SIZE], value[TEXT_SIZE], position[TEXT_SIZE];
 
     if (!probe->has_value) {
@@ -135,13 +135,15 @@ static void print_enclosed(const struct result *result)
 {
     size_t enclosed = 0, first = 0;
 
-    for (size_t i = 0; i < result->count; i++)
-        if (!result->probes[i].has_screen && result->probes[i].is_enclosed && enclosed++ == 0)
+    for (size_t i = 0; i < result->count; i++) {
+        const luxel_probe *probe = luxel_probes_get(result->probes, i);
+        if (!probe->has_screen && probe->is_enclosed && enclosed++ == 0)
             first = i;
+    }
     if (enclosed > 0)
         printf(ngettext("  %zu element is inside a body: P%zu in surfaces[%zu]\n",
                         "  %zu elements are inside bodies, the first of them P%zu in surfaces[%zu]\n", enclosed),
-               enclosed, first + 1, result->probes[first].enclosing_surface);
+               enclosed, first + 1, luxel_probes_get(result->probes, first)->enclosing_surface);
 }
 
 /* Many points: a line each, and no more lines than somebody may look through. */
@@ -152,7 +154,7 @@ static void print_lines(const struct result *result)
 
     text_table_row(table, TEXT_CELLS(_("point (mm)"), _("value"), _("error at most")));
     for (size_t i = 0; i < result->count && i < MOST_LINES; i++) {
-        const luxel_probe *probe = &result->probes[i];
+        const luxel_probe *probe = luxel_probes_get(result->probes, i);
 
         if (probe->has_value)
             text_table_row(table, TEXT_CELLS(result_point_name(result, i, name),

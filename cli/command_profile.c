@@ -38,10 +38,11 @@ static int wrong(const char *text)
 }
 
 /* The place of a field's corner pixels stands for the screen of a file of values. */
-static luxel_status across(const struct picture *picture, const double through[2], double degrees, luxel_path *path)
+static luxel_status across(const struct picture *picture, const double through[2], double degrees,
+                           luxel_profile_path *path)
 {
-    return luxel_line_across_screen(picture->loaded.scene, through, degrees, picture->loaded.diagnostics, path->from_mm,
-                                    path->to_mm);
+    return luxel_profile_line(picture->loaded.scene, through, degrees, picture->loaded.diagnostics, path->from_mm,
+                              path->to_mm);
 }
 
 static int check_options(const struct option_analysis *analysis, bool has_scene)
@@ -63,7 +64,7 @@ static int check_options(const struct option_analysis *analysis, bool has_scene)
     return EXIT_DONE;
 }
 
-static int make_path(const struct picture *picture, luxel_path *path)
+static int make_path(const struct picture *picture, luxel_profile_path *path)
 {
     static const double center[2] = {0.0, 0.0};
     const struct option_analysis *analysis = &picture->options.analysis;
@@ -71,7 +72,7 @@ static int make_path(const struct picture *picture, luxel_path *path)
     const unsigned longer = columns > rows ? columns : rows;
     luxel_status status;
 
-    *path = (luxel_path){.type = analysis->arc ? LUXEL_PATH_ARC : LUXEL_PATH_LINE};
+    *path = (luxel_profile_path){.type = analysis->arc ? LUXEL_PATH_ARC : LUXEL_PATH_LINE};
     path->samples = analysis->samples > 0 ? analysis->samples : analysis->arc ? ARC_SAMPLES : longer > 1 ? longer : 2;
     if (is_given(analysis->from_mm)) {
         memcpy(path->from_mm, analysis->from_mm, sizeof path->from_mm);
@@ -94,7 +95,8 @@ static luxel_status name_lights(struct profiling *profiling, const luxel_setting
                                profiling->picture->loaded.diagnostics, &profiling->probe);
 }
 
-static luxel_status find_exact(struct profiling *profiling, const luxel_settings *settings, const luxel_path *path)
+static luxel_status find_exact(struct profiling *profiling, const luxel_settings *settings,
+                               const luxel_profile_path *path)
 {
     const struct picture *picture = profiling->picture;
     luxel_evaluator *evaluator = NULL;
@@ -114,7 +116,7 @@ static int compute(struct profiling *profiling)
     const bool exact = picture->loaded.scene && !picture->options.analysis.from_picture;
     luxel_status status;
     struct work work;
-    luxel_path path;
+    luxel_profile_path path = {.samples = 0};
     int code = check_options(&picture->options.analysis, picture->loaded.scene != NULL);
 
     if (code == EXIT_DONE)
@@ -171,7 +173,7 @@ static void add_sample(struct text_table *table, const struct profiling *profili
 
 static void print_text(const struct profiling *profiling)
 {
-    const luxel_use use =
+    const luxel_conventions_use use =
         result_use_of_screen(&profiling->picture->options, profiling->picture->options.analysis.from_picture);
     const luxel_profile *profile = profiling->profile;
     const size_t all = light_count(profiling), lights = all > 1 && all <= MOST_LIGHT_COLUMNS ? all : 0;
@@ -225,7 +227,7 @@ static void write_sample(struct json *json, const struct profiling *profiling, s
 
 static void print_json(const struct profiling *profiling)
 {
-    const luxel_use use =
+    const luxel_conventions_use use =
         result_use_of_screen(&profiling->picture->options, profiling->picture->options.analysis.from_picture);
     struct json json = {.stream = stdout};
     char name[TEXT_SIZE];

@@ -73,7 +73,7 @@ static void print_statistics(const struct result *result)
 /* A point with a value is a row; one without is a line that says why. */
 static void add_point(struct text_table *table, const struct result *result, size_t i)
 {
-    const luxel_probe *probe = &result->probes[i];
+    const luxel_probe *probe = luxel_probes_get(result->probes, i);
     char name[TEXT_SIZE], value[TEXT_SIZE], error[TEXT_SIZE], pixel_value[TEXT_SIZE], pixel[TEXT_SIZE];
 
     result_point_name(result, i, name);
@@ -97,7 +97,7 @@ static void print_points(const struct result *result)
     bool has_reflected = false; /* which is known to a bound alone */
 
     for (size_t i = 0; i < result->count; i++)
-        has_reflected = has_reflected || result->probes[i].has_reflected;
+        has_reflected = has_reflected || luxel_probes_get(result->probes, i)->has_reflected;
     text_table_row(table, TEXT_CELLS(_("point x, y (mm)"), has_reflected ? _("value") : _("exact value"),
                                      _("error at most"), _("pixel value"), _("pixel (u, v)")));
     for (size_t i = 0; i < result->count; i++)
@@ -125,7 +125,7 @@ static void print_text(const struct result *result, const char *name)
 /* The picture and its files, and what Ctrl-C does to them.  EXIT_FILE goes with statistics. */
 static int compute(const struct options *options, const struct loaded *loaded, luxel_statistics *statistics)
 {
-    const luxel_output how = {.bits = options->bits};
+    const luxel_field_output how = {.bits = options->bits};
     struct work work;
     luxel_status status;
 

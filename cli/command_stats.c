@@ -61,7 +61,7 @@ static int compute(struct stats *stats)
 {
     const struct option_analysis *analysis = &stats->options->analysis;
     struct picture *picture = stats->picture;
-    const luxel_scale scale = analysis->logarithmic ? LUXEL_LOGARITHMIC : LUXEL_LINEAR;
+    const luxel_histogram_scale scale = analysis->logarithmic ? LUXEL_HISTOGRAM_LOGARITHMIC : LUXEL_HISTOGRAM_LINEAR;
     struct work work;
     luxel_status status;
 
@@ -154,7 +154,7 @@ static void print_histogram(const luxel_histogram *histogram)
 
 static void print_text(const struct stats *stats)
 {
-    const luxel_use use = result_use_of_screen(&stats->picture->options, true);
+    const luxel_conventions_use use = result_use_of_screen(&stats->picture->options, true);
     const luxel_summary *summary = &stats->summary;
     struct text_table *table = text_table_new("lrrl");
 
@@ -204,7 +204,7 @@ static void write_number_if(struct json *json, const char *key, bool exists, dou
 
 static void write_peak(struct json *json, const char *key, const luxel_scene *scene, const luxel_peak *peak)
 {
-    const char *wall = luxel_part_name(scene, peak->surface, peak->part);
+    const char *wall = luxel_scene_part_name(scene, peak->surface, peak->part);
 
     if (!peak->exists) {
         json_null(json, key);
@@ -245,7 +245,7 @@ static void write_histogram(struct json *json, const luxel_histogram *histogram)
         return;
     }
     json_open(json, "histogram", '{');
-    json_text(json, "scale", histogram->scale == LUXEL_LOGARITHMIC ? "log" : "linear");
+    json_text(json, "scale", histogram->scale == LUXEL_HISTOGRAM_LOGARITHMIC ? "log" : "linear");
     json_numbers(json, "edges", histogram->edges, histogram->bins + 1);
     json_open(json, "counts", '[');
     for (size_t i = 0; i < histogram->bins; i++)
@@ -258,7 +258,7 @@ static void write_histogram(struct json *json, const luxel_histogram *histogram)
 
 static void print_json(const struct stats *stats)
 {
-    const luxel_use use = result_use_of_screen(&stats->picture->options, true);
+    const luxel_conventions_use use = result_use_of_screen(&stats->picture->options, true);
     const luxel_summary *summary = &stats->summary;
     const luxel_field *field = stats->picture->field;
     const bool some = summary->pixels > 0;

@@ -27,8 +27,8 @@ const char *command_endings(const struct command *command, char *buffer, size_t 
 
     if (command->endings)
         return command->endings;
-    for (size_t i = 0; luxel_output_ending(i) && used < size; i++)
-        used += (size_t)snprintf(buffer + used, size - used, "%s%s", i > 0 ? " " : "", luxel_output_ending(i));
+    for (size_t i = 0; luxel_field_output_ending(i) && used < size; i++)
+        used += (size_t)snprintf(buffer + used, size - used, "%s%s", i > 0 ? " " : "", luxel_field_output_ending(i));
     return buffer;
 }
 

@@ -183,7 +183,7 @@ static void add_line(struct text_table *table, const char *name, const char *val
         text_table_row(table, TEXT_CELLS(name, value));
 }
 
-static void add_rule(struct text_table *table, const luxel_rule *rule)
+static void add_rule(struct text_table *table, const luxel_parameter_rule *rule)
 {
     char words[TEXT_SIZE];
     const char *choices = rule->choices ? rule->choices : "";
@@ -232,7 +232,7 @@ static void print_parameter(const luxel_parameters *keys, size_t i)
 /* What a topic such as "spot" is, with an example; returns what separates it from the next. */
 static const char *print_kinds(const luxel_parameters *keys, const char *topic, const char *separator)
 {
-    const luxel_kind *kind;
+    const luxel_parameter_kind *kind;
 
     for (size_t i = 0; (kind = luxel_parameters_kind(keys, i)) != NULL; i++) {
         if (!topic || strcmp(kind->name, topic) != 0)
@@ -295,7 +295,7 @@ static void print_below(const luxel_parameters *keys, const char *topic)
     text_table_print(table, stdout, 2);
 }
 
-static const char *rule_word(luxel_rule_kind kind)
+static const char *rule_word(luxel_parameter_rule_kind kind)
 {
     static const char *const words[] = {
         [LUXEL_RULE_EXCLUDES] = "excludes",   [LUXEL_RULE_NEEDED] = "required_with",
@@ -322,7 +322,7 @@ static void write_rules(struct json *json, const luxel_parameter *parameter)
 
 static void write_kinds(struct json *json, const luxel_parameters *keys, const char *topic)
 {
-    const luxel_kind *kind;
+    const luxel_parameter_kind *kind;
 
     json_open(json, "kinds", '[');
     for (size_t i = 0; (kind = luxel_parameters_kind(keys, i)) != NULL; i++) {

@@ -44,9 +44,9 @@ int luminaire_open(const struct options *options, struct luminaire *luminaire)
     if (code != EXIT_DONE)
         return code;
     if (status == LUXEL_OK)
-        status = luxel_photometry_measure(luminaire->photometry, &luminaire->figures);
+        status = luxel_photometry_find_figures(luminaire->photometry, &luminaire->figures);
     if (status == LUXEL_OK)
-        status = luxel_photometry_rate_glare(
+        status = luxel_photometry_find_ugr_table(
             luminaire->photometry, options->drawing.spacing > 0 ? options->drawing.spacing : 0.25, &luminaire->glare);
     return status == LUXEL_OK ? EXIT_DONE : message_failure(status, luminaire->diagnostics);
 }

@@ -8,7 +8,8 @@
 
 #include "json.h"
 
-static const char *const type_names[] = {[LUXEL_TYPE_A] = "A", [LUXEL_TYPE_B] = "B", [LUXEL_TYPE_C] = "C"};
+static const char *const type_names[] = {
+    [LUXEL_PHOTOMETRY_TYPE_A] = "A", [LUXEL_PHOTOMETRY_TYPE_B] = "B", [LUXEL_PHOTOMETRY_TYPE_C] = "C"};
 
 static void write_flux(struct json *json, const luxel_photometry_figures *figures)
 {
@@ -25,17 +26,17 @@ static void write_greatest(struct json *json, const luxel_photometry *photometry
     json_number(json, "intensity", figures->greatest_cd);
     json_number(json, "c", figures->greatest_c_deg);
     json_number(json, "gamma", figures->greatest_gamma_deg);
-    if (photometry->type != LUXEL_TYPE_C) {
+    if (photometry->type != LUXEL_PHOTOMETRY_TYPE_C) {
         json_number(json, "horizontal", figures->greatest_plane_deg);
         json_number(json, "vertical", figures->greatest_angle_deg);
     }
     json_close(json, '}');
 }
 
-static void write_opening(struct json *json, const luxel_opening *opening)
+static void write_opening(struct json *json, const luxel_photometry_opening *opening)
 {
     json_open(json, "opening", '{');
-    json_text(json, "shape", luxel_opening_name(opening));
+    json_text(json, "shape", luxel_photometry_opening_name(opening));
     json_number(json, "width_mm", opening->width_mm);
     json_number(json, "length_mm", opening->length_mm);
     json_number(json, "height_mm", opening->height_mm);
@@ -69,7 +70,7 @@ static void write_ratios(struct json *json, const luxel_photometry_figures *figu
     json_open(json, "direct_ratios", '{');
     json_open(json, "room_index", '[');
     for (size_t i = 0; i < LUXEL_ROOM_INDICES; i++)
-        json_number(json, NULL, luxel_room_index(i));
+        json_number(json, NULL, luxel_photometry_room_index(i));
     json_close(json, ']');
     json_numbers(json, "ratio", figures->direct_ratios, LUXEL_ROOM_INDICES);
     json_close(json, '}');
@@ -144,7 +145,7 @@ static void write_lamps(struct json *json, const luxel_photometry *photometry)
 {
     json_open(json, "lamps", '[');
     for (size_t i = 0; i < photometry->lamp_set_count; i++) {
-        const luxel_lamp_set *lamps = &photometry->lamp_sets[i];
+        const luxel_photometry_lamp_set *lamps = &photometry->lamp_sets[i];
 
         json_open(json, NULL, '{');
         json_number(json, "count", lamps->count);
@@ -173,7 +174,7 @@ static void write_texts(struct json *json, const luxel_photometry *photometry)
 /* The angles of the complete table. */
 static void write_angles(struct json *json, const luxel_photometry *photometry)
 {
-    const bool is_turn = photometry->type == LUXEL_TYPE_C;
+    const bool is_turn = photometry->type == LUXEL_PHOTOMETRY_TYPE_C;
 
     json_numbers(json, is_turn ? "c_angles" : "horizontal_angles", photometry->planes, photometry->plane_count);
     json_numbers(json, is_turn ? "gamma_angles" : "vertical_angles", photometry->angles, photometry->angle_count);

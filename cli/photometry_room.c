@@ -67,7 +67,8 @@ static int rate_triple(const struct options *options, const luxel_ugr_table *tab
 
     work_begin(&work, options);
     work.settings.reflected_error = 0;
-    status = luxel_rate_room(options->operand, table, ratings->room, triple, &work.settings, diagnostics, &rating);
+    status =
+        luxel_find_room_rating(options->operand, table, ratings->room, triple, &work.settings, diagnostics, &rating);
     code = work_end(&work, status, diagnostics);
     ratings->background[triple] = rating.background;
     for (int way = 0; way < 2; way++)
@@ -87,7 +88,7 @@ int room_rate(const struct options *options, const luxel_photometry *photometry,
         return EXIT_DONE;
     ratings->room = options->drawing.room - 1;
     if (!table->exists) {
-        message_error(photometry->type == LUXEL_TYPE_C
+        message_error(photometry->type == LUXEL_PHOTOMETRY_TYPE_C
                           ? _("--room: the luminaire is a point, and has no luminance towards an observer")
                           : _("--room: types A and B do not say how the luminaire hangs in a room"));
         return EXIT_USAGE;

@@ -10,10 +10,10 @@
 /* For each triple of reflectances. */
 struct room_ratings {
     bool exists;
-    size_t room;                                     /* as luxel_ugr_room() counts them */
-    luxel_amount background[LUXEL_UGR_REFLECTANCES]; /* Lb in cd/m², where the height above the eye is 1 m */
-    double ratings[2][LUXEL_UGR_REFLECTANCES];       /* crosswise, endwise; NaN: nothing dazzles */
-    double errors[LUXEL_UGR_REFLECTANCES];           /* by the bound of the background's error */
+    size_t room;                                      /* as luxel_ugr_room() counts them */
+    luxel_bounded background[LUXEL_UGR_REFLECTANCES]; /* Lb in cd/m², where the height above the eye is 1 m */
+    double ratings[2][LUXEL_UGR_REFLECTANCES];        /* crosswise, endwise; NaN: nothing dazzles */
+    double errors[LUXEL_UGR_REFLECTANCES];            /* by the bound of the background's error */
 };
 
 /* The options --spacing and --room. */

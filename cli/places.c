@@ -100,21 +100,23 @@ void places_clear(struct places *places)
     *places = (struct places){.list = NULL};
 }
 
-luxel_use places_use(const struct options *options, const luxel_scene *scene, const luxel_probe *probes, size_t count,
-                     bool *surfaces)
+luxel_conventions_use places_use(const struct options *options, const luxel_scene *scene, const luxel_probes *probes,
+                                 bool *surfaces)
 {
     const bool brightness = options->settings.quantity != LUXEL_IRRADIANCE;
-    luxel_use use = {.brightness = brightness, .surfaces = surfaces};
+    luxel_conventions_use use = {.brightness = brightness, .surfaces = surfaces};
+    const size_t count = luxel_probes_count(probes);
     size_t elements = 0, materials = 0;
 
     memset(surfaces, 0, luxel_scene_surface_count(scene) * sizeof *surfaces);
     for (size_t i = 0; i < count; i++) {
-        elements += !probes[i].has_screen;
-        use.screen = use.screen || probes[i].has_screen;
-        use.pixels = use.pixels || probes[i].has_pixel;
-        if (probes[i].on_surface && probes[i].surface != SIZE_MAX) {
-            materials += !surfaces[probes[i].surface];
-            surfaces[probes[i].surface] = true;
+        const luxel_probe *probe = luxel_probes_get(probes, i);
+        elements += !probe->has_screen;
+        use.screen = use.screen || probe->has_screen;
+        use.pixels = use.pixels || probe->has_pixel;
+        if (probe->on_surface && probe->surface != SIZE_MAX) {
+            materials += !surfaces[probe->surface];
+            surfaces[probe->surface] = true;
         }
     }
     if (materials == 0)

@@ -31,7 +31,7 @@ void places_set_element(luxel_place *place, const double numbers[6]);
 int places_read(const char *file, luxel_diagnostics *diagnostics, bool quiet, struct places *places);
 
 /* What was used of the scene to probe them, for its conventions: `surfaces` has room for one bool for each surface. */
-luxel_use places_use(const struct options *options, const luxel_scene *scene, const luxel_probe *probes, size_t count,
-                     bool *surfaces);
+luxel_conventions_use places_use(const struct options *options, const luxel_scene *scene, const luxel_probes *probes,
+                                 bool *surfaces);
 
 #endif

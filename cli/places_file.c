@@ -12,13 +12,13 @@
 
 enum { X, Y, Z, NX, NY, NZ, COLUMNS };
 
-static const luxel_column columns[COLUMNS] = {
-    {LUXEL_COLUMN_LENGTH, true, (const char *const[]){"x", NULL}},
-    {LUXEL_COLUMN_LENGTH, true, (const char *const[]){"y", NULL}},
-    {LUXEL_COLUMN_LENGTH, false, (const char *const[]){"z", NULL}},
-    {LUXEL_COLUMN_NUMBER, false, (const char *const[]){"nx", "normal_x", "n_x", NULL}},
-    {LUXEL_COLUMN_NUMBER, false, (const char *const[]){"ny", "normal_y", "n_y", NULL}},
-    {LUXEL_COLUMN_NUMBER, false, (const char *const[]){"nz", "normal_z", "n_z", NULL}},
+static const luxel_table_column columns[COLUMNS] = {
+    {.type = LUXEL_TABLE_LENGTH, .is_required = true, .names = (const char *const[]){"x", NULL}},
+    {.type = LUXEL_TABLE_LENGTH, .is_required = true, .names = (const char *const[]){"y", NULL}},
+    {.type = LUXEL_TABLE_LENGTH, .is_required = false, .names = (const char *const[]){"z", NULL}},
+    {.type = LUXEL_TABLE_NUMBER, .is_required = false, .names = (const char *const[]){"nx", "normal_x", "n_x", NULL}},
+    {.type = LUXEL_TABLE_NUMBER, .is_required = false, .names = (const char *const[]){"ny", "normal_y", "n_y", NULL}},
+    {.type = LUXEL_TABLE_NUMBER, .is_required = false, .names = (const char *const[]){"nz", "normal_z", "n_z", NULL}},
 };
 
 static const char form[] = N_("each line has x, y, or x, y, z, nx, ny, nz, in mm");
@@ -66,7 +66,7 @@ static int refuse(luxel_status status, luxel_diagnostics *diagnostics)
 int places_read(const char *file, luxel_diagnostics *diagnostics, bool quiet, struct places *places)
 {
     luxel_table *table = NULL;
-    const luxel_row *row;
+    const luxel_table_row *row;
     const size_t before = places->count;
     size_t wrong = 0;
     const luxel_status status = luxel_table_open(file, columns, COLUMNS, false, diagnostics, &table);

@@ -80,7 +80,7 @@ static void write_csv(FILE *stream, const struct result *result)
     csv_text(&csv, "surface");
     csv_end_line(&csv);
     for (size_t i = 0; i < result->count; i++)
-        write_line(&csv, &result->probes[i], i + 1);
+        write_line(&csv, luxel_probes_get(result->probes, i), i + 1);
 }
 
 /* NPY 1.0: magic, version, length of the header, the header with blanks up to a multiple of 64, numbers. */
@@ -99,7 +99,7 @@ static void write_npy(FILE *stream, const struct result *result)
     fputc(padded >> 8, stream);
     fwrite(header, 1, (size_t)padded, stream);
     for (size_t i = 0; i < result->count; i++) {
-        const luxel_probe *probe = &result->probes[i];
+        const luxel_probe *probe = luxel_probes_get(result->probes, i);
         const double value = probe->has_value ? probe->value : (double)NAN;
         uint64_t bits;
 

@@ -19,7 +19,8 @@ static int probe_places(const struct options *options, const struct places *plac
 
     work_begin(&work, options);
     work.settings.skip_reflected_pixels = !shows_pixels;
-    status = luxel_probe_many(result->scene, &work.settings, places->list, places->count, diagnostics, &result->probes);
+    status =
+        luxel_probe_places(result->scene, &work.settings, places->list, places->count, diagnostics, &result->probes);
     if (status == LUXEL_OK)
         result->count = places->count;
     return work_end(&work, status, diagnostics);
@@ -40,10 +41,11 @@ int result_probe(const struct options *options, const luxel_scene *scene, bool s
     if (code != EXIT_DONE)
         return code;
     result->surfaces = message_allocate(luxel_scene_surface_count(scene), sizeof *result->surfaces);
-    result->use = places_use(options, scene, result->probes, result->count, result->surfaces);
-    for (size_t i = 0; i < result->count; i++)
-        missed += result->probes[i].has_value &&
-                  !(result->probes[i].tolerance_reached && result->probes[i].reflected_reached);
+    result->use = places_use(options, scene, result->probes, result->surfaces);
+    for (size_t i = 0; i < result->count; i++) {
+        const luxel_probe *probe = luxel_probes_get(result->probes, i);
+        missed += probe->has_value && !(probe->tolerance_reached && probe->reflected_reached);
+    }
     if (missed > 0)
         message_tolerance(missed, result->count);
     return missed > 0 ? EXIT_TOLERANCE : EXIT_DONE;
@@ -51,7 +53,7 @@ int result_probe(const struct options *options, const luxel_scene *scene, bool s
 
 void result_clear(struct result *result)
 {
-    luxel_probe_free(result->probes);
+    luxel_probes_free(result->probes);
     free(result->surfaces);
 }
 
@@ -70,7 +72,7 @@ static const char on_element[] = N_("the source lights[%zu] lies on the element"
 
 const char *result_point_name(const struct result *result, size_t i, char buffer[TEXT_SIZE])
 {
-    const luxel_probe *probe = &result->probes[i];
+    const luxel_probe *probe = luxel_probes_get(result->probes, i);
     char place[TEXT_SIZE];
 
     if (probe->has_screen)
@@ -82,7 +84,7 @@ const char *result_point_name(const struct result *result, size_t i, char buffer
 
 const char *result_no_value(const struct result *result, size_t i, char buffer[TEXT_SIZE])
 {
-    const luxel_probe *probe = &result->probes[i];
+    const luxel_probe *probe = luxel_probes_get(result->probes, i);
     const bool off_screen = probe->has_screen && !probe->has_pixel;
     char name[TEXT_SIZE], reason[TEXT_SIZE];
 
@@ -204,17 +206,18 @@ void result_write_reflected(struct json *json, const luxel_probe *probe)
         return;
     json_open(json, "reflected", '{');
     json_number(json, "irradiance", probe->reflected_irradiance);
-    json_number(json, "value", probe->reflected_value);
-    json_number(json, "error", probe->reflected_error);
+    json_number(json, "value", probe->reflected.value);
+    json_number(json, "error", probe->reflected.error);
     json_close(json, '}');
 }
 
-luxel_use result_use_of_screen(const struct options *options, bool pixels)
+luxel_conventions_use result_use_of_screen(const struct options *options, bool pixels)
 {
-    return (luxel_use){.screen = true, .pixels = pixels, .brightness = options->settings.quantity != LUXEL_IRRADIANCE};
+    return (luxel_conventions_use){
+        .screen = true, .pixels = pixels, .brightness = options->settings.quantity != LUXEL_IRRADIANCE};
 }
 
-void result_write_conventions(struct json *json, const luxel_scene *scene, const luxel_use *use)
+void result_write_conventions(struct json *json, const luxel_scene *scene, const luxel_conventions_use *use)
 {
     luxel_conventions *conventions = NULL;
 
@@ -240,7 +243,7 @@ void result_write_json(FILE *stream, const struct result *result)
     write_statistics(&json, result->statistics);
     json_open(&json, "points", '[');
     for (size_t i = 0; i < result->count; i++)
-        write_probe(&json, &lights, &result->probes[i]);
+        write_probe(&json, &lights, luxel_probes_get(result->probes, i));
     json_close(&json, ']');
     if (result->statistics && result->statistics->has_reflected)
         json_number(&json, "reflected_error", result->statistics->reflected_error);
@@ -256,7 +259,7 @@ void result_print_json(const struct result *result)
     result_write_json(stdout, result);
 }
 
-void result_print_conventions(const luxel_scene *scene, const luxel_use *use)
+void result_print_conventions(const luxel_scene *scene, const luxel_conventions_use *use)
 {
     luxel_conventions *conventions = NULL;
     char *line = NULL;

@@ -13,10 +13,10 @@ struct result {
     const luxel_scene *scene;
     const struct options *options;
     const luxel_statistics *statistics; /* NULL: no picture was computed */
-    luxel_probe *probes;                /* count of them */
+    luxel_probes *probes;               /* count of them */
     size_t count;
-    luxel_use use;  /* what they were made of */
-    bool *surfaces; /* that it points to */
+    luxel_conventions_use use; /* what they were made of */
+    bool *surfaces;            /* that it points to */
 };
 
 /*
@@ -29,11 +29,11 @@ int result_probe(const struct options *options, const luxel_scene *scene, bool s
 void result_clear(struct result *result);
 
 /* Writes the conventions of what a result was made of as a member of an object. */
-void result_write_conventions(struct json *json, const luxel_scene *scene, const luxel_use *use);
+void result_write_conventions(struct json *json, const luxel_scene *scene, const luxel_conventions_use *use);
 /* The lines of text that tell under which conventions the numbers were made. */
-void result_print_conventions(const luxel_scene *scene, const luxel_use *use);
+void result_print_conventions(const luxel_scene *scene, const luxel_conventions_use *use);
 /* The use of a picture's values (`pixels`), or of exact ones at places of the screen. */
-luxel_use result_use_of_screen(const struct options *options, bool pixels);
+luxel_conventions_use result_use_of_screen(const struct options *options, bool pixels);
 
 /* Writes an extremum as SPEC's `max` and `min` are written; null where there is none. */
 void result_write_extremum(struct json *json, const char *key, const luxel_extremum *extremum);

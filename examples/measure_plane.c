@@ -39,16 +39,16 @@ static luxel_status measure(luxel_scene *scene, unsigned n, luxel_diagnostics *d
     status = luxel_scene_set(scene, assignment, diagnostics);
     if (status == LUXEL_OK)
         status = luxel_scene_commit(scene, diagnostics);
-    return status == LUXEL_OK ? luxel_measure(scene, NULL, 0, diagnostics, grid) : status;
+    return status == LUXEL_OK ? luxel_find_grid(scene, NULL, 0, diagnostics, grid) : status;
 }
 
 /* Average and extrema of the cells; the flux of the plane itself, where it is known. */
 static void print_grid(const luxel_grid *grid)
 {
     printf("%u x %u cells: average %.6g, minimum %.6g, maximum %.6g %s, U0 %.3f", grid->columns, grid->rows,
-           grid->average, grid->minimum.value, grid->maximum.value, grid->unit, grid->u0);
+           grid->average.value, grid->minimum.value, grid->maximum.value, grid->unit, grid->u0);
     if (grid->flux_unit)
-        printf(", flux %.6g %s", grid->flux, grid->flux_unit);
+        printf(", flux %.6g %s", grid->flux.value, grid->flux_unit);
     printf("\n");
 }
 
@@ -64,8 +64,8 @@ static luxel_status refine(luxel_scene *scene, luxel_diagnostics *diagnostics)
         status = measure(scene, n, diagnostics, &grid);
         if (status == LUXEL_OK) {
             print_grid(grid);
-            stays = fabs(grid->average - before) <= 1e-3 * grid->average;
-            before = grid->average;
+            stays = fabs(grid->average.value - before) <= 1e-3 * grid->average.value;
+            before = grid->average.value;
         }
         luxel_grid_free(grid);
     }

@@ -16,13 +16,13 @@
 
 enum { SIDE = 100 };
 
-static const luxel_column columns[] = {
-    {LUXEL_COLUMN_LENGTH, true, (const char *const[]){"x", NULL}},
-    {LUXEL_COLUMN_LENGTH, true, (const char *const[]){"y", NULL}},
-    {LUXEL_COLUMN_LENGTH, true, (const char *const[]){"z", NULL}},
-    {LUXEL_COLUMN_NUMBER, true, (const char *const[]){"nx", NULL}},
-    {LUXEL_COLUMN_NUMBER, true, (const char *const[]){"ny", NULL}},
-    {LUXEL_COLUMN_NUMBER, true, (const char *const[]){"nz", NULL}},
+static const luxel_table_column columns[] = {
+    {.type = LUXEL_TABLE_LENGTH, .is_required = true, .names = (const char *const[]){"x", NULL}},
+    {.type = LUXEL_TABLE_LENGTH, .is_required = true, .names = (const char *const[]){"y", NULL}},
+    {.type = LUXEL_TABLE_LENGTH, .is_required = true, .names = (const char *const[]){"z", NULL}},
+    {.type = LUXEL_TABLE_NUMBER, .is_required = true, .names = (const char *const[]){"nx", NULL}},
+    {.type = LUXEL_TABLE_NUMBER, .is_required = true, .names = (const char *const[]){"ny", NULL}},
+    {.type = LUXEL_TABLE_NUMBER, .is_required = true, .names = (const char *const[]){"nz", NULL}},
 };
 
 static void print_message(const luxel_diagnostics *diagnostics)
@@ -50,7 +50,7 @@ static luxel_place *screen_places(size_t *count)
 static luxel_status read_places(const char *path, luxel_diagnostics *diagnostics, luxel_place **places, size_t *count)
 {
     luxel_table *table = NULL;
-    const luxel_row *row;
+    const luxel_table_row *row;
     size_t room = 0;
     luxel_status status =
         luxel_table_open(path, columns, sizeof columns / sizeof columns[0], false, diagnostics, &table);
@@ -79,22 +79,23 @@ static luxel_status read_places(const char *path, luxel_diagnostics *diagnostics
 }
 
 /* How many places have a value, and the greatest one.  Off the surfaces there is none. */
-static void print_probes(const luxel_probe *probes, size_t count, const char *unit)
+static void print_probes(const luxel_probes *probes, const char *unit)
 {
     const luxel_probe *greatest = NULL;
     double sum = 0.0, error = 0.0;
     size_t values = 0;
 
-    for (size_t i = 0; i < count; i++) {
-        if (!probes[i].has_value)
+    for (size_t i = 0; i < luxel_probes_count(probes); i++) {
+        const luxel_probe *probe = luxel_probes_get(probes, i);
+        if (!probe->has_value)
             continue;
         values++;
-        sum += probes[i].value;
-        error = fmax(error, probes[i].error);
-        if (!greatest || probes[i].value > greatest->value)
-            greatest = &probes[i];
+        sum += probe->value;
+        error = fmax(error, probe->error);
+        if (!greatest || probe->value > greatest->value)
+            greatest = probe;
     }
-    printf("%zu places, %zu with a value\n", count, values);
+    printf("%zu places, %zu with a value\n", luxel_probes_count(probes), values);
     if (greatest)
         printf("mean %.9g %s, errors at most %.1e\ngreatest %.12g %s at (%.6g, %.6g, %.6g) mm\n", sum / (double)values,
                unit, error, greatest->value, unit, greatest->position_mm[0], greatest->position_mm[1],
@@ -104,7 +105,7 @@ static void print_probes(const luxel_probe *probes, size_t count, const char *un
 static luxel_status probe(const luxel_scene *scene, const char *path, luxel_diagnostics *diagnostics)
 {
     luxel_place *places = NULL;
-    luxel_probe *probes = NULL;
+    luxel_probes *probes = NULL;
     size_t count = 0;
     luxel_status status = LUXEL_OK;
 
@@ -113,10 +114,10 @@ static luxel_status probe(const luxel_scene *scene, const char *path, luxel_diag
     else if (!(places = screen_places(&count)))
         status = LUXEL_ERROR_MEMORY;
     if (status == LUXEL_OK)
-        status = luxel_probe_many(scene, NULL, places, count, diagnostics, &probes);
+        status = luxel_probe_places(scene, NULL, places, count, diagnostics, &probes);
     if (status == LUXEL_OK)
-        print_probes(probes, count, luxel_scene_unit(scene, LUXEL_BRIGHTNESS));
-    luxel_probe_free(probes); /* all of them */
+        print_probes(probes, luxel_scene_unit(scene, LUXEL_BRIGHTNESS));
+    luxel_probes_free(probes);
     free(places);
     return status;
 }

@@ -38,7 +38,7 @@ static void use_elements(const struct options *options, const luxel_scene *scene
         memcpy(place.position_mm, numbers, sizeof place.position_mm);
         memcpy(place.normal, numbers + 3, sizeof place.normal);
         memcpy(place.view, options->view, sizeof place.view);
-        if (options->places[i].is_element && luxel_probe_many(scene, &settings, &place, 1, NULL, &probe) == LUXEL_OK)
+        if (options->places[i].is_element && luxel_probe_place(scene, &settings, &place, NULL, &probe) == LUXEL_OK)
             luxel_probe_free(probe);
     }
 }

@@ -22,7 +22,8 @@ static void use(const luxel_field *field)
     luxel_histogram *histogram;
     luxel_comparison comparison;
     luxel_field_summary(field, NULL, NULL, &summary);
-    if (luxel_field_histogram(field, NULL, LUXEL_LINEAR, (double)NAN, (double)NAN, 16, NULL, &histogram) == LUXEL_OK) {
+    if (luxel_field_histogram(field, NULL, LUXEL_HISTOGRAM_LINEAR, (double)NAN, (double)NAN, 16, NULL, &histogram) ==
+        LUXEL_OK) {
         size_t pixels = histogram->below + histogram->above;
         for (size_t i = 0; i < histogram->bins; i++)
             pixels += histogram->counts[i];

@@ -21,7 +21,7 @@ static void check_table(const luxel_photometry *photometry)
     const size_t count = photometry->plane_count * photometry->angle_count;
     check_rising(photometry->planes, photometry->plane_count);
     check_rising(photometry->angles, photometry->angle_count);
-    if (photometry->type == LUXEL_TYPE_C)
+    if (photometry->type == LUXEL_PHOTOMETRY_TYPE_C)
         fuzz_must(fabs(photometry->planes[photometry->plane_count - 1] - photometry->planes[0] - 360) < 1e-5,
                   "planes go all around");
     for (size_t i = 0; i < count; i++)
@@ -34,7 +34,7 @@ static void check_table(const luxel_photometry *photometry)
 static void check_figures(const luxel_photometry *photometry)
 {
     luxel_photometry_figures figures;
-    fuzz_must(luxel_photometry_measure(photometry, &figures) == LUXEL_OK, "figures can be computed");
+    fuzz_must(luxel_photometry_find_figures(photometry, &figures) == LUXEL_OK, "figures can be computed");
     double most = 4 * PI * figures.greatest_cd * (1 + 1e-9);
     if (isinf(most))
         return; /* near the end of the numbers */
@@ -50,11 +50,12 @@ static void check_figures(const luxel_photometry *photometry)
 static void check_map(const luxel_photometry *photometry)
 {
     luxel_photometry_figures figures;
-    luxel_photometry_measure(photometry, &figures);
+    luxel_photometry_find_figures(photometry, &figures);
     for (double plane = -400; plane <= 400; plane += 36.7)
         for (double angle = -190; angle <= 190; angle += 23.9)
             for (int how = 0; how < 2; how++) {
-                double found = luxel_photometry_intensity(photometry, (luxel_interpolation)how, plane, angle);
+                double found =
+                    luxel_photometry_intensity(photometry, (luxel_photometry_interpolation)how, plane, angle);
                 fuzz_must(found >= -1e-6 * figures.greatest_cd && found <= figures.greatest_cd * (1 + 1e-6),
                           "between the places of the table");
             }
@@ -66,20 +67,20 @@ static void write_and_read(const luxel_photometry *photometry, const char *endin
     struct fuzz_file file = fuzz_open("", 0, ending);
     luxel_photometry *again = NULL;
     luxel_photometry_figures figures;
-    luxel_photometry_measure(photometry, &figures);
+    luxel_photometry_find_figures(photometry, &figures);
     luxel_status status = luxel_photometry_write(photometry, file.path, NULL);
-    fuzz_must(status == LUXEL_OK || photometry->type != LUXEL_TYPE_C, "a luminaire can be written");
+    fuzz_must(status == LUXEL_OK || photometry->type != LUXEL_PHOTOMETRY_TYPE_C, "a luminaire can be written");
     if (status == LUXEL_OK && figures.zone_lumens > 1e-200 && figures.zone_lumens < 1e200) {
         fuzz_must(luxel_photometry_read(file.path, NULL, &again) == LUXEL_OK, "what is written can be read");
         /* EULUMDAT has tables of type C alone: others are brought to that */
         const bool is_kept = again->type == photometry->type;
-        fuzz_must(is_kept || again->type == LUXEL_TYPE_C, "the type that the format has");
+        fuzz_must(is_kept || again->type == LUXEL_PHOTOMETRY_TYPE_C, "the type that the format has");
         for (size_t i = 0; is_kept && i < photometry->plane_count; i++)
             for (size_t j = 0; j < photometry->angle_count; j++) {
                 double had = photometry->intensities[i * photometry->angle_count + j];
                 double has = luxel_photometry_intensity(again, LUXEL_INTERPOLATE_ANGLE, photometry->planes[i],
                                                         photometry->angles[j]);
-                bool is_seam = i + 1 == photometry->plane_count && photometry->type == LUXEL_TYPE_C;
+                bool is_seam = i + 1 == photometry->plane_count && photometry->type == LUXEL_PHOTOMETRY_TYPE_C;
                 fuzz_must(is_seam || fabs(has - had) <= rounding * figures.greatest_cd, "and is the same");
             }
     }

@@ -31,15 +31,17 @@ static void check(const luxel_place *place)
 static void probe(const struct places *places)
 {
     luxel_scene *scene;
-    luxel_probe *probes;
+    luxel_probes *probes;
     const size_t count = places->count < MOST_PROBED ? places->count : MOST_PROBED;
     fuzz_must(luxel_scene_read_text(scene_text, strlen(scene_text), "fuzz", NULL, &scene) == LUXEL_OK &&
                   luxel_scene_commit(scene, NULL) == LUXEL_OK,
               "the scene of the places");
-    if (luxel_probe_many(scene, NULL, places->list, count, NULL, &probes) == LUXEL_OK) {
-        for (size_t i = 0; i < count; i++)
-            fuzz_must(!probes[i].has_value || (isfinite(probes[i].value) && probes[i].error >= 0), "a value is finite");
-        luxel_probe_free(probes);
+    if (luxel_probe_places(scene, NULL, places->list, count, NULL, &probes) == LUXEL_OK) {
+        for (size_t i = 0; i < count; i++) {
+            const luxel_probe *probe = luxel_probes_get(probes, i);
+            fuzz_must(!probe->has_value || (isfinite(probe->value) && probe->error >= 0), "a value is finite");
+        }
+        luxel_probes_free(probes);
     }
     luxel_scene_free(scene);
 }

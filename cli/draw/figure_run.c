@@ -106,10 +106,10 @@ static bool take_bands(const struct option_drawing *drawing, luxel_figure_settin
         message_error(_("only one of --contour, --bands, --lines and --plain can be drawn"));
         return false;
     }
-    figure->bands = drawing->bands   ? LUXEL_BANDS
-                    : drawing->lines ? LUXEL_LINES
-                    : drawing->plain ? LUXEL_SMOOTH
-                                     : LUXEL_CONTOURS;
+    figure->bands = drawing->bands   ? LUXEL_BANDS_STEPS
+                    : drawing->lines ? LUXEL_BANDS_LINES
+                    : drawing->plain ? LUXEL_BANDS_SMOOTH
+                                     : LUXEL_BANDS_CONTOURS;
     return true;
 }
 

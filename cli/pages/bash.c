@@ -21,7 +21,7 @@ static void print_commands(FILE *out)
 
 static void print_topics(FILE *out, const luxel_parameters *parameters)
 {
-    const luxel_kind *kind;
+    const luxel_parameter_kind *kind;
 
     fputs("_luxel_topics='", out);
     for (size_t i = 0; i < COMMAND_COUNT; i++)

@@ -109,7 +109,7 @@ static void print_topic(FILE *out, const char *topic, const char *meaning)
 void pages_fish(FILE *out, const luxel_parameters *parameters)
 {
     const struct option_row *row;
-    const luxel_kind *kind;
+    const luxel_parameter_kind *kind;
 
     print_words(out, parameters);
     for (size_t i = 0; i < COMMAND_COUNT; i++) {

@@ -234,10 +234,10 @@ static void print_files(FILE *out)
     fputc('\n', out);
     roff_text(out, _("scenes, of up to 64 MB. Any name will do."));
     fputs("\n.TP\n", out);
-    for (size_t i = 0; luxel_output_ending(i); i++) {
+    for (size_t i = 0; luxel_field_output_ending(i); i++) {
         char name[16];
 
-        snprintf(name, sizeof name, "%s*%s", i > 0 ? ", " : "", luxel_output_ending(i));
+        snprintf(name, sizeof name, "%s*%s", i > 0 ? ", " : "", luxel_field_output_ending(i));
         roff_placeholder(out, name);
     }
     fputc('\n', out);

@@ -84,7 +84,7 @@ static void print_value(FILE *out, const luxel_parameter *parameter)
     }
 }
 
-static void print_rule(FILE *out, const luxel_rule *rule)
+static void print_rule(FILE *out, const luxel_parameter_rule *rule)
 {
     static const char *const starts[] = {
         [LUXEL_RULE_EXCLUDES] = "Not together with",     [LUXEL_RULE_NEEDED] = "Required with",
@@ -145,7 +145,7 @@ static bool is_first_of_group(const luxel_parameters *parameters, size_t i)
 
 static void print_kind(FILE *out, const luxel_parameters *parameters, const luxel_parameter *first)
 {
-    const luxel_kind *kind;
+    const luxel_parameter_kind *kind;
 
     for (size_t i = 0; (kind = luxel_parameters_kind(parameters, i)) != NULL; i++) {
         if (strcmp(kind->name, first->variant) != 0 || strncmp(kind->list, first->path, strlen(kind->list)) != 0)
@@ -160,7 +160,7 @@ static void print_kind(FILE *out, const luxel_parameters *parameters, const luxe
 
 static bool has_kinds(const luxel_parameters *parameters, const char *list)
 {
-    const luxel_kind *kind;
+    const luxel_parameter_kind *kind;
 
     for (size_t i = 0; (kind = luxel_parameters_kind(parameters, i)) != NULL; i++)
         if (strcmp(kind->list, list) == 0)

@@ -20,7 +20,7 @@ static void print_described(FILE *out, const char *word, const char *description
 
 static void print_words(FILE *out, const luxel_parameters *parameters)
 {
-    const luxel_kind *kind;
+    const luxel_parameter_kind *kind;
 
     fputs("typeset -ga _luxel_commands=(\n", out);
     for (size_t i = 0; i < COMMAND_COUNT; i++)

@@ -28,6 +28,7 @@ typedef struct luxel_alternative {
     bool has_value;         /* false where it does not give any, such as off every surface */
     double value;           /* in the unit of luxel_scene_unit() */
     double error;           /* bounds |value - truth|, rounding included */
+    void *reserved[4];      /* for later versions: NULL */
 } luxel_alternative;
 
 /*

@@ -26,6 +26,7 @@ typedef struct luxel_comparison {
     double scale;            /* the largest |a| or |b| */
     double largest_relative; /* largest / scale; 0 where scale is 0 */
     double rms_relative;     /* rms / scale; 0 where scale is 0 */
+    void *reserved[4];       /* for later versions: NULL */
 } luxel_comparison;
 
 /*

@@ -14,7 +14,7 @@ extern "C" {
 #endif
 
 /* What a result was made of; {0} is an irradiance at places in space, as of a measuring grid. */
-typedef struct luxel_use {
+typedef struct luxel_conventions_use {
     bool screen;          /* places of the screen: the projection, and what is seen of surfaces */
     bool pixels;          /* pixels: the sampling */
     bool range;           /* the picture's range, from which levels or colours are made */
@@ -24,7 +24,8 @@ typedef struct luxel_use {
     bool has_view;        /* whether some were seen from a direction of their own */
     double view[3];       /* that direction, of any length */
     bool only_view;       /* and none as the scene says */
-} luxel_use;
+    void *reserved[4];    /* for later versions: NULL */
+} luxel_conventions_use;
 
 /* One of them; values that differ between lights or surfaces are joined by commas. */
 typedef struct luxel_convention {
@@ -43,7 +44,7 @@ typedef struct luxel_conventions {
  * them with luxel_conventions_free().
  * LUXEL_ERROR_ARGUMENT: the scene is not committed.  LUXEL_ERROR_MEMORY.
  */
-LUXEL_API luxel_status luxel_find_conventions(const luxel_scene *scene, const luxel_use *use,
+LUXEL_API luxel_status luxel_find_conventions(const luxel_scene *scene, const luxel_conventions_use *use,
                                               luxel_conventions **conventions);
 
 /* Frees conventions; NULL is harmless. */

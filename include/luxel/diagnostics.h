@@ -6,8 +6,6 @@
  * details are dropped).  Calls append; nothing is printed.  The first LUXEL_DIAGNOSTICS_KEPT entries of a
  * severity are kept, the rest only counted.  An entry is a message id with arguments, so a front end can
  * put it into words of its language through a gettext-like callback.
- *
- * Threads: one object must not be used by two threads at once; separate objects are independent.
  */
 #ifndef LUXEL_DIAGNOSTICS_H
 #define LUXEL_DIAGNOSTICS_H
@@ -40,12 +38,12 @@ typedef struct luxel_diagnostic {
     /* A file's name, "<stdin>", a name that the caller gave, "<text>" where that was NULL, or a built-in scene's name;
      * of what luxel_scene_set() and its like are given "-s", "key" or "value"; NULL where no place applies. */
     const char *source;
-    unsigned line;           /* from 1; 0 where no place applies */
-    unsigned column;         /* from 1, in characters; 0 where no place applies */
-    const char *key;         /* the scene key that is meant, such as "lights[0].intensity", or NULL */
-    const char *excerpt;     /* the offending line, control characters escaped, or NULL */
-    unsigned mark_offset;    /* columns of the excerpt before the offending text */
-    unsigned mark_length;    /* columns of the excerpt to underline, at least 1 where there is an excerpt */
+    unsigned line;        /* from 1; 0 where no place applies */
+    unsigned column;      /* from 1, in characters; 0 where no place applies */
+    const char *key;      /* the scene key that is meant, such as "lights[0].intensity", or NULL */
+    const char *excerpt;  /* the offending line, control characters escaped, or NULL */
+    unsigned mark_offset; /* columns of the excerpt before the offending text */
+    unsigned mark_length; /* columns of the excerpt to underline, at least 1 where there is an excerpt */
 } luxel_diagnostic;
 
 /*

@@ -20,6 +20,7 @@ typedef struct luxel_language {
     luxel_translate translate; /* from English, as for messages; NULL: English */
     void *data;                /* handed to it */
     const char *code;          /* such as "ru" (BCP 47); NULL: "en" */
+    void *reserved[4];         /* for later versions: NULL */
 } luxel_language;
 
 /* What a document can be written as. */

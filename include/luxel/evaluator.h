@@ -2,11 +2,10 @@
 /*
  * Evaluators: a scene prepared once for many exact values, where a probe would prepare it anew each time.
  *
- * An evaluator gives at any place the number that luxel_probe_many() gives there, to the last bit.  It
+ * An evaluator gives at any place the number that luxel_probe_places() gives there, to the last bit.  It
  * is what extrema, isophotes and profiles are found with, and what a front end keeps while the pointer moves.
  *
- * The scene must outlive the evaluator and must not be changed while it lives.  An evaluator is never changed after it
- * was made, so several threads may use one at once.
+ * The scene must outlive the evaluator and must not be changed while it lives.
  */
 #ifndef LUXEL_EVALUATOR_H
 #define LUXEL_EVALUATOR_H
@@ -23,13 +22,14 @@ typedef struct luxel_evaluator luxel_evaluator;
 /* What is found at one place. */
 typedef struct luxel_value {
     bool on_surface;       /* whether a surface is seen there; without one all else is 0 */
+    bool has_value;        /* false where a source lies on the element */
+    unsigned part;         /* of a room the wall, of a box the side (luxel_scene_part_name()); else 0 */
     size_t surface;        /* its index in the scene's list */
-    unsigned part;         /* its part that is seen, of a room a wall, of a box a side (luxel_part_name()); else 0 */
     double position_mm[3]; /* the place on it */
     double normal[3];      /* its unit normal there */
-    bool has_value;        /* false where a source lies on the element */
     double value;          /* the exact value, in the unit of luxel_scene_unit() */
     double error;          /* bounds |value - truth| */
+    void *reserved[2];     /* for later versions: NULL */
 } luxel_value;
 
 /*
@@ -58,19 +58,21 @@ LUXEL_API size_t luxel_evaluator_light_count(const luxel_evaluator *evaluator);
  * The place that is seen through a screen point, which may lie off the screen.  Nothing is evaluated there, so it costs
  * little: has_value is false.
  */
-LUXEL_API luxel_value luxel_trace(const luxel_evaluator *evaluator, double x_mm, double y_mm);
+LUXEL_API void luxel_trace_screen(const luxel_evaluator *evaluator, double x_mm, double y_mm, luxel_value *value);
 
 /*
  * The value seen through a screen point, which may lie off the screen.  `shares` NULL, or room for a number for each
  * light of the scene: what each gives of the value, 0 where there is none.
  */
-LUXEL_API luxel_value luxel_evaluate(const luxel_evaluator *evaluator, double x_mm, double y_mm, double *shares);
+LUXEL_API void luxel_evaluate_screen(const luxel_evaluator *evaluator, double x_mm, double y_mm, luxel_value *value,
+                                     double *shares);
 
 /*
- * The value at a place, the number that luxel_probe_many() gives there: of a free element `surface` of the answer tells
- * whose material counts.  on_surface is false, too, where the place is none that could be probed.
+ * The value at a place, the number that luxel_probe_places() gives there: of a free element `surface` of the answer
+ * tells whose material counts.  on_surface is false, too, where the place is none that could be probed.
  */
-LUXEL_API luxel_value luxel_evaluate_place(const luxel_evaluator *evaluator, const luxel_place *place, double *shares);
+LUXEL_API void luxel_evaluate_place(const luxel_evaluator *evaluator, const luxel_place *place, luxel_value *value,
+                                    double *shares);
 
 /*
  * The values at `count` places by several threads, as many as the evaluator's settings say: each is what
@@ -91,13 +93,6 @@ LUXEL_API luxel_status luxel_evaluate_places(const luxel_evaluator *evaluator, c
  */
 LUXEL_API luxel_status luxel_evaluator_settle_places(const luxel_evaluator *evaluator, luxel_place *places,
                                                      size_t count, const double *tolerances_mm, double *moved_mm);
-
-/*
- * The value at a point of the scene's surface with this index: the point that a line from its centre along `normal`
- * meets, whether it is seen from the observer or not.  Only spheres: on_surface is false for another surface.
- */
-LUXEL_API luxel_value luxel_evaluate_sphere(const luxel_evaluator *evaluator, size_t surface, const double normal[3],
-                                            double *shares);
 
 #ifdef __cplusplus
 }

@@ -33,20 +33,20 @@ LUXEL_API luxel_status luxel_variant_text(unsigned number, luxel_diagnostics *di
 LUXEL_API luxel_status luxel_scene_advise_peak(const luxel_scene *scene, luxel_diagnostics *diagnostics);
 
 /* What an answer is found to be. */
-typedef enum luxel_verdict {
+typedef enum luxel_judgement_verdict {
     LUXEL_ANSWER_RIGHT,      /* within the tolerance of the exact value */
     LUXEL_ANSWER_CONVENTION, /* within the tolerance of what another convention gives: `explanations` name it */
     LUXEL_ANSWER_WRONG,      /* neither */
     LUXEL_ANSWER_COARSE      /* the exact value, correctly rounded, but to fewer than the three digits asked for */
-} luxel_verdict;
+} luxel_judgement_verdict;
 
 /* The judgement of one answer.  Its arrays and texts live as long as it. */
 typedef struct luxel_judgement {
-    luxel_verdict verdict;    /* what the answer is found to be */
-    bool has_value;           /* whether there is a right value: false off every surface */
-    double value;             /* the exact value */
-    double error;             /* bounds |value - truth| */
-    size_t explanation_count; /* for LUXEL_ANSWER_CONVENTION: choices that together give the answer: one, or
+    luxel_judgement_verdict verdict; /* what the answer is found to be */
+    bool has_value;                  /* whether there is a right value: false off every surface */
+    double value;                    /* the exact value */
+    double error;                    /* bounds |value - truth| */
+    size_t explanation_count;        /* for LUXEL_ANSWER_CONVENTION: choices that together give the answer: one, or
                                           two where no single one does */
     const luxel_alternative *explanations; /* explanation_count of them */
 } luxel_judgement;

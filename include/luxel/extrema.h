@@ -34,22 +34,23 @@ typedef struct luxel_peak {
     double x_mm;            /* on the screen; of a sphere's rim, which it does not resolve, as near as it shows it */
     double y_mm;            /* on the screen; of a sphere's rim, which it does not resolve, as near as it shows it */
     size_t surface;         /* index in the scene's list */
-    unsigned part;          /* of a room the wall, of a box the side (luxel_part_name()); else 0 */
+    unsigned part;          /* of a room the wall, of a box the side (luxel_scene_part_name()); else 0 */
     double position_mm[3];  /* on the surface */
     double normal[3];       /* the unit normal there */
     luxel_peak_place place; /* where it lies */
+    void *reserved[4];      /* for later versions: NULL */
 } luxel_peak;
 
 /* Both. */
 typedef struct luxel_extrema {
     luxel_peak maximum; /* the greatest value */
     luxel_peak minimum; /* the least value */
+    void *reserved[4];  /* for later versions: NULL */
 } luxel_extrema;
 
 /*
  * Finds the extrema.  `field` is a picture of the evaluator's scene and quantity, which tells where to look; its
  * resolution decides how narrow a peak may be that no geometry foretells.  `region` NULL: all that the screen shows.
- * Any number of threads gives the same result.
  * LUXEL_ERROR_ARGUMENT: the field is not of that scene's screen and quantity, or the region does not go.
  * LUXEL_CANCELLED: the settings' progress said so.  LUXEL_ERROR_MEMORY.
  */

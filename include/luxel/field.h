@@ -3,8 +3,7 @@
  * Fields: the computed picture, a grid of numbers in their unit, with its statistics and grey levels.
  *
  * Row 0 is the top of the picture (largest y), column 0 the smallest x; values lie row by row.  A pixel off
- * every surface holds 0 and is off the mask.  A field is never changed after it was made, so several threads
- * may read it; it keeps the text of its scene, but nothing of the scene alive.
+ * every surface holds 0 and is off the mask.  A field keeps the text of its scene, but nothing of the scene alive.
  */
 #ifndef LUXEL_FIELD_H
 #define LUXEL_FIELD_H
@@ -49,6 +48,7 @@ typedef struct luxel_statistics {
     bool has_reflected;     /* whether surfaces reflect light to each other; then all values have it */
     double reflected_error; /* bounds the error of what it adds to any pixel, as a share of the maximum */
     bool reflected_reached; /* whether that is no more than the settings ask for; true without such light */
+    void *reserved[4];      /* for later versions: NULL */
 } luxel_statistics;
 
 /* Frees a field; NULL is harmless. */
@@ -58,8 +58,6 @@ LUXEL_API void luxel_field_free(luxel_field *field);
 LUXEL_API unsigned luxel_field_columns(const luxel_field *field);
 /* The number of rows, the vertical resolution. */
 LUXEL_API unsigned luxel_field_rows(const luxel_field *field);
-/* The number of values a pixel, 1. */
-LUXEL_API unsigned luxel_field_channels(const luxel_field *field);
 /* What the values are. */
 LUXEL_API luxel_quantity luxel_field_quantity(const luxel_field *field);
 /* What type the values have. */
@@ -108,16 +106,16 @@ LUXEL_API void luxel_field_grey16(const luxel_field *field, uint16_t *grey);
 LUXEL_API luxel_status luxel_field_write(const luxel_field *field, const char *path, luxel_diagnostics *diagnostics);
 
 /* How a file is written, where its format leaves a choice; {0} is as luxel_field_write() does. */
-typedef struct luxel_output {
+typedef struct luxel_field_output {
     unsigned bits;     /* of a grey level in .png: 8 or 16; 0: 8.  Other formats hold the values themselves */
     void *reserved[4]; /* for later versions: NULL */
-} luxel_output;
+} luxel_field_output;
 
 /*
  * Writes the field as luxel_field_write() does; `how` NULL: just so.
  * LUXEL_ERROR_ARGUMENT: other numbers of bits, too.
  */
-LUXEL_API luxel_status luxel_field_write_as(const luxel_field *field, const char *path, const luxel_output *how,
+LUXEL_API luxel_status luxel_field_write_as(const luxel_field *field, const char *path, const luxel_field_output *how,
                                             luxel_diagnostics *diagnostics);
 
 /*
@@ -125,8 +123,9 @@ LUXEL_API luxel_status luxel_field_write_as(const luxel_field *field, const char
  * luxel_bytes_free().  `name` tells the format by its extension, and is named in messages: "field.png".
  * LUXEL_ERROR_ARGUMENT, LUXEL_ERROR_MEMORY; *bytes and *length then stay as they were.
  */
-LUXEL_API luxel_status luxel_field_write_memory(const luxel_field *field, const char *name, const luxel_output *how,
-                                                luxel_diagnostics *diagnostics, unsigned char **bytes, size_t *length);
+LUXEL_API luxel_status luxel_field_write_memory(const luxel_field *field, const char *name,
+                                                const luxel_field_output *how, luxel_diagnostics *diagnostics,
+                                                unsigned char **bytes, size_t *length);
 
 /* Whether luxel_field_write() knows the extension of this name; if not, says so in the diagnostics. */
 LUXEL_API luxel_status luxel_check_output_name(const char *path, luxel_diagnostics *diagnostics);
@@ -179,7 +178,7 @@ LUXEL_API luxel_status luxel_field_of_values(const luxel_field_content *content,
                                              luxel_field **field);
 
 /* The extensions that luxel_field_write() knows: the i-th with its dot, such as ".png"; NULL beyond the last. */
-LUXEL_API const char *luxel_output_ending(size_t i);
+LUXEL_API const char *luxel_field_output_ending(size_t i);
 
 #ifdef __cplusplus
 }

@@ -20,20 +20,20 @@ extern "C" {
 #endif
 
 /* How values become colours. */
-typedef enum luxel_bands {
-    LUXEL_SMOOTH,   /* one colour for each value */
-    LUXEL_BANDS,    /* steps: one colour from each level to the next */
-    LUXEL_CONTOURS, /* smooth colours under labelled isophotes */
-    LUXEL_LINES     /* isophotes alone, coloured, on white */
-} luxel_bands;
+typedef enum luxel_figure_bands {
+    LUXEL_BANDS_SMOOTH,   /* one colour for each value */
+    LUXEL_BANDS_STEPS,    /* steps: one colour from each level to the next */
+    LUXEL_BANDS_CONTOURS, /* smooth colours under labelled isophotes */
+    LUXEL_BANDS_LINES     /* isophotes alone, coloured, on white */
+} luxel_figure_bands;
 
 /* The place that a section is drawn through. */
-typedef enum luxel_section {
+typedef enum luxel_figure_section {
     LUXEL_SECTION_NONE,
     LUXEL_SECTION_CENTER, /* the screen's centre */
     LUXEL_SECTION_MAXIMUM,
     LUXEL_SECTION_POINT
-} luxel_section;
+} luxel_figure_section;
 
 /*
  * The contents of a figure; luxel_figure_settings_init() sets the defaults, which the comments name.
@@ -46,25 +46,25 @@ typedef enum luxel_section {
  * sections, whatever the settings say.
  */
 typedef struct luxel_figure_settings {
-    const char *palette;      /* a name of luxel_palette_name(): NULL: viridis */
-    double low;               /* of the range of the bar; NaN: what the picture of the scene says, or its values */
-    double high;              /* of the range of the bar; NaN likewise */
-    bool logarithmic;         /* the bar by powers of ten; false */
-    luxel_bands bands;        /* contours */
-    size_t levels;            /* about so many round ones, 1 to 50; 8 */
-    const double *level_list; /* or just these; NULL */
-    size_t level_list_count;  /* of them */
-    bool extrema;             /* mark the maximum; true */
-    bool points;              /* mark the scene's points; true */
-    luxel_section section;    /* none; else the plots of the horizontal and the vertical section stand below */
-    double section_mm[2];     /* of LUXEL_SECTION_POINT */
-    bool stacked;             /* in sections: the lights' shares on top of each other, else as lines; false */
-    const char *title;        /* NULL or "": none */
-    const char *label;        /* of the bar; NULL: the quantity with its unit */
-    double width_mm;          /* of the whole figure on paper, 40 to 1000; 160 */
-    double dots_per_inch;     /* of a PNG, 30 to 2400; 200 */
-    bool dark;                /* light lines on a dark ground, for projectors; false */
-    bool small_print;         /* the parameters under the picture; true */
+    const char *palette;          /* a name of luxel_palette_name(): NULL: viridis */
+    double low;                   /* of the range of the bar; NaN: what the picture of the scene says, or its values */
+    double high;                  /* of the range of the bar; NaN likewise */
+    bool logarithmic;             /* the bar by powers of ten; false */
+    luxel_figure_bands bands;     /* contours */
+    size_t levels;                /* about so many round ones, 1 to 50; 8 */
+    const double *level_list;     /* or just these; NULL */
+    size_t level_list_count;      /* of them */
+    bool extrema;                 /* mark the maximum; true */
+    bool points;                  /* mark the scene's points; true */
+    luxel_figure_section section; /* none; else the plots of the horizontal and the vertical section stand below */
+    double section_mm[2];         /* of LUXEL_SECTION_POINT */
+    bool stacked;                 /* in sections: the lights' shares on top of each other, else as lines; false */
+    const char *title;            /* NULL or "": none */
+    const char *label;            /* of the bar; NULL: the quantity with its unit */
+    double width_mm;              /* of the whole figure on paper, 40 to 1000; 160 */
+    double dots_per_inch;         /* of a PNG, 30 to 2400; 200 */
+    bool dark;                    /* light lines on a dark ground, for projectors; false */
+    bool small_print;             /* the parameters under the picture; true */
     const luxel_language *language; /* NULL: English */
     size_t grid;       /* 0: the picture; else the plane of the scene's grid of this number, from 1 on; see below */
     void *reserved[4]; /* for later versions: NULL */

@@ -2,8 +2,6 @@
 /*
  * Discomfort glare: the unified glare rating (UGR) of CIE 117, 8 lg(0.25 / Lb · Σ L² ω / p²), of the luminances L of
  * luminaires that are seen under solid angles ω and with position indices p before a background of the luminance Lb.
- *
- * Threads: as for luxel_render().
  */
 #ifndef LUXEL_GLARE_H
 #define LUXEL_GLARE_H
@@ -29,14 +27,15 @@ typedef struct luxel_ugr_table {
     /* The luminance Lb of the background in cd/m², where the luminaires are 1 m above the eye; it falls with the square
      * of that height. */
     double backgrounds[LUXEL_UGR_ROOMS][LUXEL_UGR_REFLECTANCES];
+    void *reserved[4]; /* for later versions: NULL */
 } luxel_ugr_table;
 
 /*
  * Computes it for a spacing of 1, 1/2, 1/3 ... 1/8 of the height; catalogues have 0.25, the example of CIE 190 has 1.
  * LUXEL_ERROR_ARGUMENT: NULL, another spacing.  LUXEL_ERROR_MEMORY.
  */
-LUXEL_API luxel_status luxel_photometry_rate_glare(const luxel_photometry *photometry, double spacing,
-                                                   luxel_ugr_table *table);
+LUXEL_API luxel_status luxel_photometry_find_ugr_table(const luxel_photometry *photometry, double spacing,
+                                                       luxel_ugr_table *table);
 
 /* The size of the i-th room in heights of the luminaires above the eye: [0] across, [1] along the line of sight. */
 LUXEL_API double luxel_ugr_room(size_t i, size_t axis);
@@ -49,10 +48,11 @@ LUXEL_API double luxel_ugr_reflectance(size_t i, size_t part);
 
 /* One room by the light that its surfaces really reflect, any number of times. */
 typedef struct luxel_room_rating {
-    luxel_amount background; /* Lb in cd/m², where the luminaires are 1 m above the eye */
-    double ratings[2];       /* UGR crosswise and endwise, with the glare of the table; NaN: nothing dazzles */
-    double error;            /* bounds what the error of the background makes of both */
-    bool reached;            /* whether reflected light reached its bound; see luxel_settings */
+    luxel_bounded background; /* Lb in cd/m², where the luminaires are 1 m above the eye */
+    double ratings[2];        /* UGR crosswise and endwise, with the glare of the table; NaN: nothing dazzles */
+    double error;             /* bounds what the error of the background makes of both */
+    bool reached;             /* whether reflected light reached its bound; see luxel_settings */
+    void *reserved[4];        /* for later versions: NULL */
 } luxel_room_rating;
 
 /*
@@ -62,18 +62,19 @@ typedef struct luxel_room_rating {
  * refuse.  LUXEL_ERROR_ARGUMENT: NULL, a table without ratings, no such room or reflectances.  Else errors as
  * luxel_find_balance() lists them.
  */
-LUXEL_API luxel_status luxel_rate_room(const char *path, const luxel_ugr_table *table, size_t room, size_t triple,
-                                       const luxel_settings *settings, luxel_diagnostics *diagnostics,
-                                       luxel_room_rating *rating);
+LUXEL_API luxel_status luxel_find_room_rating(const char *path, const luxel_ugr_table *table, size_t room,
+                                              size_t triple, const luxel_settings *settings,
+                                              luxel_diagnostics *diagnostics, luxel_room_rating *rating);
 
 /* An observer who looks in a direction. */
-typedef struct luxel_sight {
+typedef struct luxel_glare_sight {
     double eye_mm[3]; /* where the eye is */
     double view[3];   /* the way it looks, of any length but 0 */
     /* The observer's upward direction, not along the view; all 0: what a room's `up` names, else the scene's
      * observer.up, else (0, 0, 1), or (0, 1, 0) where the view is along that. */
     double up[3];
-} luxel_sight;
+    void *reserved[4]; /* for later versions: NULL */
+} luxel_glare_sight;
 
 /* Whether a light counts, and why it does not. */
 typedef enum luxel_glare_reason {
@@ -97,15 +98,14 @@ typedef struct luxel_glare_source {
     double seen;               /* the share of its light that surfaces let through, 0 to 1 */
     double position_index;     /* by the direction of its middle; NaN outside the field of view */
     double share;              /* of the glare, 0 to 1 */
+    void *reserved[4];         /* for later versions: NULL */
 } luxel_glare_source;
 
 /* The unified glare rating of an observer. */
 typedef struct luxel_glare {
     bool has_rating;             /* false where nothing dazzles, the background is dark, or units are radiometric */
-    double rating;               /* UGR */
-    double error;                /* bounds |rating - truth| */
-    double background;           /* Lb: the irradiance of the eye by reflected and ambient light over pi */
-    double background_error;     /* bounds its error */
+    luxel_bounded rating;        /* UGR */
+    luxel_bounded background;    /* Lb: the irradiance of the eye by reflected and ambient light over pi */
     bool reached;                /* whether reflected light reached its bound; see luxel_settings */
     size_t source_count;         /* of the next */
     luxel_glare_source *sources; /* the lights that give light, in the order of the scene */
@@ -114,12 +114,13 @@ typedef struct luxel_glare {
 /*
  * Rates what an observer sees, with shadows and with the reflected light of scenes that have it; a scene without
  * reflections and ambient light has no background and so no rating.  The lengths of light sources are small against
- * their distances, as the rating has it: each is one source at its middle.  `error` covers all of these numbers.
- * The rating is the caller's: free it with luxel_glare_free().  LUXEL_ERROR_ARGUMENT: a direction is 0 or not finite.
- * Else errors as luxel_render() lists them.
+ * their distances, as the rating has it: each is one source at its middle.  The rating's error covers all of these
+ * numbers.  The rating is the caller's: free it with luxel_glare_free().  LUXEL_ERROR_ARGUMENT: a direction is 0 or
+ * not finite.  Else errors as luxel_render() lists them.
  */
-LUXEL_API luxel_status luxel_rate_glare(const luxel_scene *scene, const luxel_settings *settings,
-                                        const luxel_sight *sight, luxel_diagnostics *diagnostics, luxel_glare **glare);
+LUXEL_API luxel_status luxel_find_glare(const luxel_scene *scene, const luxel_settings *settings,
+                                        const luxel_glare_sight *sight, luxel_diagnostics *diagnostics,
+                                        luxel_glare **glare);
 
 /* Frees a rating; NULL is harmless. */
 LUXEL_API void luxel_glare_free(luxel_glare *glare);

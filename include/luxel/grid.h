@@ -9,7 +9,7 @@
  *
  * Each value is that of a free surface element at the cell's centre, in float64 with a bound of its error, as
  * luxel_probe_element() has it.  The quantity is the irradiance, whatever the settings say: a measuring plane has no
- * material.  The numbers are the same for any number of threads.  Threads as for luxel_render().
+ * material.
  *
  * Cells inside of bodies have no value: nobody sees or measures there.  A body is what a surface closes around, a
  * sphere that is seen from outside, a closed mesh, or a tube with covers, unless a light shines in it: that is a room.
@@ -21,6 +21,7 @@
 #ifndef LUXEL_GRID_H
 #define LUXEL_GRID_H
 
+#include <luxel/bounded.h>
 #include <luxel/field.h>
 #include <luxel/scene.h>
 #include <luxel/settings.h>
@@ -57,19 +58,16 @@ typedef struct luxel_grid {
     size_t measured;             /* the number of cells that have a value */
     size_t blocking_light;       /* where more than `enclosed` have none: the light on the first, by index */
     double error;                /* the largest of the bounds */
-    double average;              /* the plain mean of the values */
-    double average_error;        /* bounds its distance from the mean of the true values at the cells' centres */
+    luxel_bounded average;       /* the plain mean of the values; the truth is that of the true values there */
     luxel_grid_extremum minimum; /* the least value */
     luxel_grid_extremum maximum; /* the greatest value */
     bool has_evenness;           /* whether the average is above 0; else the next two are 0 */
     double u0;                   /* minimum / average, the uniformity U0 (EN 12665) */
     double ud;                   /* minimum / maximum, the diversity Ud */
     bool has_mean;               /* whether the next two are known: the unit is a power by area, no source in the way */
-    double mean;                 /* the mean irradiance of the plane, its integral by its area, bodies and all */
-    double mean_error;           /* bounds |mean - truth| */
+    luxel_bounded mean;          /* the mean irradiance of the plane, its integral by its area, bodies and all */
     const char *flux_unit;       /* "W" or "lm"; NULL where there is no mean */
-    double flux;                 /* the power that falls on the plane: its mean times its area; 0 without flux_unit */
-    double flux_error;           /* bounds |flux - truth| */
+    luxel_bounded flux;          /* the power that falls on the plane: its mean times its area; 0 without flux_unit */
     bool has_sampling_error;     /* false where a cell has no value */
     double sampling_error;       /* how far the average may be from the plane's mean */
     bool sampling_is_bound;      /* it is a bound, from the mean; else an estimate, from a grid of half as many cells */
@@ -100,15 +98,15 @@ LUXEL_API luxel_status luxel_scene_grid_resolution(const luxel_scene *scene, siz
  * Errors as luxel_render() lists them.  LUXEL_ERROR_ARGUMENT: no such grid, too.  LUXEL_ERROR_RANGE: a value is beyond
  * float64.
  */
-LUXEL_API luxel_status luxel_measure(const luxel_scene *scene, const luxel_settings *settings, size_t i,
-                                     luxel_diagnostics *diagnostics, luxel_grid **grid);
+LUXEL_API luxel_status luxel_find_grid(const luxel_scene *scene, const luxel_settings *settings, size_t i,
+                                       luxel_diagnostics *diagnostics, luxel_grid **grid);
 
 /*
- * The values of luxel_measure() alone, with their average and extrema: without the flux and the mean of the plane
+ * The values of luxel_find_grid() alone, with their average and extrema: without the flux and the mean of the plane
  * and the sampling error, which for sources of some size behind obstacles take most of the time.
  */
-LUXEL_API luxel_status luxel_measure_values(const luxel_scene *scene, const luxel_settings *settings, size_t i,
-                                            luxel_diagnostics *diagnostics, luxel_grid **grid);
+LUXEL_API luxel_status luxel_find_grid_values(const luxel_scene *scene, const luxel_settings *settings, size_t i,
+                                              luxel_diagnostics *diagnostics, luxel_grid **grid);
 
 /* The least or the greatest value on a whole plane. */
 typedef struct luxel_grid_peak {
@@ -117,12 +115,14 @@ typedef struct luxel_grid_peak {
     double error;          /* bounds |value - truth at this very place| */
     double position_mm[3]; /* of the place */
     double on_plane_mm[2]; /* from the plane's middle, along up x axis and along up */
+    void *reserved[4];     /* for later versions: NULL */
 } luxel_grid_peak;
 
 /* Both. */
 typedef struct luxel_grid_extrema {
     luxel_grid_peak minimum; /* the least value */
     luxel_grid_peak maximum; /* the greatest value */
+    void *reserved[4];       /* for later versions: NULL */
 } luxel_grid_extrema;
 
 /*
@@ -130,9 +130,9 @@ typedef struct luxel_grid_extrema {
  * grid.  They are looked for at the centres, sides and corners of all cells and, where no light takes integrals, at
  * some thousand places, and refined from there; so neither is less extreme than that of the grid's values, and no bound
  * is known of what is narrower than the places lie apart.  Where light jumps, at the edge of a shadow say, the place is
- * as near as the steps lead.  Of light that surfaces reflect to each other what luxel_measure() has found for the plane
- * is used, if it was the last one, and else found anew, so that the numbers may differ within their errors.
- * The same numbers for any number of threads.  Errors as luxel_measure().
+ * as near as the steps lead.  Of light that surfaces reflect to each other what luxel_find_grid() has found for the
+ * plane is used, if it was the last one, and else found anew, so that the numbers may differ within their errors.
+ * Errors as luxel_find_grid().
  */
 LUXEL_API luxel_status luxel_find_grid_extrema(const luxel_scene *scene, const luxel_settings *settings, size_t i,
                                                luxel_diagnostics *diagnostics, luxel_grid_extrema *extrema);
@@ -142,11 +142,11 @@ LUXEL_API luxel_status luxel_find_grid_extrema(const luxel_scene *scene, const l
  * irradiance in float64, row 0 the top one, its places in mm from the plane's middle, x along up x axis and y along up.
  * An odd multiple of the grid's own cells has their centres among its own.  The field is the caller's, as
  * luxel_render() has it, but knows no scene.
- * Errors as luxel_measure(); LUXEL_ERROR_ARGUMENT: columns or rows are not 1 to 65536, too.
+ * Errors as luxel_find_grid(); LUXEL_ERROR_ARGUMENT: columns or rows are not 1 to 65536, too.
  */
-LUXEL_API luxel_status luxel_measure_field(const luxel_scene *scene, const luxel_settings *settings, size_t i,
-                                           unsigned columns, unsigned rows, luxel_diagnostics *diagnostics,
-                                           luxel_field **field);
+LUXEL_API luxel_status luxel_find_grid_field(const luxel_scene *scene, const luxel_settings *settings, size_t i,
+                                             unsigned columns, unsigned rows, luxel_diagnostics *diagnostics,
+                                             luxel_field **field);
 
 /* Frees a grid with its values; NULL is harmless. */
 LUXEL_API void luxel_grid_free(luxel_grid *grid);

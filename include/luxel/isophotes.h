@@ -34,7 +34,7 @@ typedef struct luxel_isophotes {
 
 /*
  * Finds the lines of `count` levels.  `evaluator` NULL: as the picture has them, else on the exact function of the same
- * scene and quantity.  The same result for any number of threads; the result is the caller's.
+ * scene and quantity.  The result is the caller's.
  * LUXEL_ERROR_ARGUMENT: a level is not finite, the field does not know its places or is not of the evaluator's scene.
  * LUXEL_CANCELLED: the evaluator's progress said so.  LUXEL_ERROR_MEMORY.
  */

@@ -2,8 +2,6 @@
 /*
  * The lights of a committed scene, as front ends show them: how much they give off, where they stand, which way they
  * shine.  Lights are counted as in the scene's list, and whether one is enabled does not matter.
- *
- * Threads: these functions only read the scene; several threads may call them at once.
  */
 #ifndef LUXEL_LIGHT_H
 #define LUXEL_LIGHT_H
@@ -62,19 +60,20 @@ LUXEL_API bool luxel_scene_light_place(const luxel_scene *scene, size_t i, doubl
 LUXEL_API bool luxel_scene_light_direction(const luxel_scene *scene, size_t i, double direction[3]);
 
 /* Which light there is, and how far it goes. */
-typedef struct luxel_reach {
-    bool has_ambient; /* light that is everywhere */
-    bool has_direct;  /* light that comes from somewhere */
-    double share;     /* of the pixels that show a surface: where some of has_direct arrives, shadows included */
-} luxel_reach;
+typedef struct luxel_light_reach {
+    bool has_ambient;  /* light that is everywhere */
+    bool has_direct;   /* light that comes from somewhere */
+    double share;      /* of the pixels that show a surface: where some of has_direct arrives, shadows included */
+    void *reserved[4]; /* for later versions: NULL */
+} luxel_light_reach;
 
 /*
  * Finds where the light of a picture arrives: a question of geometry, whatever the values are, so the tail of a
  * highlight behind the terminator counts for nothing.  The settings' group of lights counts; NULL: the defaults.
  * Errors as luxel_render() lists them.
  */
-LUXEL_API luxel_status luxel_find_reach(const luxel_scene *scene, const luxel_settings *settings,
-                                        luxel_diagnostics *diagnostics, luxel_reach *reach);
+LUXEL_API luxel_status luxel_find_light_reach(const luxel_scene *scene, const luxel_settings *settings,
+                                              luxel_diagnostics *diagnostics, luxel_light_reach *reach);
 
 #ifdef __cplusplus
 }

@@ -2,8 +2,6 @@
 /*
  * Meshes that a committed scene reads from files, as surfaces and as bodies of volume sources: how many triangles,
  * whether they close, how large; and what surfaces look like from afar.
- *
- * Threads: these functions only read the scene; several threads may call them at once.
  */
 #ifndef LUXEL_MESH_H
 #define LUXEL_MESH_H
@@ -32,6 +30,7 @@ typedef struct luxel_mesh_survey {
     double volume_mm3;      /* below 0 where its faces look inwards; NaN unless it is closed and no face is flipped */
     double scale_mm;        /* how long a unit of the file is */
     double size_mm[3];      /* the sides of the box around it, along the axes of the file */
+    void *reserved[4];      /* for later versions: NULL */
 } luxel_mesh_survey;
 
 /*

@@ -7,8 +7,6 @@
  * Directions have three components: along the axis a, along C = 0 (c0), and along c0 × a.  The axis of type C and of
  * EULUMDAT is nadir, gamma = 0, so (C, gamma) is (cos gamma, sin gamma cos C, sin gamma sin C).  Types A and B have
  * their beam along the axis, their horizontal angles towards c0 and their vertical ones towards c0 × a.
- *
- * Threads: a luminaire never changes once it was read; any number of threads may use it.
  */
 #ifndef LUXEL_PHOTOMETRY_H
 #define LUXEL_PHOTOMETRY_H
@@ -23,13 +21,13 @@ extern "C" {
 #endif
 
 /* The kinds of files. */
-typedef enum luxel_photometry_format { LUXEL_LM_63, LUXEL_EULUMDAT } luxel_photometry_format;
+typedef enum luxel_photometry_format { LUXEL_PHOTOMETRY_LM_63, LUXEL_PHOTOMETRY_EULUMDAT } luxel_photometry_format;
 
 /* The systems of coordinates. */
 typedef enum luxel_photometry_type {
-    LUXEL_TYPE_A, /* horizontal X, vertical Y, polar axis up: (cos Y cos X, cos Y sin X, sin Y) */
-    LUXEL_TYPE_B, /* horizontal H, vertical V, polar axis sideways: (cos H cos V, sin H, cos H sin V) */
-    LUXEL_TYPE_C  /* planes C about the vertical, gamma from nadir; EULUMDAT has no other */
+    LUXEL_PHOTOMETRY_TYPE_A, /* horizontal X, vertical Y, polar axis up: (cos Y cos X, cos Y sin X, sin Y) */
+    LUXEL_PHOTOMETRY_TYPE_B, /* horizontal H, vertical V, polar axis sideways: (cos H cos V, sin H, cos H sin V) */
+    LUXEL_PHOTOMETRY_TYPE_C  /* planes C about the vertical, gamma from nadir; EULUMDAT has no other */
 } luxel_photometry_type;
 
 /* What the file leaves out because it repeats. */
@@ -43,7 +41,7 @@ typedef enum luxel_photometry_symmetry {
 } luxel_photometry_symmetry;
 
 /* Shapes of luminous openings. */
-typedef enum luxel_opening_shape {
+typedef enum luxel_photometry_opening_shape {
     LUXEL_OPENING_POINT,
     LUXEL_OPENING_RECTANGLE,
     LUXEL_OPENING_BOX,             /* with luminous sides */
@@ -54,25 +52,26 @@ typedef enum luxel_opening_shape {
     LUXEL_OPENING_CYLINDER_WIDTH,  /* lying, its axis along the width */
     LUXEL_OPENING_FACING_LENGTH,   /* an upright ellipse that faces along the length */
     LUXEL_OPENING_FACING_WIDTH     /* an upright ellipse that faces along the width */
-} luxel_opening_shape;
+} luxel_photometry_opening_shape;
 
 /* A luminous opening; lengths in mm.  EULUMDAT calls "length" what LM-63 calls width, and here it is the width, too. */
-typedef struct luxel_opening {
-    luxel_opening_shape shape; /* which of its lengths count */
-    double width_mm;           /* along C90-C270 */
-    double length_mm;          /* along C0-C180 */
-    double height_mm;          /* along the axis; the greatest of the four that EULUMDAT gives */
-} luxel_opening;
+typedef struct luxel_photometry_opening {
+    luxel_photometry_opening_shape shape; /* which of its lengths count */
+    double width_mm;                      /* along C90-C270 */
+    double length_mm;                     /* along C0-C180 */
+    double height_mm;                     /* along the axis; the greatest of the four that EULUMDAT gives */
+} luxel_photometry_opening;
 
 /* The lamps of a EULUMDAT file, or those of an LM-63 file as one set. */
-typedef struct luxel_lamp_set {
+typedef struct luxel_photometry_lamp_set {
     double count;            /* of lamps; below 0 in EULUMDAT: absolute photometry */
     const char *type;        /* as the file calls it; "" */
     double lumens;           /* of all lamps of the set; NaN: the file declares none */
     const char *temperature; /* colour temperature, as it stands there; "" */
     const char *rendering;   /* colour rendering, as it stands there; "" */
     double watts;            /* with ballast */
-} luxel_lamp_set;
+    void *reserved[4];       /* for later versions: NULL */
+} luxel_photometry_lamp_set;
 
 /* A text of the file: an LM-63 keyword, or a line of EULUMDAT under the keyword that means the same. */
 typedef struct luxel_photometry_text {
@@ -105,13 +104,13 @@ typedef struct luxel_photometry {
     double multiplier;      /* cd for one unit of the file's numbers: all factors together */
     double watts;           /* input power */
 
-    luxel_opening opening; /* where the light comes out */
-    double housing_mm[3];  /* width, length and height of the luminaire, EULUMDAT; 0 where not known */
+    luxel_photometry_opening opening; /* where the light comes out */
+    double housing_mm[3];             /* width, length and height of the luminaire, EULUMDAT; 0 where not known */
 
-    const luxel_lamp_set *lamp_sets;    /* the first one counts */
-    size_t lamp_set_count;              /* of them */
-    const luxel_photometry_text *texts; /* in the order of the file */
-    size_t text_count;                  /* of them */
+    const luxel_photometry_lamp_set *lamp_sets; /* the first one counts */
+    size_t lamp_set_count;                      /* of them */
+    const luxel_photometry_text *texts;         /* in the order of the file */
+    size_t text_count;                          /* of them */
 
     unsigned tilt_geometry;     /* of the lamp in the luminaire, 1 to 3; 0: TILT=NONE */
     const double *tilt_angles;  /* degrees of the luminaire's tilt */
@@ -143,15 +142,19 @@ LUXEL_API const char *luxel_photometry_format_name(const luxel_photometry *photo
 /* "axial", "quadrant", "bilateral 0-180", "bilateral 90-270", "lateral", "none". */
 LUXEL_API const char *luxel_photometry_symmetry_name(luxel_photometry_symmetry symmetry);
 /* "disk", "rectangle", "box", ...: the shape in one word or two, as JSON has it. */
-LUXEL_API const char *luxel_opening_name(const luxel_opening *opening);
+LUXEL_API const char *luxel_photometry_opening_name(const luxel_photometry_opening *opening);
 
 /* How the table goes on between its places: linear in both angles, or in the one and the cosine of the other, in which
  * zones of equal solid angle are equal. */
-typedef enum luxel_interpolation { LUXEL_INTERPOLATE_ANGLE, LUXEL_INTERPOLATE_COSINE } luxel_interpolation;
+typedef enum luxel_photometry_interpolation {
+    LUXEL_INTERPOLATE_ANGLE,
+    LUXEL_INTERPOLATE_COSINE
+} luxel_photometry_interpolation;
 
 /* The intensity in cd at any C or horizontal angle and any gamma or vertical angle; 0 where the table has none. */
-LUXEL_API double luxel_photometry_intensity(const luxel_photometry *photometry, luxel_interpolation interpolation,
-                                            double plane_deg, double angle_deg);
+LUXEL_API double luxel_photometry_intensity(const luxel_photometry *photometry,
+                                            luxel_photometry_interpolation interpolation, double plane_deg,
+                                            double angle_deg);
 
 /* The unit vector in a direction of the table. */
 LUXEL_API void luxel_photometry_direction(const luxel_photometry *photometry, double plane_deg, double angle_deg,
@@ -178,12 +181,14 @@ typedef struct luxel_photometry_figures {
     double beam_sections_deg[2];              /* in the sections C0-C180 and C90-C270, or horizontal and vertical */
     double field_sections_deg[2];             /* in these, too */
     double flux_code[5];                      /* CIE flux code N1 to N5, percent, not rounded; type C */
-    double direct_ratios[LUXEL_ROOM_INDICES]; /* for the room indices of luxel_room_index(); type C */
+    double direct_ratios[LUXEL_ROOM_INDICES]; /* for the room indices of luxel_photometry_room_index(); type C */
     double spacing[3]; /* spacing criteria along C0-C180, along C90-C270 and across the diagonals; type C */
+    void *reserved[4]; /* for later versions: NULL */
 } luxel_photometry_figures;
 
 /* Computes them.  LUXEL_ERROR_MEMORY. */
-LUXEL_API luxel_status luxel_photometry_measure(const luxel_photometry *photometry, luxel_photometry_figures *figures);
+LUXEL_API luxel_status luxel_photometry_find_figures(const luxel_photometry *photometry,
+                                                     luxel_photometry_figures *figures);
 
 /*
  * Writes a luminaire by the extension of the name: .ies as IESNA:LM-63-2002, .ldt as EULUMDAT, whole or not at all.
@@ -195,7 +200,7 @@ LUXEL_API luxel_status luxel_photometry_write(const luxel_photometry *photometry
                                               luxel_diagnostics *diagnostics);
 
 /* The i-th room index for direct ratios: .6 .8 1 1.25 1.5 2 2.5 3 4 5. */
-LUXEL_API double luxel_room_index(size_t i);
+LUXEL_API double luxel_photometry_room_index(size_t i);
 
 #ifdef __cplusplus
 }

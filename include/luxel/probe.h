@@ -2,12 +2,12 @@
 /*
  * Probes: the exact value at one place, in float64, light by light, with a bound of its error.
  *
- * `error` bounds |value - truth| with every rounding included, the truth being the real-number result of the
- * scene's numbers as they stand in float64.  Threads as for luxel_render().
+ * What `error` is, and which threads may ask, stands in luxel.h.
  */
 #ifndef LUXEL_PROBE_H
 #define LUXEL_PROBE_H
 
+#include <luxel/bounded.h>
 #include <luxel/scene.h>
 #include <luxel/settings.h>
 
@@ -25,6 +25,7 @@ typedef struct luxel_light_share {
     double specular;   /* its highlight */
     double error;      /* bounds the error of its share of the value */
     size_t parts;      /* points that an extended source was split into; 0: there is a closed form */
+    void *reserved[2]; /* for later versions: NULL */
 } luxel_light_share;
 
 /*
@@ -41,11 +42,12 @@ typedef struct luxel_light_share {
 typedef struct luxel_place {
     double screen_mm[2];   /* of a point of the screen */
     bool is_element;       /* it is a free element: what follows counts, and screen_mm does not */
+    bool has_view;         /* whether `view` counts */
     double position_mm[3]; /* of an element */
     double normal[3];      /* of an element; of any length but 0 */
-    bool has_view;         /* whether the next one counts */
     double view[3];        /* the direction from the element to the observer; of any length but 0 */
     size_t surface;        /* whose material an element has that lies on no surface */
+    void *reserved[3];     /* for later versions: NULL */
 } luxel_place;
 
 /* The answer of a probe.  Numbers of the scene's unit are those of luxel_scene_unit(). */
@@ -64,9 +66,8 @@ typedef struct luxel_probe {
                                  0, tolerance times what would arrive if nothing stood in the way; see luxel_settings */
     bool has_reflected;     /* whether surfaces reflect light to each other; then value and error have it */
     double reflected_irradiance; /* E_r, what the element receives this way */
-    double reflected_value;      /* what that adds to the value */
-    double reflected_error;      /* bounds the error of what it adds */
-    bool reflected_reached;      /* whether reflected_error <= reflected_error * |value|; see luxel_settings */
+    luxel_bounded reflected;     /* what that adds to the value */
+    bool reflected_reached;      /* whether its error <= reflected_error * |value|; see luxel_settings */
     bool has_pixel_value;        /* false where there is no pixel, or no value of it, or it is skipped: see settings */
     double pixel_value;          /* the picture's value at the pixel */
     double position_mm[3];       /* the element's place, where on_surface */
@@ -86,6 +87,9 @@ typedef struct luxel_probe {
     luxel_light_share *shares; /* the lights' shares, in the scene's order */
 } luxel_probe;
 
+/* The answers to many places; made by luxel_probe_places(). */
+typedef struct luxel_probes luxel_probes;
+
 /*
  * Probes what is seen through the screen point (x, y), which may lie off the screen.
  * The probe is the caller's: free it with luxel_probe_free().
@@ -103,18 +107,31 @@ LUXEL_API luxel_status luxel_probe_element(const luxel_scene *scene, const luxel
                                            luxel_diagnostics *diagnostics, luxel_probe **probe);
 
 /*
- * Probes `count` places, of a scene that is prepared once for all of them, by several threads: a hundred thousand take
- * seconds.  *probes becomes an array of as many, each the very probe that its place has by itself; it is the caller's:
- * free it as a whole with luxel_probe_free().  Progress and cancelling as of luxel_render().
- * LUXEL_ERROR_ARGUMENT: a place, a normal or a view is not finite, or 0 where it must not be, or there is no such
- * surface.  LUXEL_ERROR_RANGE: a value is beyond float64.  Else errors as luxel_render() lists them.
+ * Probes one place, with all that luxel_place says of it.  LUXEL_ERROR_ARGUMENT: its numbers are not finite, or 0 where
+ * they must not be, or there is no such surface.  Else errors as luxel_probe_screen().
  */
-LUXEL_API luxel_status luxel_probe_many(const luxel_scene *scene, const luxel_settings *settings,
-                                        const luxel_place *places, size_t count, luxel_diagnostics *diagnostics,
-                                        luxel_probe **probes);
+LUXEL_API luxel_status luxel_probe_place(const luxel_scene *scene, const luxel_settings *settings,
+                                         const luxel_place *place, luxel_diagnostics *diagnostics, luxel_probe **probe);
 
-/* Frees a probe with its shares, or the whole array of luxel_probe_many(); NULL is harmless. */
+/* Frees a probe with its shares; NULL is harmless. */
 LUXEL_API void luxel_probe_free(luxel_probe *probe);
+
+/*
+ * Probes `count` places, of a scene that is prepared once for all of them, by several threads: a hundred thousand take
+ * seconds.  *probes has as many, each the very probe that its place has by itself; they are the caller's: free them
+ * with luxel_probes_free().  Progress and cancelling as of luxel_render().
+ * Errors as luxel_probe_place().
+ */
+LUXEL_API luxel_status luxel_probe_places(const luxel_scene *scene, const luxel_settings *settings,
+                                          const luxel_place *places, size_t count, luxel_diagnostics *diagnostics,
+                                          luxel_probes **probes);
+
+/* How many probes there are. */
+LUXEL_API size_t luxel_probes_count(const luxel_probes *probes);
+/* The i-th probe, of the i-th place, which lives as long as all of them; NULL beyond the last. */
+LUXEL_API const luxel_probe *luxel_probes_get(const luxel_probes *probes, size_t i);
+/* Frees probes with their shares; NULL is harmless. */
+LUXEL_API void luxel_probes_free(luxel_probes *probes);
 
 /*
  * The unit of probes and pictures of this scene and quantity, in UTF-8.  Irradiance has one, W/m² or lx, where every

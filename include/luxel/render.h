@@ -67,7 +67,7 @@ LUXEL_API luxel_status luxel_render(const luxel_scene *scene, const luxel_settin
  * Cancelled between two files that are complete, the first is kept.
  */
 LUXEL_API luxel_status luxel_render_files(const luxel_scene *scene, const luxel_settings *settings,
-                                          const char *const *paths, size_t count, const luxel_output *how,
+                                          const char *const *paths, size_t count, const luxel_field_output *how,
                                           luxel_diagnostics *diagnostics, luxel_statistics *statistics);
 
 /* The name of the i-th instruction set that this library was built with, best first; NULL beyond the last. */

@@ -6,8 +6,7 @@
  * luxel_scene_commit() checks everything at once and makes the scene ready for luxel_render() and the
  * probes.  A change takes the readiness away until the next commit.  Lengths are millimetres.
  *
- * Threads: a committed scene may be read (rendered, probed, written) by several threads at once; changing,
- * committing and freeing need it for themselves.  Separate scenes are independent.
+ * Threads as luxel.h says: a scene that is being changed, committed or freed belongs to one of them.
  */
 #ifndef LUXEL_SCENE_H
 #define LUXEL_SCENE_H
@@ -179,17 +178,10 @@ LUXEL_API luxel_status luxel_scene_surface_place(const luxel_scene *scene, size_
 LUXEL_API luxel_status luxel_scene_surface_radius(const luxel_scene *scene, size_t i, double *radius_mm);
 
 /* The name of a part of the i-th surface of a committed scene, such as "floor" of a room; NULL: it has no such part. */
-LUXEL_API const char *luxel_part_name(const luxel_scene *scene, size_t i, unsigned part);
+LUXEL_API const char *luxel_scene_part_name(const luxel_scene *scene, size_t i, unsigned part);
 
 /* The pixels of a committed scene. */
 LUXEL_API luxel_status luxel_scene_resolution(const luxel_scene *scene, unsigned *columns, unsigned *rows);
-
-/* The number of conventions that decide the numbers of a committed scene, pairs of words ("sampling", "nodes"). */
-LUXEL_API size_t luxel_scene_convention_count(const luxel_scene *scene);
-/* The word for the i-th convention, such as "sampling"; NULL beyond the last. */
-LUXEL_API const char *luxel_scene_convention_key(const luxel_scene *scene, size_t i);
-/* What was chosen, such as "nodes"; values that differ between lights or surfaces are joined by commas. */
-LUXEL_API const char *luxel_scene_convention_value(const luxel_scene *scene, size_t i);
 
 #ifdef __cplusplus
 }

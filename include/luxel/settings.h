@@ -3,8 +3,7 @@
  * Settings: how a scene is to be computed, whatever is asked of it: a picture, a probe, a grid.
  *
  * They are plain values of the caller, who makes them by luxel_settings_init() and so is ready for members of later
- * versions, which take the place of what is reserved: a program need not be compiled anew for them.  This holds of
- * every structure with such members; a function refuses one in which they are not NULL.
+ * versions (luxel.h, "Growth").
  */
 #ifndef LUXEL_SETTINGS_H
 #define LUXEL_SETTINGS_H
@@ -52,10 +51,10 @@ typedef struct luxel_settings {
     bool share_reflected; /* false; true: one solution of reflected light serves all that is asked, see below */
     bool skip_reflected_pixels; /* false; true: probes tell no pixel_value where that takes a solution of its own */
     luxel_progress progress;    /* NULL: none */
-    void *progress_data;     /* handed to `progress`; NULL */
-    const size_t *lights;    /* NULL: the enabled ones give light; else those of this group, by index, and no others */
-    size_t light_count;      /* of the group: 0, and all is dark */
-    void *reserved[4];       /* for later versions: NULL */
+    void *progress_data;        /* handed to `progress`; NULL */
+    const size_t *lights; /* NULL: the enabled ones give light; else those of this group, by index, and no others */
+    size_t light_count;   /* of the group: 0, and all is dark */
+    void *reserved[4];    /* for later versions: NULL */
 } luxel_settings;
 
 /*

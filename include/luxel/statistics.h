@@ -26,6 +26,7 @@ typedef struct luxel_region {
     double center_mm[2];    /* of rectangle and circle */
     double size_mm[2];      /* of the rectangle: width and height, above 0 */
     double radius_mm;       /* of the circle, above 0 */
+    void *reserved[4];      /* for later versions: NULL */
 } luxel_region;
 
 /* Whether a point of the screen lies in the region; NULL is the whole. */
@@ -43,6 +44,7 @@ typedef struct luxel_summary {
     bool has_evenness;         /* whether the mean is above 0 and no value below; else the next two are 0 */
     double u0;                 /* minimum / mean, the uniformity U0 (EN 12665) */
     double ud;                 /* minimum / maximum, the diversity Ud */
+    void *reserved[4];         /* for later versions: NULL */
 } luxel_summary;
 
 /*
@@ -54,17 +56,17 @@ LUXEL_API luxel_status luxel_field_summary(const luxel_field *field, const luxel
                                            luxel_diagnostics *diagnostics, luxel_summary *summary);
 
 /* Equal steps of the histogram in the value, or in its logarithm. */
-typedef enum luxel_scale { LUXEL_LINEAR, LUXEL_LOGARITHMIC } luxel_scale;
+typedef enum luxel_histogram_scale { LUXEL_HISTOGRAM_LINEAR, LUXEL_HISTOGRAM_LOGARITHMIC } luxel_histogram_scale;
 
 /* How many pixels have values from where to where.  Its arrays live as long as it does. */
 typedef struct luxel_histogram {
-    luxel_scale scale;    /* of the steps */
-    size_t bins;          /* how many */
-    const double *edges;  /* bins + 1, rising: a bin takes in its lower edge, the last its upper one too */
-    const size_t *counts; /* bins */
-    size_t below;         /* pixels under the lowest edge */
-    size_t above;         /* pixels over the highest edge */
-    size_t pixels;        /* all of them */
+    luxel_histogram_scale scale; /* of the steps */
+    size_t bins;                 /* how many */
+    const double *edges;         /* bins + 1, rising: a bin takes in its lower edge, the last its upper one too */
+    const size_t *counts;        /* bins */
+    size_t below;                /* pixels under the lowest edge */
+    size_t above;                /* pixels over the highest edge */
+    size_t pixels;               /* all of them */
 } luxel_histogram;
 
 /*
@@ -74,9 +76,9 @@ typedef struct luxel_histogram {
  * LUXEL_ERROR_ARGUMENT: as above, low >= high, a logarithmic range that does not begin above 0, a number of bins that
  * does not go, or no pixel from which a range could be taken.  LUXEL_ERROR_MEMORY.
  */
-LUXEL_API luxel_status luxel_field_histogram(const luxel_field *field, const luxel_region *region, luxel_scale scale,
-                                             double low, double high, size_t bins, luxel_diagnostics *diagnostics,
-                                             luxel_histogram **histogram);
+LUXEL_API luxel_status luxel_field_histogram(const luxel_field *field, const luxel_region *region,
+                                             luxel_histogram_scale scale, double low, double high, size_t bins,
+                                             luxel_diagnostics *diagnostics, luxel_histogram **histogram);
 
 /* Frees a histogram; NULL is harmless. */
 LUXEL_API void luxel_histogram_free(luxel_histogram *histogram);

@@ -5,9 +5,6 @@
  * A study file is YAML: a base scene, what varies and how, and which outputs are wanted of each scene.  Scene i is a
  * pure function of the study and i: random numbers come from a generator by counter (Philox 4x32-10, docs/SWEEP.md), so
  * any scene can be made alone, in any order, by any number of machines.
- *
- * Threads: a study that was read never changes, and several threads may use it at once; a luxel_study_maker belongs to
- * one thread at a time.
  */
 #ifndef LUXEL_STUDY_H
 #define LUXEL_STUDY_H

@@ -4,8 +4,6 @@
  * semicolon, tab and blanks separates, with decimal points or commas, quotes, headings in any order and with units,
  * or none, comments, and in UTF-8, UTF-16 or the code page 1251; or arrays of numbers, as numpy.save() writes them.
  * docs/FILES.md tells all that is understood.
- *
- * Threads: one table belongs to one thread at a time; separate tables are independent.
  */
 #ifndef LUXEL_TABLE_H
 #define LUXEL_TABLE_H
@@ -20,29 +18,30 @@ extern "C" {
 #endif
 
 /* What a column holds. */
-typedef enum luxel_column_type {
-    LUXEL_COLUMN_LENGTH, /* finite numbers, which become mm: the heading may give another unit of length */
-    LUXEL_COLUMN_NUMBER, /* finite numbers */
-    LUXEL_COLUMN_VALUE,  /* numbers, or the words inf, -inf and nan */
-    LUXEL_COLUMN_TEXT    /* anything */
-} luxel_column_type;
+typedef enum luxel_table_column_type {
+    LUXEL_TABLE_LENGTH, /* finite numbers, which become mm: the heading may give another unit of length */
+    LUXEL_TABLE_NUMBER, /* finite numbers */
+    LUXEL_TABLE_VALUE,  /* numbers, or the words inf, -inf and nan */
+    LUXEL_TABLE_TEXT    /* anything */
+} luxel_table_column_type;
 
 /* A column that is wanted.  Without a heading columns stand in the order in which they are wanted. */
-typedef struct luxel_column {
-    luxel_column_type type;   /* what it holds */
-    bool is_required;         /* else it may be missing or empty; those that are required come first */
-    const char *const *names; /* in lower case, NULL behind the last; the first stands in messages */
-} luxel_column;
+typedef struct luxel_table_column {
+    luxel_table_column_type type; /* what it holds */
+    bool is_required;             /* else it may be missing or empty; those that are required come first */
+    const char *const *names;     /* in lower case, NULL behind the last; the first stands in messages */
+    void *reserved[4];            /* for later versions: NULL */
+} luxel_table_column;
 
 /* A table that is open; made by luxel_table_open(). */
 typedef struct luxel_table luxel_table;
 
 /* A row; all of it lives until the next one is read. */
-typedef struct luxel_row {
+typedef struct luxel_table_row {
     const double *numbers;    /* one for each column that is wanted; NaN: none there, or a text */
     const char *const *texts; /* one for each, in UTF-8, without quotes and blanks around it; "": none there, or a
                                  number of an array */
-} luxel_row;
+} luxel_table_row;
 
 /*
  * Opens a table in a file and reads up to its first row.  Of `columns`, `count` of them and 16 at most, those that are
@@ -53,8 +52,8 @@ typedef struct luxel_row {
  * LUXEL_ERROR_FILE: it cannot be read, or is no such table.  LUXEL_ERROR_ARGUMENT: NULL, or too many columns.
  * LUXEL_ERROR_MEMORY: there is not enough.
  */
-LUXEL_API luxel_status luxel_table_open(const char *path, const luxel_column *columns, size_t count, bool needs_heading,
-                                        luxel_diagnostics *diagnostics, luxel_table **table);
+LUXEL_API luxel_status luxel_table_open(const char *path, const luxel_table_column *columns, size_t count,
+                                        bool needs_heading, luxel_diagnostics *diagnostics, luxel_table **table);
 
 /* Frees a table; NULL is harmless. */
 LUXEL_API void luxel_table_free(luxel_table *table);
@@ -69,7 +68,7 @@ LUXEL_API const char *luxel_table_unit(const luxel_table *table, size_t column);
  * Reads the next row.  False: there is none.  `*row` NULL: something is wrong with it, which was reported with line
  * and column; the next call goes on behind it, or finds that there is no way on.
  */
-LUXEL_API bool luxel_table_next(luxel_table *table, const luxel_row **row);
+LUXEL_API bool luxel_table_next(luxel_table *table, const luxel_table_row **row);
 
 /*
  * Where a field of the row stands, for messages of the caller's: line and column from 1, the column in characters.

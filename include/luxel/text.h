@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /*
  * Texts for people: what every front end needs to answer an argument that it does not understand in the same
- * way as the library answers a wrong scene.  The functions may be called by several threads at once.
+ * way as the library answers a wrong scene.
  */
 #ifndef LUXEL_TEXT_H
 #define LUXEL_TEXT_H

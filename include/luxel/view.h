@@ -4,8 +4,6 @@
  * Whether something stands in the way does not matter.  The screen is the plane z = 0 of the scene, or, of an observer
  * with a position, of a frame that was carried to its target, with the z axis towards the observer; heights are along
  * that axis.
- *
- * Threads: these functions only read the scene; several threads may call them at once.
  */
 #ifndef LUXEL_VIEW_H
 #define LUXEL_VIEW_H
@@ -47,7 +45,7 @@ typedef struct luxel_geometry {
     double (*normals)[3]; /* the unit normal of the surface, as the scene has it, towards the observer's side; or 0 */
     double (*positions_mm)[3]; /* the place, in the scene's frame; or 0 */
     int32_t *surfaces;         /* the surface's index in the scene's list; -1: nothing is seen */
-    unsigned *parts;           /* its part that is seen, of a room or box one side (luxel_part_name()); else 0 */
+    unsigned *parts;           /* its part that is seen, of a room or box one side (luxel_scene_part_name()); else 0 */
     void *reserved[4];         /* for later versions: NULL */
 } luxel_geometry;
 
@@ -59,10 +57,6 @@ typedef struct luxel_geometry {
  */
 LUXEL_API luxel_status luxel_find_geometry(const luxel_scene *scene, const luxel_settings *settings,
                                            luxel_diagnostics *diagnostics, const luxel_geometry *geometry);
-
-/* Depths and normals alone, each unless it is NULL, by the defaults. */
-LUXEL_API luxel_status luxel_scene_geometry(const luxel_scene *scene, luxel_diagnostics *diagnostics, double *depth_mm,
-                                            double (*normals)[3]);
 
 #ifdef __cplusplus
 }

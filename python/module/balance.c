@@ -5,16 +5,16 @@
 #include "failure.h"
 #include "work.h"
 
-static PyObject *amount(const luxel_amount *amount)
+static PyObject *amount(const luxel_bounded *amount)
 {
     return Py_BuildValue("(dd)", amount->value, amount->error);
 }
 
-static PyObject *side_tuple(const luxel_lit_side *side)
+static PyObject *side_tuple(const luxel_balance_side *side)
 {
     return Py_BuildValue("(nNNsddNN)", (Py_ssize_t)side->surface, text_or_none(side->surface_name),
-                         text_or_none(side->part_name), luxel_side_name(side->side), side->area_m2, side->reflectance,
-                         amount(&side->direct), amount(&side->irradiance));
+                         text_or_none(side->part_name), luxel_surface_side_name(side->side), side->area_m2,
+                         side->reflectance, amount(&side->direct), amount(&side->irradiance));
 }
 
 static PyObject *sides_list(const luxel_balance *balance)

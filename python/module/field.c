@@ -197,7 +197,7 @@ static PyObject *make_file(PyObject *module, PyObject *arguments, bool in_memory
     PyObject *handle;
     const char *name;
     const luxel_field *field;
-    luxel_output how = {0};
+    luxel_field_output how = {0};
     luxel_diagnostics *diagnostics;
     luxel_status status;
     unsigned char *bytes = NULL;

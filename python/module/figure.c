@@ -66,11 +66,11 @@ static bool figure_of(PyObject *tuple, double levels[MOST_LEVELS], luxel_figure_
                           &figure->dots_per_inch, &dark, &small_print, &grid))
         return false;
     figure->logarithmic = logarithmic != 0;
-    figure->bands = (luxel_bands)bands;
+    figure->bands = (luxel_figure_bands)bands;
     figure->levels = wanted < 0 ? 0 : (size_t)wanted;
     figure->extrema = extrema != 0;
     figure->points = points != 0;
-    figure->section = (luxel_section)section;
+    figure->section = (luxel_figure_section)section;
     figure->stacked = stacked != 0;
     figure->dark = dark != 0;
     figure->small_print = small_print != 0;

@@ -22,16 +22,16 @@ static PyObject *glare_tuple(const luxel_glare *glare)
             Py_CLEAR(sources);
     if (!sources)
         return NULL;
-    return Py_BuildValue("(NN(dd)NO)", number_or_none(glare->has_rating, glare->rating),
-                         number_or_none(glare->has_rating, glare->error), glare->background, glare->background_error,
-                         sources, glare->reached ? Py_True : Py_False);
+    return Py_BuildValue("(NN(dd)NO)", number_or_none(glare->has_rating, glare->rating.value),
+                         number_or_none(glare->has_rating, glare->rating.error), glare->background.value,
+                         glare->background.error, sources, glare->reached ? Py_True : Py_False);
 }
 
 /* rate_glare(scene, (eye, view, up), settings): what an observer sees; `up` of 0, 0, 0 leaves it to the scene. */
 static PyObject *rate_glare(PyObject *module, PyObject *arguments)
 {
     PyObject *handle, *settings;
-    luxel_sight sight;
+    luxel_glare_sight sight = {.eye_mm = {0}};
     struct work work;
     luxel_glare *glare = NULL;
     const luxel_scene *scene;
@@ -43,7 +43,7 @@ static PyObject *rate_glare(PyObject *module, PyObject *arguments)
         !(scene = scene_of(module, handle)) || !work_begin(&work, settings) || !(diagnostics = diagnostics_begin()))
         return NULL;
     work_leave(&work);
-    const luxel_status status = luxel_rate_glare(scene, &work.settings, &sight, diagnostics, &glare);
+    const luxel_status status = luxel_find_glare(scene, &work.settings, &sight, diagnostics, &glare);
 
     work_return(&work);
     PyObject *found = NULL;

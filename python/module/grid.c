@@ -34,8 +34,8 @@ static PyObject *plane(const luxel_grid *grid)
 {
     if (!grid->has_mean)
         return none();
-    return Py_BuildValue("(ddNdd)", grid->mean, grid->mean_error, text_or_none(grid->flux_unit), grid->flux,
-                         grid->flux_error);
+    return Py_BuildValue("(ddNdd)", grid->mean.value, grid->mean.error, text_or_none(grid->flux_unit), grid->flux.value,
+                         grid->flux.error);
 }
 
 static PyObject *sampling(const luxel_grid *grid)
@@ -59,8 +59,9 @@ static PyObject *grid_tuple(PyObject *module, luxel_grid *grid)
         cells(module, holder, grid, grid->values, "d"), cells(module, holder, grid, grid->errors, "d"),
         cells(module, holder, grid, grid->mask, "?"), cells(module, holder, grid, grid->inside, "?"),
         (Py_ssize_t)grid->measured, is_blocked ? PyLong_FromSize_t(grid->blocking_light) : none(), grid->error,
-        number_or_none(grid->measured > 0, grid->average), number_or_none(grid->measured > 0, grid->average_error),
-        extremum(grid, &grid->minimum), extremum(grid, &grid->maximum), number_or_none(grid->has_evenness, grid->u0),
+        number_or_none(grid->measured > 0, grid->average.value),
+        number_or_none(grid->measured > 0, grid->average.error), extremum(grid, &grid->minimum),
+        extremum(grid, &grid->maximum), number_or_none(grid->has_evenness, grid->u0),
         number_or_none(grid->has_evenness, grid->ud), plane(grid), sampling(grid),
         grid->enclosed > 0 ? PyLong_FromSize_t(grid->enclosing_surface) : none(),
         grid->tolerance_reached && grid->reflected_reached ? Py_True : Py_False, (Py_ssize_t)grid->enclosed);
@@ -82,7 +83,7 @@ static PyObject *measure(PyObject *module, PyObject *arguments)
         !work_begin(&work, settings) || !(diagnostics = diagnostics_begin()))
         return NULL;
     work_leave(&work);
-    const luxel_status status = luxel_measure(scene, &work.settings, (size_t)index, diagnostics, &grid);
+    const luxel_status status = luxel_find_grid(scene, &work.settings, (size_t)index, diagnostics, &grid);
 
     work_return(&work);
     if (diagnostics_end(&module_state(module)->language, status, diagnostics))

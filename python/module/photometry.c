@@ -73,7 +73,7 @@ static PyObject *lamp_sets(const luxel_photometry *photometry)
     PyObject *list = PyList_New(0);
 
     for (size_t i = 0; list && i < photometry->lamp_set_count; i++) {
-        const luxel_lamp_set *set = &photometry->lamp_sets[i];
+        const luxel_photometry_lamp_set *set = &photometry->lamp_sets[i];
 
         if (append(list, Py_BuildValue("(dsNssd)", set->count, set->type, number(set->lumens), set->temperature,
                                        set->rendering, set->watts)) < 0)
@@ -104,7 +104,8 @@ static PyObject *table(PyObject *module, PyObject *holder, const double *numbers
 static PyObject *about(PyObject *module, PyObject *holder)
 {
     const luxel_photometry *lamp = photometry_of(module, holder);
-    static const char *const types[] = {[LUXEL_TYPE_A] = "A", [LUXEL_TYPE_B] = "B", [LUXEL_TYPE_C] = "C"};
+    static const char *const types[] = {
+        [LUXEL_PHOTOMETRY_TYPE_A] = "A", [LUXEL_PHOTOMETRY_TYPE_B] = "B", [LUXEL_PHOTOMETRY_TYPE_C] = "C"};
 
     if (!lamp)
         return NULL;
@@ -114,7 +115,7 @@ static PyObject *about(PyObject *module, PyObject *holder)
         table(module, holder, lamp->angles, lamp->angle_count, 0),
         table(module, holder, lamp->intensities, lamp->plane_count, lamp->angle_count),
         lamp->is_absolute ? Py_True : Py_False, number(lamp->declared_lumens), number(lamp->declared_lorl),
-        number(lamp->declared_dff), lamp->multiplier, lamp->watts, luxel_opening_name(&lamp->opening),
+        number(lamp->declared_dff), lamp->multiplier, lamp->watts, luxel_photometry_opening_name(&lamp->opening),
         lamp->opening.width_mm, lamp->opening.length_mm, lamp->opening.height_mm, lamp->housing_mm[0],
         lamp->housing_mm[1], lamp->housing_mm[2], lamp_sets(lamp), texts(lamp));
 }
@@ -134,7 +135,7 @@ static PyObject *room_indices(void)
     double indices[LUXEL_ROOM_INDICES];
 
     for (size_t i = 0; i < LUXEL_ROOM_INDICES; i++)
-        indices[i] = luxel_room_index(i);
+        indices[i] = luxel_photometry_room_index(i);
     return numbers(indices, LUXEL_ROOM_INDICES);
 }
 
@@ -148,7 +149,7 @@ static PyObject *measured(PyObject *module, PyObject *holder)
     if (!lamp)
         return NULL;
     Py_BEGIN_ALLOW_THREADS
-    status = luxel_photometry_measure(lamp, &f);
+    status = luxel_photometry_find_figures(lamp, &f);
     Py_END_ALLOW_THREADS
     if (status != LUXEL_OK)
         return PyErr_NoMemory();
@@ -187,7 +188,7 @@ static bool rate_glare(const luxel_photometry *lamp, double spacing, luxel_ugr_t
     luxel_status status;
 
     Py_BEGIN_ALLOW_THREADS
-    status = luxel_photometry_rate_glare(lamp, spacing, table);
+    status = luxel_photometry_find_ugr_table(lamp, spacing, table);
     Py_END_ALLOW_THREADS
     if (status == LUXEL_ERROR_MEMORY)
         PyErr_NoMemory();
@@ -232,7 +233,7 @@ static size_t room_of(double across, double along)
 static bool refuses_room(const luxel_photometry *lamp, const luxel_ugr_table *table, size_t room)
 {
     luxel_photometry_figures figures;
-    const luxel_status status = luxel_photometry_measure(lamp, &figures);
+    const luxel_status status = luxel_photometry_find_figures(lamp, &figures);
 
     if (status != LUXEL_OK)
         PyErr_NoMemory();
@@ -262,7 +263,7 @@ static PyObject *rate_triple(PyObject *module, const char *path, const luxel_ugr
     work.before = (double)triple / LUXEL_UGR_REFLECTANCES;
     work.share = 1.0 / LUXEL_UGR_REFLECTANCES;
     work_leave(&work);
-    const luxel_status status = luxel_rate_room(path, table, room, triple, &work.settings, diagnostics, &rating);
+    const luxel_status status = luxel_find_room_rating(path, table, room, triple, &work.settings, diagnostics, &rating);
 
     work_return(&work);
     if (!diagnostics_end(&module_state(module)->language, status, diagnostics))
@@ -355,8 +356,8 @@ static PyObject *intensities(PyObject *module, PyObject *arguments)
         return NULL;
     Py_BEGIN_ALLOW_THREADS
     for (size_t i = 0; i < arrays.elements; i++)
-        arrays.data[2][i] =
-            luxel_photometry_intensity(lamp, (luxel_interpolation)interpolation, arrays.data[0][i], arrays.data[1][i]);
+        arrays.data[2][i] = luxel_photometry_intensity(lamp, (luxel_photometry_interpolation)interpolation,
+                                                       arrays.data[0][i], arrays.data[1][i]);
     Py_END_ALLOW_THREADS
     arrays_release(&arrays);
     return none();

@@ -50,7 +50,7 @@ static PyObject *probe_tuple(const luxel_probe *probe)
         index_or_none(probe->is_enclosed, probe->enclosing_surface),
         index_or_none(probe->source_on_element, probe->blocking_light),
         probe->has_reflected
-            ? Py_BuildValue("(ddd)", probe->reflected_irradiance, probe->reflected_value, probe->reflected_error)
+            ? Py_BuildValue("(ddd)", probe->reflected_irradiance, probe->reflected.value, probe->reflected.error)
             : none(),
         shares);
 }
@@ -92,12 +92,12 @@ static luxel_place *places_of(PyObject *list, size_t *count)
     return places;
 }
 
-static PyObject *probes_list(const luxel_probe *probes, size_t count)
+static PyObject *probes_list(const luxel_probes *probes)
 {
     PyObject *list = PyList_New(0);
 
-    for (size_t i = 0; list && i < count; i++)
-        if (append(list, probe_tuple(&probes[i])) < 0)
+    for (size_t i = 0; list && i < luxel_probes_count(probes); i++)
+        if (append(list, probe_tuple(luxel_probes_get(probes, i))) < 0)
             Py_CLEAR(list);
     return list;
 }
@@ -109,7 +109,7 @@ static PyObject *probe(PyObject *module, PyObject *arguments)
     size_t count;
     const luxel_scene *scene;
     luxel_place *places;
-    luxel_probe *probes = NULL;
+    luxel_probes *probes = NULL;
     luxel_diagnostics *diagnostics;
 
     if (!PyArg_ParseTuple(arguments, "OOO", &handle, &list, &settings) || !(scene = scene_of(module, handle)) ||
@@ -120,15 +120,15 @@ static PyObject *probe(PyObject *module, PyObject *arguments)
         return NULL;
     }
     work_leave(&work);
-    const luxel_status status = luxel_probe_many(scene, &work.settings, places, count, diagnostics, &probes);
+    const luxel_status status = luxel_probe_places(scene, &work.settings, places, count, diagnostics, &probes);
 
     work_return(&work);
     PyMem_Free(places);
     PyObject *found = NULL;
 
     if (diagnostics_end(&module_state(module)->language, status, diagnostics))
-        found = probes_list(probes, count);
-    luxel_probe_free(probes);
+        found = probes_list(probes);
+    luxel_probes_free(probes);
     return found;
 }
 

@@ -15,7 +15,7 @@ static PyObject *line_across(PyObject *module, PyObject *arguments)
     if (!PyArg_ParseTuple(arguments, "Oddd", &handle, &through[0], &through[1], &degrees) ||
         !(scene = scene_of(module, handle)) || !(diagnostics = diagnostics_begin()))
         return NULL;
-    const luxel_status status = luxel_line_across_screen(scene, through, degrees, diagnostics, from, to);
+    const luxel_status status = luxel_profile_line(scene, through, degrees, diagnostics, from, to);
 
     if (!diagnostics_end(&module_state(module)->language, status, diagnostics))
         return NULL;
@@ -72,7 +72,7 @@ static PyObject *finish(PyObject *module, luxel_status status, luxel_profile *pr
 }
 
 /* False: an exception is set. */
-static bool path_of(PyObject *tuple, luxel_path *path)
+static bool path_of(PyObject *tuple, luxel_profile_path *path)
 {
     int arc;
     Py_ssize_t samples;
@@ -89,7 +89,7 @@ static PyObject *scene_profile(PyObject *module, PyObject *arguments)
 {
     PyObject *handle, *tuple, *settings;
     struct work work;
-    luxel_path path;
+    luxel_profile_path path = {.samples = 0};
     luxel_evaluator *evaluator = NULL;
     luxel_profile *profile = NULL;
     const luxel_scene *scene;
@@ -111,7 +111,7 @@ static PyObject *scene_profile(PyObject *module, PyObject *arguments)
 static PyObject *field_profile(PyObject *module, PyObject *arguments)
 {
     PyObject *handle, *tuple;
-    luxel_path path;
+    luxel_profile_path path = {.samples = 0};
     luxel_profile *profile = NULL;
     const luxel_field *field;
     luxel_diagnostics *diagnostics;

@@ -78,8 +78,9 @@ static PyObject *field_histogram(PyObject *module, PyObject *arguments)
         !(field = field_of(module, handle)) || !region_of(tuple, &region, &given) ||
         !(diagnostics = diagnostics_begin()))
         return NULL;
-    const luxel_status status = luxel_field_histogram(field, given, logarithmic ? LUXEL_LOGARITHMIC : LUXEL_LINEAR, low,
-                                                      high, bins < 0 ? 0 : (size_t)bins, diagnostics, &histogram);
+    const luxel_status status =
+        luxel_field_histogram(field, given, logarithmic ? LUXEL_HISTOGRAM_LOGARITHMIC : LUXEL_HISTOGRAM_LINEAR, low,
+                              high, bins < 0 ? 0 : (size_t)bins, diagnostics, &histogram);
     PyObject *lists = NULL;
 
     if (diagnostics_end(&module_state(module)->language, status, diagnostics))
@@ -97,7 +98,7 @@ static PyObject *peak_tuple(const luxel_scene *scene, const luxel_peak *peak)
     if (!peak->exists)
         return none();
     return Py_BuildValue("(ddddnNNNs)", peak->value, peak->error, peak->x_mm, peak->y_mm, (Py_ssize_t)peak->surface,
-                         text_or_none(luxel_part_name(scene, peak->surface, peak->part)),
+                         text_or_none(luxel_scene_part_name(scene, peak->surface, peak->part)),
                          triple_or_none(true, peak->position_mm), triple_or_none(true, peak->normal),
                          places[peak->place]);
 }

@@ -47,7 +47,7 @@ static PyObject *render_files(PyObject *module, PyObject *arguments)
 {
     PyObject *handle, *list, *settings;
     struct work work;
-    luxel_output how = {0};
+    luxel_field_output how = {0};
     luxel_statistics statistics;
     size_t count;
     const luxel_scene *scene;

@@ -204,11 +204,16 @@ static PyObject *scene_conventions(PyObject *module, PyObject *handle)
 {
     const luxel_scene *scene = scene_of(module, handle);
     PyObject *list = scene ? PyList_New(0) : NULL;
+    luxel_conventions *all = NULL;
 
-    for (size_t i = 0; list && i < luxel_scene_convention_count(scene); i++)
-        if (append(list, Py_BuildValue("(ss)", luxel_scene_convention_key(scene, i),
-                                       luxel_scene_convention_value(scene, i))) < 0)
+    if (list && luxel_find_conventions(scene, NULL, &all) == LUXEL_ERROR_MEMORY) {
+        PyErr_NoMemory();
+        Py_CLEAR(list);
+    }
+    for (size_t i = 0; list && all && i < all->count; i++)
+        if (append(list, Py_BuildValue("(ss)", all->list[i].key, all->list[i].value)) < 0)
             Py_CLEAR(list);
+    luxel_conventions_free(all);
     return list;
 }
 

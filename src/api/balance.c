@@ -20,15 +20,15 @@ enum { MOST_WORTH = 64 };
 /* How well the flux of emitters is known. */
 static const double FLUX = 1e-12;
 
-const char *luxel_side_name(luxel_side side)
+const char *luxel_surface_side_name(luxel_surface_side side)
 {
     static const char *const names[] = {
-        [LUXEL_FRONT] = LX_N("front"),
-        [LUXEL_BACK] = LX_N("back"),
-        [LUXEL_OUTSIDE] = LX_N("outside"),
-        [LUXEL_INSIDE] = LX_N("inside"),
+        [LUXEL_SIDE_FRONT] = LX_N("front"),
+        [LUXEL_SIDE_BACK] = LX_N("back"),
+        [LUXEL_SIDE_OUTSIDE] = LX_N("outside"),
+        [LUXEL_SIDE_INSIDE] = LX_N("inside"),
     };
-    return side <= LUXEL_INSIDE ? names[side] : NULL;
+    return side <= LUXEL_SIDE_INSIDE ? names[side] : NULL;
 }
 
 void luxel_balance_free(luxel_balance *balance)
@@ -37,13 +37,8 @@ void luxel_balance_free(luxel_balance *balance)
         return;
     for (size_t i = 0; i < balance->side_count; i++)
         free((char *)balance->sides[i].surface_name);
-    free((luxel_lit_side *)balance->sides);
+    free((luxel_balance_side *)balance->sides);
     free(balance);
-}
-
-static luxel_amount amount(lx_bounded number)
-{
-    return (luxel_amount){number.value, lx_reported_error(number)};
 }
 
 /* The sources' flux, and what of it meets no surface. */
@@ -53,13 +48,14 @@ static void weigh_sources(const struct lx_prepared *prepared, luxel_balance *bal
     balance->has_emitted = isfinite(flux) && prepared->scene->shadows == LX_SHADOWS_ALL;
     if (!balance->has_emitted)
         return;
-    balance->emitted = (luxel_amount){flux, FLUX * flux};
-    balance->missed = (luxel_amount){flux - balance->arrives.value, balance->emitted.error + balance->arrives.error};
+    balance->emitted = (lx_bounded){flux, FLUX * flux};
+    balance->missed = (lx_bounded){flux - balance->arrives.value, balance->emitted.error + balance->arrives.error};
 }
 
-static luxel_side name_side(const struct lx_lit_side *side)
+static luxel_surface_side name_side(const struct lx_lit_side *side)
 {
-    return side->is_flat ? (side->is_back ? LUXEL_BACK : LUXEL_FRONT) : (side->is_back ? LUXEL_INSIDE : LUXEL_OUTSIDE);
+    return side->is_flat ? (side->is_back ? LUXEL_SIDE_BACK : LUXEL_SIDE_FRONT)
+                         : (side->is_back ? LUXEL_SIDE_INSIDE : LUXEL_SIDE_OUTSIDE);
 }
 
 /* 0, or -1 when memory ran out. */
@@ -69,7 +65,7 @@ static int tell_sides(const struct lx_prepared *prepared, const struct lx_radios
     const size_t most = lx_reflected_most_sides(reflected);
     bool failed;
     struct lx_lit_side *found = lx_new_array(most + 1, sizeof *found);
-    luxel_lit_side *sides = lx_new_array(most + 1, sizeof *sides);
+    luxel_balance_side *sides = lx_new_array(most + 1, sizeof *sides);
     balance->sides = sides;
     failed = !found || !sides;
     if (!failed)
@@ -78,16 +74,16 @@ static int tell_sides(const struct lx_prepared *prepared, const struct lx_radios
         const struct lx_prepared_surface *surface = &prepared->surfaces[found[i].surface];
         const struct lx_item *item = &surfaces->items[surface->authored];
         const char *name = ((const struct lx_surface_common *)item->common)->name;
-        sides[i] =
-            (luxel_lit_side){.surface = surface->authored,
-                             .surface_name = name ? lx_copy_text(name, strlen(name)) : NULL,
-                             .part = surface->part,
-                             .part_name = lx_part_name((const struct lx_surface_kind *)item->variant, surface->part),
-                             .side = name_side(&found[i]),
-                             .area_m2 = found[i].area_m2,
-                             .reflectance = found[i].reflectance,
-                             .direct = amount(found[i].direct),
-                             .irradiance = amount(found[i].irradiance)};
+        sides[i] = (luxel_balance_side){.surface = surface->authored,
+                                        .surface_name = name ? lx_copy_text(name, strlen(name)) : NULL,
+                                        .part = surface->part,
+                                        .part_name =
+                                            lx_part_name((const struct lx_surface_kind *)item->variant, surface->part),
+                                        .side = name_side(&found[i]),
+                                        .area_m2 = found[i].area_m2,
+                                        .reflectance = found[i].reflectance,
+                                        .direct = lx_reported(found[i].direct),
+                                        .irradiance = lx_reported(found[i].irradiance)};
         failed = failed || (name && !sides[i].surface_name);
     }
     free(found);
@@ -119,11 +115,11 @@ static luxel_status tell(const struct lx_session *session, const struct lx_refle
     const struct lx_light_balance fluxes = lx_reflected_balance(reflected);
     balance->unit = lx_unit_of(&session->prepared, LUXEL_IRRADIANCE);
     balance->flux_unit = session->prepared.scene->units == LX_PHOTOMETRIC ? "lm" : "W";
-    balance->arrives = amount(fluxes.arrives);
-    balance->absorbed = amount(fluxes.absorbed);
-    balance->escaped = amount(fluxes.escaped);
-    balance->pending = amount(fluxes.pending);
-    balance->difference = amount(fluxes.difference);
+    balance->arrives = lx_reported(fluxes.arrives);
+    balance->absorbed = lx_reported(fluxes.absorbed);
+    balance->escaped = lx_reported(fluxes.escaped);
+    balance->pending = lx_reported(fluxes.pending);
+    balance->difference = lx_reported(fluxes.difference);
     weigh_sources(&session->prepared, balance);
     balance->closes = fabs(balance->difference.value) <= balance->difference.error &&
                       (!balance->has_emitted || balance->missed.value >= -balance->missed.error);

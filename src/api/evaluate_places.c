@@ -155,7 +155,7 @@ static void evaluate(void *data, unsigned worker, bool is_caller, unsigned first
         } else if (is_alike(work, place, place)) {
             i = evaluate_alike(work, &asking, i, last);
         } else {
-            work->values[i] = luxel_evaluate_place(work->evaluator, place, shares_of(work, i));
+            luxel_evaluate_place(work->evaluator, place, &work->values[i], shares_of(work, i));
             i++;
         }
     }

@@ -147,7 +147,7 @@ luxel_status luxel_find_geometry(const luxel_scene *scene, const luxel_settings 
         lx_report(diagnostics, LUXEL_SEVERITY_ERROR, NULL, LX_MSG_MISSING_ARGUMENT, LX_ARGS("geometry"));
         return LUXEL_ERROR_ARGUMENT;
     }
-    luxel_status status = lx_check_reserved(geometry->reserved, diagnostics);
+    luxel_status status = LX_CHECK_RESERVE(geometry, diagnostics);
     if (status != LUXEL_OK)
         return status;
     struct lx_session session;
@@ -164,11 +164,4 @@ luxel_status luxel_find_geometry(const luxel_scene *scene, const luxel_settings 
         status = look_by_threads(&work, diagnostics);
     lx_session_clear(&session);
     return status;
-}
-
-luxel_status luxel_scene_geometry(const luxel_scene *scene, luxel_diagnostics *diagnostics, double *depth_mm,
-                                  double (*normals)[3])
-{
-    const luxel_geometry wanted = {.depth_mm = depth_mm, .normals = normals};
-    return luxel_find_geometry(scene, NULL, diagnostics, &wanted);
 }

@@ -74,7 +74,7 @@ static bool make_across(const double along[3], double a[3])
     return lx_normalize(a) > 1e-9;
 }
 
-static bool open_eye(const struct lx_scene_parameters *scene, const luxel_sight *sight, struct eye *eye)
+static bool open_eye(const struct lx_scene_parameters *scene, const luxel_glare_sight *sight, struct eye *eye)
 {
     static const double z[3] = {0, 0, 1};
     const bool has_up = sight->up[0] != 0 || sight->up[1] != 0 || sight->up[2] != 0;
@@ -234,18 +234,17 @@ static void conclude(const struct rating *rating, lx_bounded background)
 {
     luxel_glare *glare = rating->glare;
     const lx_bounded sum = rating->sum;
-    glare->background = background.value;
-    glare->background_error = lx_reported_error(background);
+    glare->background = lx_reported(background);
     glare->has_rating = rating->session->prepared.scene->units == LX_PHOTOMETRIC && sum.value > sum.error &&
                         background.value > background.error;
     if (!glare->has_rating)
         return;
-    glare->rating = 8 * log10(0.25 * sum.value / background.value);
-    glare->error =
+    glare->rating.value = 8 * log10(0.25 * sum.value / background.value);
+    glare->rating.error =
         8 * fmax(
                 log10((sum.value + sum.error) / sum.value * background.value / (background.value - background.error)),
                 log10(sum.value / (sum.value - sum.error) * (background.value + background.error) / background.value)) +
-        16 * DBL_EPSILON * (1 + fabs(glare->rating));
+        16 * DBL_EPSILON * (1 + fabs(glare->rating.value));
 }
 
 static luxel_status rate(struct rating *rating, luxel_diagnostics *diagnostics)
@@ -263,7 +262,7 @@ static luxel_status rate(struct rating *rating, luxel_diagnostics *diagnostics)
     return status == LUXEL_ERROR_MEMORY ? lx_out_of_memory(diagnostics) : status;
 }
 
-luxel_status luxel_rate_glare(const luxel_scene *scene, const luxel_settings *settings, const luxel_sight *sight,
+luxel_status luxel_find_glare(const luxel_scene *scene, const luxel_settings *settings, const luxel_glare_sight *sight,
                               luxel_diagnostics *diagnostics, luxel_glare **glare)
 {
     struct lx_session session;
@@ -272,7 +271,10 @@ luxel_status luxel_rate_glare(const luxel_scene *scene, const luxel_settings *se
         lx_report(diagnostics, LUXEL_SEVERITY_ERROR, NULL, LX_MSG_MISSING_ARGUMENT, LX_ARGS(glare ? "sight" : "glare"));
         return LUXEL_ERROR_ARGUMENT;
     }
-    luxel_status status = lx_session_open_world(scene, settings, diagnostics, &session);
+    luxel_status status = LX_CHECK_RESERVE(sight, diagnostics);
+    if (status != LUXEL_OK)
+        return status;
+    status = lx_session_open_world(scene, settings, diagnostics, &session);
     if (status == LUXEL_OK && !open_eye(session.prepared.scene, sight, &rating.eye)) {
         lx_report(diagnostics, LUXEL_SEVERITY_ERROR, NULL, LX_MSG_MISSING_ARGUMENT, LX_ARGS("sight"));
         status = LUXEL_ERROR_ARGUMENT;

@@ -64,24 +64,25 @@ static luxel_status make_room(const char *path, const luxel_ugr_table *table, si
 }
 
 /* The mean indirect illuminance of the four walls over pi. */
-static luxel_amount background_of(const luxel_balance *balance)
+static luxel_bounded background_of(const luxel_balance *balance)
 {
-    luxel_amount light = {0, 0};
+    luxel_bounded light = {0, 0};
     double area = 0;
     for (size_t i = 0; i < balance->side_count; i++) {
-        const luxel_lit_side *side = &balance->sides[i];
-        if (side->side != LUXEL_FRONT || side->part >= 6 || strcmp(side->part_name, "front") == 0 ||
+        const luxel_balance_side *side = &balance->sides[i];
+        if (side->side != LUXEL_SIDE_FRONT || side->part >= 6 || strcmp(side->part_name, "front") == 0 ||
             strcmp(side->part_name, "back") == 0)
             continue;
         light.value += side->area_m2 * (side->irradiance.value - side->direct.value);
         light.error += side->area_m2 * (side->irradiance.error + side->direct.error);
         area += side->area_m2;
     }
-    return (luxel_amount){light.value / area / M_PI, light.error / area / M_PI};
+    return (luxel_bounded){light.value / area / M_PI, light.error / area / M_PI};
 }
 
-luxel_status luxel_rate_room(const char *path, const luxel_ugr_table *table, size_t room, size_t triple,
-                             const luxel_settings *settings, luxel_diagnostics *diagnostics, luxel_room_rating *rating)
+luxel_status luxel_find_room_rating(const char *path, const luxel_ugr_table *table, size_t room, size_t triple,
+                                    const luxel_settings *settings, luxel_diagnostics *diagnostics,
+                                    luxel_room_rating *rating)
 {
     luxel_balance *balance = NULL;
     luxel_scene *scene = NULL;
@@ -97,13 +98,12 @@ luxel_status luxel_rate_room(const char *path, const luxel_ugr_table *table, siz
     if (status == LUXEL_OK)
         status = luxel_find_balance(scene, &own, diagnostics, &balance);
     if (balance) {
-        const luxel_amount light = background_of(balance);
-        rating->background = light;
+        const luxel_bounded light = background_of(balance);
+        *rating = (luxel_room_rating){.background = light, .reached = balance->reached};
         for (int way = 0; way < 2; way++)
             rating->ratings[way] =
                 table->ratings[room][way][triple] + 8 * log10(table->backgrounds[room][triple] / light.value);
         rating->error = -8 * log10(fmax(0, 1 - light.error / light.value));
-        rating->reached = balance->reached;
     }
     luxel_balance_free(balance);
     luxel_scene_free(scene);

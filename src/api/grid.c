@@ -105,7 +105,7 @@ static void measure_cells(void *data, unsigned worker, bool is_caller, unsigned 
             const lx_bounded irradiance = lx_received_on_plane(&measuring->world, &received, i);
             measuring->mask[these[i]] = 1;
             measuring->values[these[i]] = irradiance.value;
-            measuring->errors[these[i]] = lx_reported_error(irradiance);
+            measuring->errors[these[i]] = lx_reported(irradiance).error;
         }
     }
 }
@@ -173,9 +173,7 @@ static void gather(const struct lx_measuring *measuring)
     double count = (double)grid->measured;
     lx_bounded total = {lx_wide_value(sum), 0};
     total.error = isfinite(grid->error) ? lx_wide_value(errors) + LX_ROUNDING * (1 + 0x1p-20) * total.value : HUGE_VAL;
-    lx_bounded average = lx_div((lx_bounded){total.value, total.error * LX_BOUND_SLACK}, lx_exact(count));
-    grid->average = average.value;
-    grid->average_error = average.error;
+    grid->average = lx_div((lx_bounded){total.value, total.error * LX_BOUND_SLACK}, lx_exact(count));
     note_extremum(measuring, least, &grid->minimum);
     note_extremum(measuring, greatest, &grid->maximum);
 }
@@ -244,9 +242,9 @@ static void forget(luxel_grid *grid)
 
 static void judge_evenness(luxel_grid *grid)
 {
-    grid->has_evenness = grid->average > 0; /* which a maximum below the normal numbers may leave at 0 */
+    grid->has_evenness = grid->average.value > 0; /* which a maximum below the normal numbers may leave at 0 */
     if (grid->has_evenness) {
-        grid->u0 = grid->minimum.value / grid->average;
+        grid->u0 = grid->minimum.value / grid->average.value;
         grid->ud = grid->minimum.value / grid->maximum.value;
     }
 }
@@ -337,12 +335,12 @@ static void take_reflected(void *data, size_t cell, lx_bounded light)
     struct lx_measuring *measuring = data;
     luxel_grid *grid = &measuring->made->grid;
     const lx_bounded total = lx_add((lx_bounded){measuring->values[cell], measuring->errors[cell]}, light);
-    const double error = lx_reported_error(light), allowed = lx_reflected_error_of(measuring->settings) * total.value;
+    const double error = lx_reported(light).error, allowed = lx_reflected_error_of(measuring->settings) * total.value;
     grid->reflected_average += light.value;
     grid->reflected_error = fmax(grid->reflected_error, error);
     grid->reflected_reached = grid->reflected_reached && error <= fmax(allowed, DBL_MIN);
     measuring->values[cell] = total.value;
-    measuring->errors[cell] = lx_reported_error(total);
+    measuring->errors[cell] = lx_reported(total).error;
 }
 
 static luxel_status reflect(struct lx_session *session, struct lx_measuring *measuring, luxel_diagnostics *diagnostics)
@@ -385,7 +383,7 @@ static luxel_status run(struct lx_session *session, struct lx_measuring *measuri
         gather(measuring);
         judge_evenness(grid);
     }
-    if (grid->measured > 0 && !isfinite(grid->average)) {
+    if (grid->measured > 0 && !isfinite(grid->average.value)) {
         lx_report(diagnostics, LUXEL_SEVERITY_ERROR, NULL, LX_MSG_VALUE_TOO_LARGE, LX_ARGS("double"));
         lx_hint(diagnostics, LX_MSG_LOWER_STRENGTHS, NULL);
         return LUXEL_ERROR_RANGE;
@@ -410,8 +408,8 @@ const struct lx_grid *lx_asked_grid(const luxel_scene *scene, size_t i, const vo
     return answer ? grid : NULL;
 }
 
-luxel_status luxel_measure(const luxel_scene *scene, const luxel_settings *settings, size_t i,
-                           luxel_diagnostics *diagnostics, luxel_grid **grid)
+luxel_status luxel_find_grid(const luxel_scene *scene, const luxel_settings *settings, size_t i,
+                             luxel_diagnostics *diagnostics, luxel_grid **grid)
 {
     return lx_measure_cells(scene, settings, i, NULL, diagnostics, grid);
 }

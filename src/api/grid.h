@@ -17,8 +17,8 @@ const struct lx_grid *lx_asked_grid(const luxel_scene *scene, size_t i, const vo
                                     luxel_diagnostics *diagnostics);
 
 /*
- * luxel_measure(), or with `n` the values alone of that plane's cells if there were n[0] columns and n[1] rows: without
- * flux, mean and sampling error.
+ * luxel_find_grid(), or with `n` the values alone of that plane's cells if there were n[0] columns and n[1] rows:
+ * without flux, mean and sampling error.
  */
 luxel_status lx_measure_cells(const luxel_scene *scene, const luxel_settings *settings, size_t i, const unsigned n[2],
                               luxel_diagnostics *diagnostics, luxel_grid **grid);

@@ -356,7 +356,7 @@ static luxel_grid_peak peak_of(const struct search *search, const struct node *n
     if (!node->has_value)
         return peak;
     peak.value = node->value.value;
-    peak.error = lx_reported_error(node->value);
+    peak.error = lx_reported(node->value).error;
     lx_place_on_cells(&search->cells, node->at, peak.position_mm);
     memcpy(peak.on_plane_mm, node->at, sizeof peak.on_plane_mm);
     return peak;

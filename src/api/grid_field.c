@@ -13,8 +13,8 @@
 #include "../field/field.h"
 #include "grid.h"
 
-luxel_status luxel_measure_values(const luxel_scene *scene, const luxel_settings *settings, size_t i,
-                                  luxel_diagnostics *diagnostics, luxel_grid **grid)
+luxel_status luxel_find_grid_values(const luxel_scene *scene, const luxel_settings *settings, size_t i,
+                                    luxel_diagnostics *diagnostics, luxel_grid **grid)
 {
     unsigned n[2] = {0, 0};
     luxel_scene_grid_resolution(scene, i, &n[0], &n[1]);
@@ -58,8 +58,8 @@ static struct luxel_field *field_of(luxel_grid *grid, const struct lx_scene_para
     return NULL;
 }
 
-luxel_status luxel_measure_field(const luxel_scene *scene, const luxel_settings *settings, size_t i, unsigned columns,
-                                 unsigned rows, luxel_diagnostics *diagnostics, luxel_field **field)
+luxel_status luxel_find_grid_field(const luxel_scene *scene, const luxel_settings *settings, size_t i, unsigned columns,
+                                   unsigned rows, luxel_diagnostics *diagnostics, luxel_field **field)
 {
     const unsigned n[2] = {columns, rows};
     luxel_grid *grid = NULL;

@@ -99,7 +99,7 @@ static lx_bounded reflected_mean(const struct lx_measuring *measuring, const str
     struct reflection reflection = {.measuring = measuring,
                                     .asking = asking,
                                     .target = RULES_SHARE * lx_reflected_error_of(measuring->settings) *
-                                              measuring->made->grid.average};
+                                              measuring->made->grid.average.value};
     struct lx_integrand integrand = {.at = along_line, .target = target, .data = &reflection};
     const struct lx_integral mean = integrate(&integrand);
     return (lx_bounded){mean.value, mean.error + mean.inherited};
@@ -115,7 +115,8 @@ void lx_integrate_plane(const struct lx_measuring *measuring)
     if ((!photometric && !radiometric) || grid->measured + grid->enclosed != (size_t)grid->columns * grid->rows ||
         has_openings(&measuring->world.prepared->emitters))
         return;
-    struct lx_flux flux = lx_plane_flux(measuring->world.prepared, &measuring->made->cells, grid->average, &asking);
+    struct lx_flux flux =
+        lx_plane_flux(measuring->world.prepared, &measuring->made->cells, grid->average.value, &asking);
     const lx_bounded area =
         lx_mul(lx_div(lx_exact(grid->size_mm[0]), lx_exact(1000)), lx_div(lx_exact(grid->size_mm[1]), lx_exact(1000)));
     if (flux.is_known && measuring->world.reflected)
@@ -124,11 +125,9 @@ void lx_integrate_plane(const struct lx_measuring *measuring)
     grid->has_mean = flux.is_known && isfinite(mean.value) && isfinite(mean.error);
     if (!grid->has_mean)
         return;
-    grid->mean = mean.value;
-    grid->mean_error = mean.error;
+    grid->mean = mean;
     grid->flux_unit = photometric ? "lm" : "W";
-    grid->flux = flux.value.value;
-    grid->flux_error = flux.value.error;
+    grid->flux = flux.value;
 }
 
 /* The sum of the values of a grid of half as many cells each way, of twice as many of a single one; NaN where a cell
@@ -180,13 +179,13 @@ void lx_judge_sampling(const struct lx_measuring *measuring)
         return;
     if (grid->has_mean) {
         grid->has_sampling_error = grid->sampling_is_bound = true;
-        grid->sampling_error = fabs(grid->average - grid->mean) + grid->mean_error;
+        grid->sampling_error = fabs(grid->average.value - grid->mean.value) + grid->mean.error;
     } else {
-        grid->sampling_error = fabs(grid->average - other_average(measuring));
+        grid->sampling_error = fabs(grid->average.value - other_average(measuring));
         grid->has_sampling_error = isfinite(grid->sampling_error);
         grid->sampling_error = grid->has_sampling_error ? grid->sampling_error : 0;
     }
-    const double size = fmax(fabs(grid->average), grid->has_mean ? fabs(grid->mean) : 0);
+    const double size = fmax(fabs(grid->average.value), grid->has_mean ? fabs(grid->mean.value) : 0);
     grid->is_coarse = grid->has_sampling_error && grid->sampling_error > COARSE * size;
 }
 

@@ -224,7 +224,7 @@ static luxel_status check_content(const luxel_field_content *content, luxel_diag
     if ((unsigned)content->quantity > LUXEL_IRRADIANCE)
         return lx_setting_out_of_range(diagnostics, "quantity", (double)content->quantity,
                                        LX_N("brightness or irradiance"));
-    return lx_check_reserved(content->reserved, diagnostics);
+    return LX_CHECK_RESERVE(content, diagnostics);
 }
 
 luxel_status luxel_field_of_values(const luxel_field_content *content, luxel_diagnostics *diagnostics,

@@ -22,7 +22,7 @@ luxel_status luxel_check_output_name(const char *path, luxel_diagnostics *diagno
     return lx_find_format(path, diagnostics, &format);
 }
 
-const char *luxel_output_ending(size_t i)
+const char *luxel_field_output_ending(size_t i)
 {
     return lx_format_ending(i);
 }
@@ -74,14 +74,14 @@ static luxel_status collect_tags(const luxel_field *field, struct tags *tags)
     return status;
 }
 
-luxel_status lx_output_check(const char *path, const luxel_output *how, luxel_diagnostics *diagnostics)
+luxel_status lx_output_check(const char *path, const luxel_field_output *how, luxel_diagnostics *diagnostics)
 {
     const unsigned bits = how ? how->bits : 0;
     luxel_status status = luxel_check_output_name(path, diagnostics);
     if (status == LUXEL_OK && bits != 0 && bits != 8 && bits != 16)
         status = lx_setting_out_of_range(diagnostics, "bits", bits, LX_N("8 or 16"));
     if (status == LUXEL_OK && how)
-        status = lx_check_reserved(how->reserved, diagnostics);
+        status = LX_CHECK_RESERVE(how, diagnostics);
     return status;
 }
 
@@ -98,7 +98,7 @@ static enum lx_sample_type sample_of(const struct luxel_field *field, unsigned b
     return field->precision == LUXEL_DOUBLE ? LX_SAMPLE_F64 : LX_SAMPLE_F32;
 }
 
-static luxel_status begin(struct lx_output *output, const luxel_output *how)
+static luxel_status begin(struct lx_output *output, const luxel_field_output *how)
 {
     const struct luxel_field *field = output->field;
     const struct lx_format *format;
@@ -129,7 +129,7 @@ static luxel_status begin(struct lx_output *output, const luxel_output *how)
 }
 
 luxel_status lx_output_open(const struct luxel_field *field, const struct lx_destination *destination,
-                            const luxel_output *how, luxel_diagnostics *diagnostics, struct lx_output **output)
+                            const luxel_field_output *how, luxel_diagnostics *diagnostics, struct lx_output **output)
 {
     struct lx_output *made = lx_new_array(1, sizeof *made);
     if (!made)
@@ -241,7 +241,7 @@ void lx_output_abort(struct lx_output *output)
 }
 
 static luxel_status write_to(const struct lx_destination *destination, const luxel_field *field,
-                             const luxel_output *how, luxel_diagnostics *diagnostics)
+                             const luxel_field_output *how, luxel_diagnostics *diagnostics)
 {
     const struct lx_strip all = lx_whole_strip(field);
     struct lx_output *output;
@@ -254,13 +254,13 @@ static luxel_status write_to(const struct lx_destination *destination, const lux
     return lx_output_commit(output);
 }
 
-luxel_status luxel_field_write_as(const luxel_field *field, const char *path, const luxel_output *how,
+luxel_status luxel_field_write_as(const luxel_field *field, const char *path, const luxel_field_output *how,
                                   luxel_diagnostics *diagnostics)
 {
     return write_to(&(struct lx_destination){.path = path}, field, how, diagnostics);
 }
 
-luxel_status luxel_field_write_memory(const luxel_field *field, const char *name, const luxel_output *how,
+luxel_status luxel_field_write_memory(const luxel_field *field, const char *name, const luxel_field_output *how,
                                       luxel_diagnostics *diagnostics, unsigned char **bytes, size_t *length)
 {
     return write_to(&(struct lx_destination){name, bytes, length}, field, how, diagnostics);

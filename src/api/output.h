@@ -9,7 +9,7 @@
 struct lx_output;
 
 /* Whether luxel_field_write_as() takes this; else says why not.  LUXEL_ERROR_ARGUMENT. */
-luxel_status lx_output_check(const char *path, const luxel_output *how, luxel_diagnostics *diagnostics);
+luxel_status lx_output_check(const char *path, const luxel_field_output *how, luxel_diagnostics *diagnostics);
 
 /* Whether a file of that name carries texts, the scene's among them. */
 bool lx_output_carries(const char *path);
@@ -19,7 +19,7 @@ bool lx_output_carries(const char *path);
  * and the destination's path must.  LUXEL_ERROR_ARGUMENT, LUXEL_ERROR_FILE, LUXEL_ERROR_MEMORY.
  */
 luxel_status lx_output_open(const struct luxel_field *field, const struct lx_destination *destination,
-                            const luxel_output *how, luxel_diagnostics *diagnostics, struct lx_output **output);
+                            const luxel_field_output *how, luxel_diagnostics *diagnostics, struct lx_output **output);
 
 /* Whether it can be written only from all values: then strips before the last are kept in a file beside it. */
 bool lx_output_waits(const struct lx_output *output);

@@ -20,17 +20,28 @@
 #include "reflecting.h"
 #include "session.h"
 
-/* Probes with all that they point to: a single one is an array of one. */
-struct probes {
+/* Probes with all that they point to: a single one is the first of one. */
+struct luxel_probes {
     luxel_light_share *shares; /* of all probes, one after the other */
     luxel_light_share *named;  /* what each begins with: one for each light that is on, with its words */
     size_t named_count;
     char **surface_names; /* of all surfaces */
     size_t surface_count;
+    size_t count;
     luxel_probe list[];
 };
 
-static void free_probes(struct probes *probes)
+size_t luxel_probes_count(const luxel_probes *probes)
+{
+    return probes ? probes->count : 0;
+}
+
+const luxel_probe *luxel_probes_get(const luxel_probes *probes, size_t i)
+{
+    return i < luxel_probes_count(probes) ? &probes->list[i] : NULL;
+}
+
+void luxel_probes_free(luxel_probes *probes)
 {
     if (!probes)
         return;
@@ -47,11 +58,11 @@ static void free_probes(struct probes *probes)
 void luxel_probe_free(luxel_probe *probe)
 {
     if (probe)
-        free_probes((struct probes *)(void *)((char *)probe - offsetof(struct probes, list)));
+        luxel_probes_free((luxel_probes *)(void *)((char *)probe - offsetof(luxel_probes, list)));
 }
 
 /* Copies the names of surfaces and of lights that are on (NULL: none is); -1: memory ran out. */
-static int copy_names(const struct lx_scene_parameters *scene, const bool *on, struct probes *probes)
+static int copy_names(const struct lx_scene_parameters *scene, const bool *on, luxel_probes *probes)
 {
     probes->named = lx_new_array(scene->lights.count, sizeof *probes->named);
     probes->surface_names = lx_new_array(scene->surfaces.count, sizeof *probes->surface_names);
@@ -88,17 +99,18 @@ static luxel_status too_many(size_t count, double needed, double available, luxe
 
 /* Room for the answers; what there is of it is to be freed whatever it returns. */
 static luxel_status new_probes(const struct lx_scene_parameters *scene, const bool *on, size_t count,
-                               luxel_diagnostics *diagnostics, struct probes **probes)
+                               luxel_diagnostics *diagnostics, luxel_probes **probes)
 {
     const double needed =
         (double)count * (double)(sizeof(luxel_probe) + scene->lights.count * sizeof(luxel_light_share));
     const double available = count > 1 ? lx_available_bytes() : HUGE_VAL;
     if (needed > available || count > UINT_MAX / 2)
         return too_many(count, needed, available, diagnostics);
-    struct probes *made = lx_new_array(1, sizeof *made + count * sizeof *made->list);
+    luxel_probes *made = lx_new_array(1, sizeof *made + count * sizeof *made->list);
     *probes = made;
     if (!made || copy_names(scene, on, made) < 0)
         return lx_out_of_memory(diagnostics);
+    made->count = count;
     made->shares = lx_new_array(count * made->named_count, sizeof *made->shares);
     if (!made->shares)
         return lx_out_of_memory(diagnostics);
@@ -167,12 +179,12 @@ static void sum_lights(const struct lx_session *session, const struct lx_element
         share->irradiance = light.irradiance.value[0];
         share->diffuse = light.diffuse.value[0];
         share->specular = light.specular.value[0];
-        share->error = lx_reported_error(value);
+        share->error = lx_reported(value).error;
         total = lx_add(total, value);
     }
     probe->has_value = true;
     probe->value = total.value;
-    probe->error = lx_reported_error(total);
+    probe->error = lx_reported(total).error;
     probe->tolerance_reached = is_reached(session, &element, probe);
 }
 
@@ -181,7 +193,7 @@ struct probing {
     const luxel_scene *scene;
     struct lx_session *session; /* of it */
     const luxel_place *places;
-    struct probes *probes;
+    luxel_probes *probes;
     struct lx_control *control;
     bool shows_pixels; /* the pixels' values are told as well */
 };
@@ -296,12 +308,11 @@ static void take_reflected(void *data, size_t i, lx_bounded irradiance)
     const lx_bounded total = lx_add((lx_bounded){probe->value, probe->error}, value);
     probe->has_reflected = true;
     probe->reflected_irradiance = irradiance.value;
-    probe->reflected_value = value.value;
-    probe->reflected_error = lx_reported_error(value);
+    probe->reflected = lx_reported(value);
     probe->value = total.value;
-    probe->error = lx_reported_error(total);
+    probe->error = lx_reported(total).error;
     probe->reflected_reached =
-        probe->reflected_error <= fmax(lx_reflected_error_of(settings) * fabs(probe->value), DBL_MIN);
+        probe->reflected.error <= fmax(lx_reflected_error_of(settings) * fabs(probe->value), DBL_MIN);
 }
 
 /* Finds what surfaces reflect in the picture, if some probe has a pixel there, or it is to serve all. */
@@ -348,6 +359,8 @@ static luxel_status check_places(const struct lx_scene_parameters *scene, const 
 {
     char index[LX_NUMBER_SIZE], most[LX_NUMBER_SIZE];
     for (size_t i = 0; i < count; i++) {
+        if (LX_CHECK_RESERVE(&places[i], diagnostics) != LUXEL_OK)
+            return LUXEL_ERROR_ARGUMENT;
         if (!lx_is_place(&places[i])) {
             lx_report(diagnostics, LUXEL_SEVERITY_ERROR, NULL, LX_MSG_BAD_PLACE, NULL);
             return LUXEL_ERROR_ARGUMENT;
@@ -392,8 +405,8 @@ static luxel_status open(struct probing *probing, const luxel_settings *settings
     return status == LUXEL_OK && sees ? luxel_scene_check_view(scene, diagnostics) : status;
 }
 
-luxel_status luxel_probe_many(const luxel_scene *scene, const luxel_settings *settings, const luxel_place *places,
-                              size_t count, luxel_diagnostics *diagnostics, luxel_probe **probes)
+luxel_status luxel_probe_places(const luxel_scene *scene, const luxel_settings *settings, const luxel_place *places,
+                                size_t count, luxel_diagnostics *diagnostics, luxel_probes **probes)
 {
     struct lx_session session;
     struct lx_control control = {.rows = count < UINT_MAX / 2 ? 2 * (unsigned)count : UINT_MAX};
@@ -415,9 +428,19 @@ luxel_status luxel_probe_many(const luxel_scene *scene, const luxel_settings *se
     }
     lx_session_clear(&session);
     if (status == LUXEL_OK)
-        *probes = probing.probes->list;
+        *probes = probing.probes;
     else
-        free_probes(probing.probes);
+        luxel_probes_free(probing.probes);
+    return status;
+}
+
+luxel_status luxel_probe_place(const luxel_scene *scene, const luxel_settings *settings, const luxel_place *place,
+                               luxel_diagnostics *diagnostics, luxel_probe **probe)
+{
+    luxel_probes *probes;
+    const luxel_status status = luxel_probe_places(scene, settings, place, 1, diagnostics, probe ? &probes : NULL);
+    if (status == LUXEL_OK)
+        *probe = probes->list;
     return status;
 }
 
@@ -425,7 +448,7 @@ luxel_status luxel_probe_screen(const luxel_scene *scene, const luxel_settings *
                                 luxel_diagnostics *diagnostics, luxel_probe **probe)
 {
     const luxel_place place = {.screen_mm = {x_mm, y_mm}};
-    return luxel_probe_many(scene, settings, &place, 1, diagnostics, probe);
+    return luxel_probe_place(scene, settings, &place, diagnostics, probe);
 }
 
 luxel_status luxel_probe_element(const luxel_scene *scene, const luxel_settings *settings, const double position_mm[3],
@@ -434,7 +457,7 @@ luxel_status luxel_probe_element(const luxel_scene *scene, const luxel_settings 
     luxel_place place = {.is_element = true};
     memcpy(place.position_mm, position_mm, sizeof place.position_mm);
     memcpy(place.normal, normal, sizeof place.normal);
-    return luxel_probe_many(scene, settings, &place, 1, diagnostics, probe);
+    return luxel_probe_place(scene, settings, &place, diagnostics, probe);
 }
 
 const char *luxel_scene_unit(const luxel_scene *scene, luxel_quantity quantity)

@@ -124,8 +124,8 @@ void lx_reaching_row(struct lx_reaching *reaching, unsigned worker, const struct
     }
 }
 
-luxel_status luxel_find_reach(const luxel_scene *scene, const luxel_settings *settings, luxel_diagnostics *diagnostics,
-                              luxel_reach *reach)
+luxel_status luxel_find_light_reach(const luxel_scene *scene, const luxel_settings *settings,
+                                    luxel_diagnostics *diagnostics, luxel_light_reach *reach)
 {
     struct lx_session session;
     struct lx_reach found;
@@ -137,7 +137,7 @@ luxel_status luxel_find_reach(const luxel_scene *scene, const luxel_settings *se
     const struct lx_scene_parameters *parameters = lx_scene_parameters(scene);
     double *x_mm = lx_new_column_places(&parameters->screen, 1), *y_mm = lx_new_row_places(&parameters->screen, 1);
     status = lx_reach_open(&found, parameters, session.kernels, &session.settings);
-    *reach = (luxel_reach){.has_ambient = found.has_ambient, .has_direct = found.has_direct};
+    *reach = (luxel_light_reach){.has_ambient = found.has_ambient, .has_direct = found.has_direct};
     if (status == LUXEL_OK && (!x_mm || !y_mm))
         status = LUXEL_ERROR_MEMORY;
     if (status == LUXEL_OK)

@@ -20,7 +20,7 @@ struct files {
     luxel_status status; /* what the last one that failed failed with */
 };
 
-static luxel_status check_arguments(const char *const *paths, size_t count, const luxel_output *how,
+static luxel_status check_arguments(const char *const *paths, size_t count, const luxel_field_output *how,
                                     luxel_diagnostics *diagnostics)
 {
     luxel_status status = LUXEL_OK;
@@ -44,7 +44,7 @@ static bool some_carries(const char *const *paths, size_t count)
 
 /* A file that cannot be begun does not stop the others. */
 static luxel_status open_files(struct files *files, const struct luxel_field *field, const char *const *paths,
-                               size_t count, const luxel_output *how, luxel_diagnostics *diagnostics)
+                               size_t count, const luxel_field_output *how, luxel_diagnostics *diagnostics)
 {
     files->outputs = lx_new_array(count, sizeof(struct lx_output *));
     if (!files->outputs)
@@ -150,7 +150,7 @@ static void clear_files(struct files *files)
 }
 
 luxel_status luxel_render_files(const luxel_scene *scene, const luxel_settings *settings, const char *const *paths,
-                                size_t count, const luxel_output *how, luxel_diagnostics *diagnostics,
+                                size_t count, const luxel_field_output *how, luxel_diagnostics *diagnostics,
                                 luxel_statistics *statistics)
 {
     struct lx_session session = {0};

@@ -58,7 +58,7 @@ static luxel_status check_settings(const luxel_settings *settings, luxel_diagnos
                                          LX_N("from 0 to below 1"));
     if (settings->stride > MAXIMUM_STRIDE)
         status = lx_setting_out_of_range(diagnostics, "stride", settings->stride, LX_N("0 to 65536"));
-    const luxel_status reserved = lx_check_reserved(settings->reserved, diagnostics);
+    const luxel_status reserved = LX_CHECK_RESERVE(settings, diagnostics);
     return status == LUXEL_OK ? reserved : status;
 }
 

@@ -13,12 +13,11 @@
 #define LX_BASE_BOUNDED_H
 
 #include <float.h>
+#include <luxel/bounded.h>
 #include <math.h>
 #include <stdbool.h>
 
-typedef struct lx_bounded {
-    double value, error;
-} lx_bounded;
+typedef luxel_bounded lx_bounded;
 
 typedef struct lx_bounded3 {
     lx_bounded x, y, z;

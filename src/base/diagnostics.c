@@ -373,9 +373,11 @@ luxel_status lx_setting_out_of_range(luxel_diagnostics *diagnostics, const char 
     return LUXEL_ERROR_ARGUMENT;
 }
 
-luxel_status lx_check_reserved(void *const reserved[4], luxel_diagnostics *diagnostics)
+luxel_status lx_check_reserve(void *const *reserved, size_t count, luxel_diagnostics *diagnostics)
 {
-    if (!reserved[0] && !reserved[1] && !reserved[2] && !reserved[3])
+    while (count > 0 && !reserved[count - 1])
+        count--;
+    if (count == 0)
         return LUXEL_OK;
     lx_report(diagnostics, LUXEL_SEVERITY_ERROR, NULL, LX_MSG_RESERVED_NOT_NULL, NULL);
     lx_hint(diagnostics, LX_MSG_HINT_INITIALIZE, NULL);

@@ -68,6 +68,8 @@ luxel_status lx_setting_out_of_range(luxel_diagnostics *diagnostics, const char 
                                      const char *range);
 
 /* Whether what a structure of the caller's has reserved for later versions is NULL; LUXEL_ERROR_ARGUMENT, reported. */
-luxel_status lx_check_reserved(void *const reserved[4], luxel_diagnostics *diagnostics);
+luxel_status lx_check_reserve(void *const *reserved, size_t count, luxel_diagnostics *diagnostics);
+#define LX_CHECK_RESERVE(of, diagnostics)                                                                              \
+    lx_check_reserve((of)->reserved, sizeof(of)->reserved / sizeof *(of)->reserved, diagnostics)
 
 #endif

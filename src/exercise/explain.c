@@ -117,7 +117,7 @@ static void add_sum(const struct explaining *explaining)
     for (size_t i = 0; i < terms && shows_terms; i++) {
         lx_text_puts(&line, i > 0 ? " + " : "");
         lx_add_math_number(&line, i < probe->share_count ? share_value(explaining, &probe->shares[i])
-                                                         : probe->reflected_value);
+                                                         : probe->reflected.value);
     }
     lx_text_puts(&line, shows_terms ? " = " : "");
     lx_add_math_number(&line, probe->value);
@@ -140,8 +140,8 @@ static void add_bounces(const struct explaining *explaining, const luxel_alterna
     lx_document_paragraph(document,
                           LX_N("From other surfaces the point receives {0}, which adds {1} to the value, with an error "
                                "of at most {2}."),
-                          LX_SPANS(LX_MATH("E_r"), LX_PLAIN(digits(probe->reflected_value, 7, adds)),
-                                   LX_PLAIN(digits(probe->reflected_error, 2, bound))));
+                          LX_SPANS(LX_MATH("E_r"), LX_PLAIN(digits(probe->reflected.value, 7, adds)),
+                                   LX_PLAIN(digits(probe->reflected.error, 2, bound))));
     struct lx_text line = {0};
     lx_text_puts(&line, "E_r = ");
     lx_add_math_number(&line, probe->reflected_irradiance);
@@ -253,7 +253,9 @@ luxel_status luxel_explain(const luxel_scene *scene, const luxel_settings *setti
 {
     luxel_probe *probe = NULL;
     luxel_scene *lit;
-    luxel_status status = luxel_probe_screen(scene, settings, x_mm, y_mm, diagnostics, &probe);
+    luxel_status status = language ? LX_CHECK_RESERVE(language, diagnostics) : LUXEL_OK;
+    if (status == LUXEL_OK)
+        status = luxel_probe_screen(scene, settings, x_mm, y_mm, diagnostics, &probe);
     if (status != LUXEL_OK)
         return status;
     status = lx_scene_lit(scene, settings, diagnostics, &lit);

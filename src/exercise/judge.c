@@ -238,8 +238,10 @@ static luxel_status find_largest(const luxel_scene *scene, const luxel_settings 
     *largest = 0;
     for (size_t i = 0; status == LUXEL_OK && i < luxel_scene_point_count(scene); i++) {
         double x_mm, y_mm;
+        luxel_value value;
         luxel_scene_point(scene, i, &x_mm, &y_mm);
-        *largest = fmax(*largest, luxel_evaluate(evaluator, x_mm, y_mm, NULL).value);
+        luxel_evaluate_screen(evaluator, x_mm, y_mm, &value, NULL);
+        *largest = fmax(*largest, value.value);
     }
     luxel_evaluator_free(evaluator);
     return status;

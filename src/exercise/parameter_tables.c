@@ -79,7 +79,7 @@ static void add_word(const struct walk *walk, struct lx_text *text, const char *
 
 static void add_choice(const struct walk *walk, struct lx_text *text, const char *choice)
 {
-    add_word(walk, text, choice, luxel_choice_label(choice));
+    add_word(walk, text, choice, luxel_parameter_choice_label(choice));
 }
 
 static void add_boolean(const struct walk *walk, struct lx_text *text, bool is_true)

@@ -147,7 +147,8 @@ static void climb(const luxel_evaluator *evaluator, const luxel_region *region, 
             double x = peak->x_mm + step * ways[way][0], y = peak->y_mm + step * ways[way][1];
             if (!luxel_region_holds(region, x, y))
                 continue;
-            luxel_value value = luxel_evaluate(evaluator, x, y, NULL);
+            luxel_value value;
+            luxel_evaluate_screen(evaluator, x, y, &value, NULL);
             higher = value.has_value && value.value > peak->value;
             if (higher)
                 peak->x_mm = x, peak->y_mm = y, peak->value = value.value;
@@ -162,7 +163,8 @@ static void take_pixel(const luxel_evaluator *evaluator, const luxel_field *fiel
                        const luxel_summary *summary, double step, luxel_peak *peak)
 {
     const luxel_extremum *maximum = &summary->maximum;
-    luxel_value value = luxel_evaluate(evaluator, maximum->x_mm, maximum->y_mm, NULL);
+    luxel_value value;
+    luxel_evaluate_screen(evaluator, maximum->x_mm, maximum->y_mm, &value, NULL);
     *peak = (luxel_peak){.exists = maximum->exists,
                          .value = maximum->value,
                          .surface = value.surface,
@@ -196,9 +198,10 @@ static int find_strongest(const luxel_evaluator *evaluator, const luxel_peak *pe
 {
     size_t count = luxel_evaluator_light_count(evaluator);
     double *shares = lx_new_array(count + 1, sizeof *shares);
+    luxel_value value;
     if (!shares)
         return -1;
-    luxel_evaluate(evaluator, peak->x_mm, peak->y_mm, shares);
+    luxel_evaluate_screen(evaluator, peak->x_mm, peak->y_mm, &value, shares);
     *strongest = 0;
     for (size_t i = 1; i < count; i++)
         if (shares[i] > shares[*strongest])

@@ -94,7 +94,7 @@ static bool look_at(struct lx_extremum_search *search, const struct lx_spot *spo
         if (!lx_screen_of(search, place, at))
             return false;
         clip(search, at);
-        found = luxel_evaluate(search->evaluator, at[0], at[1], NULL);
+        luxel_evaluate_screen(search->evaluator, at[0], at[1], &found, NULL);
     }
     if (!found.on_surface || lx_prepared_index(search->prepared, found.surface, found.part) != spot->surface ||
         !found.has_value || !is_on_screen(search, at))
@@ -429,7 +429,7 @@ luxel_status luxel_find_extrema(const luxel_evaluator *evaluator, const luxel_fi
     luxel_status status = check(evaluator, field, region, extrema, diagnostics);
     if (status != LUXEL_OK)
         return status;
-    luxel_extrema found;
+    luxel_extrema found = {.maximum.exists = false};
     status = search_for(evaluator, field, region, 1, diagnostics, &found.maximum);
     if (status == LUXEL_OK)
         status = search_for(evaluator, field, region, -1, diagnostics, &found.minimum);

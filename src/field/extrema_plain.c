@@ -29,7 +29,8 @@ static bool look(const struct lx_extremum_search *search, const double at[2], st
     if (!(fabs(at[0]) <= screen->width_mm / 2 && fabs(at[1]) <= screen->height_mm / 2 &&
           luxel_region_holds(search->region, at[0], at[1])))
         return false;
-    *found = (struct found){{at[0], at[1]}, luxel_evaluate(search->evaluator, at[0], at[1], NULL)};
+    found->at[0] = at[0], found->at[1] = at[1];
+    luxel_evaluate_screen(search->evaluator, at[0], at[1], &found->value, NULL);
     return found->value.on_surface && found->value.has_value;
 }
 

@@ -97,12 +97,6 @@ unsigned luxel_field_rows(const luxel_field *field)
     return field->rows;
 }
 
-unsigned luxel_field_channels(const luxel_field *field)
-{
-    (void)field;
-    return 1;
-}
-
 luxel_quantity luxel_field_quantity(const luxel_field *field)
 {
     return field->quantity;

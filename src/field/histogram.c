@@ -22,13 +22,13 @@ void luxel_histogram_free(luxel_histogram *histogram)
 }
 
 /* The range of the values themselves, of those above 0 for a logarithmic scale; widened where it has no size. */
-static bool find_range(const struct lx_gathered *gathered, luxel_scale scale, double *low, double *high)
+static bool find_range(const struct lx_gathered *gathered, luxel_histogram_scale scale, double *low, double *high)
 {
     *low = HUGE_VAL;
     *high = -HUGE_VAL;
     for (size_t i = 0; i < gathered->count; i++) {
         double value = gathered->values[i];
-        if (scale == LUXEL_LOGARITHMIC && !(value > 0))
+        if (scale == LUXEL_HISTOGRAM_LOGARITHMIC && !(value > 0))
             continue;
         *low = fmin(*low, value);
         *high = fmax(*high, value);
@@ -37,7 +37,7 @@ static bool find_range(const struct lx_gathered *gathered, luxel_scale scale, do
         return false;
     if (*low == *high) {
         double room = *low == 0 ? 1 : 0.5 * fabs(*low);
-        *low = scale == LUXEL_LOGARITHMIC ? *low / 2 : *low - room;
+        *low = scale == LUXEL_HISTOGRAM_LOGARITHMIC ? *low / 2 : *low - room;
         *high += room;
     }
     return true;
@@ -49,12 +49,12 @@ static luxel_status bad_range(luxel_diagnostics *diagnostics, enum lx_message me
     return LUXEL_ERROR_ARGUMENT;
 }
 
-static void make_edges(luxel_scale scale, double low, double high, size_t bins, double *edges)
+static void make_edges(luxel_histogram_scale scale, double low, double high, size_t bins, double *edges)
 {
     for (size_t i = 0; i <= bins; i++) {
         double share = (double)i / (double)bins;
-        edges[i] =
-            scale == LUXEL_LINEAR ? low * (1 - share) + high * share : exp(log(low) * (1 - share) + log(high) * share);
+        edges[i] = scale == LUXEL_HISTOGRAM_LINEAR ? low * (1 - share) + high * share
+                                                   : exp(log(low) * (1 - share) + log(high) * share);
     }
     edges[0] = low;
     edges[bins] = high;
@@ -74,8 +74,8 @@ static size_t find_bin(const double *edges, size_t bins, double value)
     return low;
 }
 
-static luxel_status count(const struct lx_gathered *gathered, luxel_scale scale, double low, double high, size_t bins,
-                          luxel_diagnostics *diagnostics, luxel_histogram **histogram)
+static luxel_status count(const struct lx_gathered *gathered, luxel_histogram_scale scale, double low, double high,
+                          size_t bins, luxel_diagnostics *diagnostics, luxel_histogram **histogram)
 {
     luxel_histogram *made = lx_new_array(1, sizeof *made);
     double *edges = lx_new_array(bins + 1, sizeof *edges);
@@ -102,8 +102,8 @@ static luxel_status count(const struct lx_gathered *gathered, luxel_scale scale,
     return LUXEL_OK;
 }
 
-luxel_status luxel_field_histogram(const luxel_field *field, const luxel_region *region, luxel_scale scale, double low,
-                                   double high, size_t bins, luxel_diagnostics *diagnostics,
+luxel_status luxel_field_histogram(const luxel_field *field, const luxel_region *region, luxel_histogram_scale scale,
+                                   double low, double high, size_t bins, luxel_diagnostics *diagnostics,
                                    luxel_histogram **histogram)
 {
     struct lx_gathered gathered;
@@ -112,7 +112,7 @@ luxel_status luxel_field_histogram(const luxel_field *field, const luxel_region 
         return bad_range(diagnostics, LX_MSG_BAD_BINS);
     if (!automatic && !(low < high && isfinite(low) && isfinite(high)))
         return bad_range(diagnostics, LX_MSG_BAD_RANGE);
-    if (!automatic && scale == LUXEL_LOGARITHMIC && !(low > 0))
+    if (!automatic && scale == LUXEL_HISTOGRAM_LOGARITHMIC && !(low > 0))
         return bad_range(diagnostics, LX_MSG_BAD_LOG_RANGE);
     luxel_status status = lx_gather_region(field, region, diagnostics, &gathered);
     if (status != LUXEL_OK)

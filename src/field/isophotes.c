@@ -67,7 +67,8 @@ static bool is_of_scene(const struct luxel_field *field, const struct luxel_eval
     const luxel_extremum *maximum = &field->statistics.maximum;
     if (!maximum->exists)
         return true;
-    luxel_value exact = luxel_evaluate(evaluator, maximum->x_mm, maximum->y_mm, NULL);
+    luxel_value exact;
+    luxel_evaluate_screen(evaluator, maximum->x_mm, maximum->y_mm, &exact, NULL);
     /* at a shadow's edge or the very rim the picture and the exact value may well differ */
     return !exact.has_value || exact.error > picture_margin(field) ||
            fabs(exact.value - maximum->value) <= picture_margin(field);

@@ -236,7 +236,8 @@ static void add_exact(struct lx_iso_search *search, unsigned line, unsigned colu
     struct lx_iso_exact *exact = lx_iso_append(search, &search->lines[line].exact, sizeof *exact);
     if (!exact)
         return;
-    luxel_value found = luxel_evaluate(search->evaluator, search->x_mm[column], search->y_mm[line], NULL);
+    luxel_value found;
+    luxel_evaluate_screen(search->evaluator, search->x_mm[column], search->y_mm[line], &found, NULL);
     *exact = (struct lx_iso_exact){
         .column = column,
         .surface = found.on_surface ? (int)lx_prepared_index(&search->evaluator->prepared, found.surface, found.part)

@@ -9,7 +9,8 @@
 
 double lx_iso_value(const struct lx_iso_search *search, int surface, const double xy_mm[2])
 {
-    luxel_value found = luxel_evaluate(search->evaluator, xy_mm[0], xy_mm[1], NULL);
+    luxel_value found;
+    luxel_evaluate_screen(search->evaluator, xy_mm[0], xy_mm[1], &found, NULL);
     bool exists = found.on_surface && found.has_value &&
                   (int)lx_prepared_index(&search->evaluator->prepared, found.surface, found.part) == surface;
     return exists ? found.value : (double)NAN;

@@ -33,18 +33,20 @@ static luxel_status report(luxel_diagnostics *diagnostics, enum lx_message messa
     return LUXEL_ERROR_ARGUMENT;
 }
 
-static luxel_status check_path(const luxel_path *path, luxel_diagnostics *diagnostics)
+static luxel_status check_path(const luxel_profile_path *path, luxel_diagnostics *diagnostics)
 {
     bool finite = isfinite(path->from_mm[0]) && isfinite(path->from_mm[1]) && isfinite(path->to_mm[0]) &&
                   isfinite(path->to_mm[1]);
     bool differ = path->from_mm[0] != path->to_mm[0] || path->from_mm[1] != path->to_mm[1];
     bool counted = path->samples >= 2 && path->samples <= MOST_SAMPLES;
     bool known = path->type == LUXEL_PATH_LINE || path->type == LUXEL_PATH_ARC;
-    return finite && differ && counted && known ? LUXEL_OK : report(diagnostics, LX_MSG_BAD_PATH);
+    return finite && differ && counted && known ? LX_CHECK_RESERVE(path, diagnostics)
+                                                : report(diagnostics, LX_MSG_BAD_PATH);
 }
 
 /* A profile with places along the line; NULL when memory is short. */
-static luxel_profile *new_profile(const luxel_path *path, luxel_quantity quantity, const char *word, size_t lights)
+static luxel_profile *new_profile(const luxel_profile_path *path, luxel_quantity quantity, const char *word,
+                                  size_t lights)
 {
     luxel_profile *made = lx_new_array(1, sizeof *made);
     luxel_profile_sample *samples = lx_new_array(path->samples, sizeof *samples);
@@ -66,7 +68,7 @@ static luxel_profile *new_profile(const luxel_path *path, luxel_quantity quantit
 }
 
 /* Equal steps; both ends are exact. */
-static void place_on_line(const luxel_path *path, luxel_profile_sample *samples)
+static void place_on_line(const luxel_profile_path *path, luxel_profile_sample *samples)
 {
     double length = hypot(path->to_mm[0] - path->from_mm[0], path->to_mm[1] - path->from_mm[1]);
     for (size_t i = 0; i < path->samples; i++) {
@@ -81,7 +83,7 @@ static void place_on_line(const luxel_path *path, luxel_profile_sample *samples)
 
 /* A great circle: unit vectors from the sphere's centre, to the first place and perpendicular to it. */
 struct arc {
-    size_t surface;
+    size_t surface; /* among the prepared ones */
     double begin[3], aside[3];
     double angle_rad; /* to the second place */
 };
@@ -108,16 +110,18 @@ static void project(const struct lx_camera *camera, const double place[3], luxel
 static void evaluate_sample(const struct job *job, size_t i)
 {
     luxel_profile_sample *sample = &job->samples[i];
+    const struct lx_prepared *prepared = &job->evaluator->prepared;
     double *shares = job->lights > 0 ? &job->shares[i * job->lights] : NULL;
     luxel_value value;
     if (job->arc) {
         double angle = sample->abscissa * (M_PI / 180), normal[3];
         for (int k = 0; k < 3; k++)
             normal[k] = job->arc->begin[k] * cos(angle) + job->arc->aside[k] * sin(angle);
-        value = luxel_evaluate_sphere(job->evaluator, job->arc->surface, normal, shares);
-        project(&job->evaluator->prepared.camera, value.position_mm, sample);
+        const struct lx_element element = lx_element_on(prepared, job->arc->surface, normal);
+        value = lx_evaluate_element(job->evaluator, &element, shares);
+        project(&prepared->camera, value.position_mm, sample);
     } else {
-        value = luxel_evaluate(job->evaluator, sample->x_mm, sample->y_mm, shares);
+        luxel_evaluate_screen(job->evaluator, sample->x_mm, sample->y_mm, &value, shares);
     }
     sample->has_value = value.has_value;
     sample->value = value.has_value ? value.value : 0;
@@ -142,19 +146,20 @@ static luxel_status no_sphere(const double place_mm[2], luxel_diagnostics *diagn
     return LUXEL_ERROR_ARGUMENT;
 }
 
-static luxel_status find_arc(const struct luxel_evaluator *evaluator, const luxel_path *path,
+static luxel_status find_arc(const struct luxel_evaluator *evaluator, const luxel_profile_path *path,
                              luxel_diagnostics *diagnostics, struct arc *arc)
 {
     const struct lx_prepared *prepared = &evaluator->prepared;
-    luxel_value ends[2] = {luxel_trace(evaluator, path->from_mm[0], path->from_mm[1]),
-                           luxel_trace(evaluator, path->to_mm[0], path->to_mm[1])};
+    luxel_value ends[2];
+    luxel_trace_screen(evaluator, path->from_mm[0], path->from_mm[1], &ends[0]);
+    luxel_trace_screen(evaluator, path->to_mm[0], path->to_mm[1], &ends[1]);
     for (int i = 0; i < 2; i++)
         if (!ends[i].on_surface ||
             !lx_is_by_normal(prepared, lx_prepared_index(prepared, ends[i].surface, ends[i].part)))
             return no_sphere(i == 0 ? path->from_mm : path->to_mm, diagnostics);
     if (ends[0].surface != ends[1].surface)
         return report(diagnostics, LX_MSG_PATH_TWO_SPHERES);
-    arc->surface = ends[0].surface;
+    arc->surface = lx_prepared_index(prepared, ends[0].surface, ends[0].part);
     memcpy(arc->begin, ends[0].normal, sizeof arc->begin);
     const double *a = ends[0].normal, *b = ends[1].normal;
     /* begin x end x begin is aside times the sine of the angle, and its length keeps its digits for a small one */
@@ -170,7 +175,7 @@ static luxel_status find_arc(const struct luxel_evaluator *evaluator, const luxe
     return LUXEL_OK;
 }
 
-luxel_status luxel_find_profile(const luxel_evaluator *evaluator, const luxel_path *path,
+luxel_status luxel_find_profile(const luxel_evaluator *evaluator, const luxel_profile_path *path,
                                 luxel_diagnostics *diagnostics, luxel_profile **profile)
 {
     struct arc arc;
@@ -224,8 +229,8 @@ static bool find_pixel(const double *places, unsigned count, double place, doubl
     return true;
 }
 
-luxel_status luxel_field_profile(const luxel_field *field, const luxel_path *path, luxel_diagnostics *diagnostics,
-                                 luxel_profile **profile)
+luxel_status luxel_field_profile(const luxel_field *field, const luxel_profile_path *path,
+                                 luxel_diagnostics *diagnostics, luxel_profile **profile)
 {
     luxel_status status = check_path(path, diagnostics);
     if (status == LUXEL_OK && path->type != LUXEL_PATH_LINE)
@@ -258,8 +263,8 @@ luxel_status luxel_field_profile(const luxel_field *field, const luxel_path *pat
 
 /* ---- lines across the screen ---- */
 
-luxel_status luxel_line_across_screen(const luxel_scene *scene, const double through_mm[2], double degrees,
-                                      luxel_diagnostics *diagnostics, double from_mm[2], double to_mm[2])
+luxel_status luxel_profile_line(const luxel_scene *scene, const double through_mm[2], double degrees,
+                                luxel_diagnostics *diagnostics, double from_mm[2], double to_mm[2])
 {
     if (!scene || !luxel_scene_is_committed(scene))
         return report(diagnostics, LX_MSG_NOT_COMMITTED);

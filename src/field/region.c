@@ -8,7 +8,11 @@
 
 luxel_status lx_region_check(const luxel_region *region, luxel_diagnostics *diagnostics)
 {
-    if (!region || region->type == LUXEL_REGION_ALL)
+    if (!region)
+        return LUXEL_OK;
+    if (LX_CHECK_RESERVE(region, diagnostics) != LUXEL_OK)
+        return LUXEL_ERROR_ARGUMENT;
+    if (region->type == LUXEL_REGION_ALL)
         return LUXEL_OK;
     bool round = region->type == LUXEL_REGION_CIRCLE, known = round || region->type == LUXEL_REGION_RECTANGLE;
     bool placed = isfinite(region->center_mm[0]) && isfinite(region->center_mm[1]);

@@ -24,7 +24,7 @@ const char *lx_section_name(const struct lx_diagram *diagram, int which)
 {
     if (diagram->is_axial)
         return lx_diagram_word(diagram, LX_N("all planes"));
-    if (diagram->photometry->type == LUXEL_TYPE_C)
+    if (diagram->photometry->type == LUXEL_PHOTOMETRY_TYPE_C)
         return which == 0 ? "C0–C180" : "C90–C270";
     return lx_diagram_word(diagram, which == 0 ? LX_N("horizontal") : LX_N("vertical"));
 }
@@ -95,7 +95,7 @@ static bool take_sections(struct lx_diagram *diagram)
             diagram->greatest = fmax(diagram->greatest, section->values[k]);
         }
     }
-    diagram->is_axial = photometry->type == LUXEL_TYPE_C &&
+    diagram->is_axial = photometry->type == LUXEL_PHOTOMETRY_TYPE_C &&
                         are_same(&diagram->sections[0], &diagram->sections[1], diagram->greatest) &&
                         photometry->symmetry == LUXEL_SYMMETRY_AXIAL;
     return true;
@@ -137,7 +137,9 @@ static luxel_status check_settings(const luxel_diagram_settings *settings, luxel
         return lx_setting_out_of_range(diagnostics, "dots_per_inch", settings->dots_per_inch, LX_N("30 to 2400"));
     if (settings->diagram > LUXEL_DIAGRAM_CONE)
         return LUXEL_ERROR_ARGUMENT;
-    return lx_check_reserved(settings->reserved, diagnostics);
+    if (settings->language && LX_CHECK_RESERVE(settings->language, diagnostics) != LUXEL_OK)
+        return LUXEL_ERROR_ARGUMENT;
+    return LX_CHECK_RESERVE(settings, diagnostics);
 }
 
 static luxel_status write_to(const struct lx_destination *destination, const luxel_photometry *photometry,
@@ -153,7 +155,7 @@ static luxel_status write_to(const struct lx_destination *destination, const lux
     if (status == LUXEL_OK)
         status = check_settings(&diagram.settings, diagnostics);
     if (status == LUXEL_OK)
-        status = take_sections(&diagram) && luxel_photometry_measure(photometry, &diagram.figures) == LUXEL_OK
+        status = take_sections(&diagram) && luxel_photometry_find_figures(photometry, &diagram.figures) == LUXEL_OK
                      ? LUXEL_OK
                      : lx_out_of_memory(diagnostics);
     if (status == LUXEL_OK) {

@@ -36,7 +36,7 @@ static void write_heads(const struct lx_diagram *diagram, const struct lx_canvas
                         double y, double size)
 {
     const struct lx_type type = {.size = size};
-    bool is_turn = diagram->photometry->type == LUXEL_TYPE_C;
+    bool is_turn = diagram->photometry->type == LUXEL_PHOTOMETRY_TYPE_C;
     lx_write(canvas, lx_diagram_word(diagram, LX_N("d, m")), &type, columns[0], y, 1, 0, 0);
     lx_write(canvas, is_turn ? "C0–C180" : lx_section_name(diagram, 0), &type, columns[1], y, 1, 0, 0);
     lx_write(canvas, is_turn ? "C90–C270" : lx_section_name(diagram, 1), &type, columns[2], y, 1, 0, 0);

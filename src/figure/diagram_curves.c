@@ -149,7 +149,7 @@ static struct curves choose_curves(const struct lx_diagram *diagram)
     static const char *const halves[2][2] = {{"C0", "C180"}, {"C90", "C270"}}, *const both[] = {"C0, C180",
                                                                                                 "C90, C270"};
     struct curves curves = {.count = 0};
-    bool is_turn = diagram->photometry->type == LUXEL_TYPE_C;
+    bool is_turn = diagram->photometry->type == LUXEL_PHOTOMETRY_TYPE_C;
     for (int i = 0; i < (diagram->is_axial ? 1 : 2); i++) {
         bool is_one = !is_turn || has_equal_halves(&diagram->sections[i], diagram->greatest);
         for (int half = 0; half < (is_one ? 1 : 2); half++) {
@@ -179,7 +179,7 @@ double lx_draw_cartesian(const struct lx_diagram *diagram, const struct lx_canva
                          double size, bool drawn)
 {
     static const size_t all[] = {0, 1, 2, 3};
-    bool is_turn = diagram->photometry->type == LUXEL_TYPE_C;
+    bool is_turn = diagram->photometry->type == LUXEL_PHOTOMETRY_TYPE_C;
     const struct curves curves = choose_curves(diagram);
     double height = 0.62 * place->width, most = has_light(diagram, true) ? 180 : 90;
     struct lx_plot plot = {.box = {.x = place->x, .y = place->y, .width = place->width, .height = height},

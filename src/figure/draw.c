@@ -27,7 +27,7 @@ static struct lx_bar bar_of(const struct lx_figure *figure)
         .label = figure->label,
         .levels = figure->levels,
         .level_count = figure->level_count,
-        .stepped = figure->settings.bands == LUXEL_BANDS,
+        .stepped = figure->settings.bands == LUXEL_BANDS_STEPS,
         .lined = figure->isophotes != NULL,
         .has_below = figure->has_below,
         .has_above = figure->has_above,

@@ -5,6 +5,8 @@
 #include <luxel/figure.h>
 #include <math.h>
 
+#include "../base/diagnostics.h"
+
 void luxel_drawing_style_init(luxel_drawing_style *style, bool dark)
 {
     *style = (luxel_drawing_style){.letters = 10};
@@ -23,7 +25,8 @@ static bool has_size(double length)
 
 static bool style_goes(const luxel_drawing_style *style)
 {
-    bool goes = style && has_size(style->letters);
+    bool goes = style && has_size(style->letters) && LX_CHECK_RESERVE(style, NULL) == LUXEL_OK &&
+                (!style->language || LX_CHECK_RESERVE(style->language, NULL) == LUXEL_OK);
     for (int i = 0; goes && i < 3; i++)
         goes = style->ink[i] >= 0 && style->ink[i] <= 1 && style->ground[i] >= 0 && style->ground[i] <= 1;
     return goes;
@@ -54,15 +57,15 @@ bool lx_scale_goes(const struct lx_scale *scale)
            isfinite(scale->high - scale->low) && (!scale->logarithmic || scale->low > 0);
 }
 
-struct lx_scale lx_bar_scale(const luxel_bar *bar)
+struct lx_scale lx_bar_scale(const luxel_color_bar *bar)
 {
     return (struct lx_scale){.low = bar->low, .high = bar->high, .logarithmic = bar->logarithmic};
 }
 
-bool lx_bar_goes(const luxel_bar *bar)
+bool lx_bar_goes(const luxel_color_bar *bar)
 {
     double color[3];
-    if (!bar || !luxel_palette_color(bar->palette, 0, color))
+    if (!bar || LX_CHECK_RESERVE(bar, NULL) != LUXEL_OK || !luxel_palette_color(bar->palette, 0, color))
         return false;
     const struct lx_scale scale = lx_bar_scale(bar);
     return lx_scale_goes(&scale);
@@ -112,9 +115,9 @@ luxel_status lx_measuring_end(struct lx_canvas *canvas)
     return status;
 }
 
-luxel_frame lx_frame_of(const struct lx_plot *plot, bool fits)
+luxel_plot_frame lx_frame_of(const struct lx_plot *plot, bool fits)
 {
-    return (luxel_frame){
+    return (luxel_plot_frame){
         .x = plot->box.x,
         .y = plot->box.y,
         .width = fits ? plot->box.width : 0,
@@ -144,7 +147,7 @@ bool lx_fit_plot(const struct lx_canvas *canvas, struct lx_plot *plot, const cha
 
 /* ---- bars ---- */
 
-static struct lx_bar bar_of(const luxel_bar *bar, bool lying)
+static struct lx_bar bar_of(const luxel_color_bar *bar, bool lying)
 {
     return (struct lx_bar){
         .palette = bar->palette,
@@ -177,8 +180,8 @@ static struct lx_pane bar_place(const struct lx_bar *bar, const struct lx_canvas
     return place;
 }
 
-luxel_status luxel_draw_bar(cairo_t *cairo, const luxel_drawing_style *style, const luxel_bar *bar, double width,
-                            double height)
+luxel_status luxel_draw_color_bar(cairo_t *cairo, const luxel_drawing_style *style, const luxel_color_bar *bar,
+                                  double width, double height)
 {
     if (!lx_can_draw(cairo, style, width, height) || !lx_bar_goes(bar))
         return LUXEL_ERROR_ARGUMENT;
@@ -192,8 +195,8 @@ luxel_status luxel_draw_bar(cairo_t *cairo, const luxel_drawing_style *style, co
     return lx_drawing_end(&canvas);
 }
 
-luxel_status luxel_measure_bar(const luxel_drawing_style *style, const luxel_bar *bar, double length, bool lying,
-                               double *room)
+luxel_status luxel_color_bar_room(const luxel_drawing_style *style, const luxel_color_bar *bar, double length,
+                                  bool lying, double *room)
 {
     if (!lx_can_measure(style, length, length) || !lx_bar_goes(bar) || !room)
         return LUXEL_ERROR_ARGUMENT;
@@ -212,7 +215,7 @@ static bool histogram_goes(const luxel_histogram *histogram, struct lx_scale *sc
         return false;
     *scale = (struct lx_scale){.low = histogram->edges[0],
                                .high = histogram->edges[histogram->bins],
-                               .logarithmic = histogram->scale == LUXEL_LOGARITHMIC};
+                               .logarithmic = histogram->scale == LUXEL_HISTOGRAM_LOGARITHMIC};
     return lx_scale_goes(scale);
 }
 
@@ -226,7 +229,7 @@ static struct lx_scale count_scale(const luxel_histogram *histogram)
 }
 
 /* Without smoothed edges, which would leave seams between the bins. */
-static void draw_bins(const luxel_histogram *histogram, const luxel_bar *colors, const struct lx_canvas *canvas,
+static void draw_bins(const luxel_histogram *histogram, const luxel_color_bar *colors, const struct lx_canvas *canvas,
                       const struct lx_plot *plot)
 {
     cairo_t *cairo = canvas->cairo;
@@ -269,7 +272,7 @@ static void draw_outline(const luxel_histogram *histogram, const struct lx_canva
 }
 
 luxel_status luxel_draw_histogram(cairo_t *cairo, const luxel_drawing_style *style, const luxel_histogram *histogram,
-                                  const luxel_bar *colors, const char *x_label, const char *y_label, double width,
+                                  const luxel_color_bar *colors, const char *x_label, const char *y_label, double width,
                                   double height)
 {
     struct lx_plot plot = {.box = {.width = width, .height = height}};
@@ -287,9 +290,9 @@ luxel_status luxel_draw_histogram(cairo_t *cairo, const luxel_drawing_style *sty
     return lx_drawing_end(&canvas);
 }
 
-luxel_status luxel_measure_histogram(const luxel_drawing_style *style, const luxel_histogram *histogram,
-                                     const char *x_label, const char *y_label, double width, double height,
-                                     luxel_frame *frame)
+luxel_status luxel_histogram_frame(const luxel_drawing_style *style, const luxel_histogram *histogram,
+                                   const char *x_label, const char *y_label, double width, double height,
+                                   luxel_plot_frame *frame)
 {
     struct lx_plot plot = {.box = {.width = width, .height = height}};
     if (!lx_can_measure(style, width, height) || !histogram_goes(histogram, &plot.x) || !frame)

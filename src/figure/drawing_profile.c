@@ -3,6 +3,7 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "../base/diagnostics.h"
 #include "../base/memory.h"
 #include "../base/phrase.h"
 #include "drawing.h"
@@ -27,7 +28,7 @@ static const char *word(const luxel_language *language, const char *english)
     return language && language->translate ? language->translate(english, language->data) : english;
 }
 
-static const char *way_word(const luxel_profile *profile, luxel_along along)
+static const char *way_word(const luxel_profile *profile, luxel_profile_along along)
 {
     switch (along) {
     case LUXEL_ALONG_X: return LX_N("x, mm");
@@ -175,7 +176,8 @@ static bool begin(const luxel_drawing_style *style, const luxel_profile *profile
                   struct drawing *drawing)
 {
     static const enum lx_along ways[] = {LX_ALONG_WAY, LX_ALONG_X, LX_ALONG_Y};
-    if (!profile || !profile->samples || profile->count < 2 || how->along > LUXEL_ALONG_Y)
+    if (!profile || !profile->samples || profile->count < 2 || how->along > LUXEL_ALONG_Y ||
+        LX_CHECK_RESERVE(how, NULL) != LUXEL_OK)
         return false;
     *drawing = (struct drawing){
         .curves = {.profile = profile, .along = ways[how->along], .stacked = how->stacked},
@@ -213,8 +215,8 @@ luxel_status luxel_draw_profile(cairo_t *cairo, const luxel_drawing_style *style
     return status;
 }
 
-luxel_status luxel_measure_profile(const luxel_drawing_style *style, const luxel_profile *profile,
-                                   const luxel_profile_style *how, double width, double height, luxel_frame *frame)
+luxel_status luxel_profile_frame(const luxel_drawing_style *style, const luxel_profile *profile,
+                                 const luxel_profile_style *how, double width, double height, luxel_plot_frame *frame)
 {
     luxel_profile_style defaults;
     struct drawing drawing;

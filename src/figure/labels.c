@@ -164,7 +164,7 @@ static void ground_at(const struct lx_labels *labels, double x, double y, double
     unsigned column = (unsigned)fmin(fmax(u, 0), columns - 1.0), row = (unsigned)fmin(fmax(v, 0), rows - 1.0);
     if (!luxel_field_mask(field)[(size_t)row * columns + column])
         lx_empty_color(labels->canvas, color);
-    else if (figure->settings.bands == LUXEL_LINES)
+    else if (figure->settings.bands == LUXEL_BANDS_LINES)
         memcpy(color, labels->canvas->ground, 3 * sizeof *color);
     else
         lx_figure_color(figure, lx_shown_value(figure, luxel_field_value(field, column, row)), color);
@@ -417,7 +417,7 @@ static void label_line(struct lx_labels *labels, size_t index)
     if (!(label.patch.width > 0))
         return;
     lx_line_color(labels->figure, labels->canvas, line->level, label.color);
-    if (labels->figure->settings.bands == LUXEL_LINES)
+    if (labels->figure->settings.bands == LUXEL_BANDS_LINES)
         memcpy(label.halo, labels->canvas->ground, sizeof label.halo);
     else
         lx_figure_color(labels->figure, line->level, label.halo);
@@ -469,7 +469,7 @@ void lx_place_labels(struct lx_labels *labels, const struct lx_figure *figure, c
         add_values(labels);
     for (size_t i = 0; i < marks; i++)
         place_beside(labels, &labels->labels[i]);
-    if (figure->settings.bands == LUXEL_BANDS) /* the bar tells them apart */
+    if (figure->settings.bands == LUXEL_BANDS_STEPS) /* the bar tells them apart */
         return;
     size_t lines = order_lines(labels);
     for (size_t i = 0; i < lines; i++)

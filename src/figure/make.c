@@ -20,7 +20,7 @@ void luxel_figure_settings_init(luxel_figure_settings *settings)
     *settings = (luxel_figure_settings){
         .low = (double)NAN,
         .high = (double)NAN,
-        .bands = LUXEL_CONTOURS,
+        .bands = LUXEL_BANDS_CONTOURS,
         .levels = 8,
         .extrema = true,
         .points = true,
@@ -101,7 +101,9 @@ static luxel_status check_settings(const luxel_figure_settings *settings, luxel_
         lx_report(diagnostics, LUXEL_SEVERITY_ERROR, NULL, LX_MSG_BAD_LOG_RANGE, NULL);
         return LUXEL_ERROR_ARGUMENT;
     }
-    return lx_check_reserved(settings->reserved, diagnostics);
+    if (settings->language && LX_CHECK_RESERVE(settings->language, diagnostics) != LUXEL_OK)
+        return LUXEL_ERROR_ARGUMENT;
+    return LX_CHECK_RESERVE(settings, diagnostics);
 }
 
 /* ---- range and levels ---- */
@@ -176,9 +178,9 @@ static luxel_status make_sections(struct lx_figure *figure, const luxel_evaluato
         memcpy(figure->section_mm, figure->settings.section_mm, sizeof figure->section_mm);
     }
     for (int i = 0; i < 2 && status == LUXEL_OK; i++) {
-        luxel_path path = {.type = LUXEL_PATH_LINE, .samples = SECTION_SAMPLES};
-        status = luxel_line_across_screen(figure->copy, figure->section_mm, i == 0 ? 0 : 90, diagnostics, path.from_mm,
-                                          path.to_mm);
+        luxel_profile_path path = {.type = LUXEL_PATH_LINE, .samples = SECTION_SAMPLES};
+        status = luxel_profile_line(figure->copy, figure->section_mm, i == 0 ? 0 : 90, diagnostics, path.from_mm,
+                                    path.to_mm);
         if (status == LUXEL_OK)
             status = luxel_find_profile(evaluator, &path, diagnostics, &figure->sections[i]);
     }
@@ -255,7 +257,7 @@ static luxel_status compute(struct lx_figure *figure, const luxel_settings *sett
         choose_scale(figure, &summary);
         choose_levels(figure);
     }
-    if (status == LUXEL_OK && figure->settings.bands != LUXEL_SMOOTH)
+    if (status == LUXEL_OK && figure->settings.bands != LUXEL_BANDS_SMOOTH)
         status = luxel_find_isophotes(figure->field, lx_figure_is_slow(figure) ? NULL : shown->evaluator,
                                       figure->levels, figure->level_count, diagnostics, &figure->isophotes);
     if (status == LUXEL_OK && figure->plane && figure->isophotes)

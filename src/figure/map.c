@@ -31,7 +31,7 @@ bool lx_shows_maximum(const struct lx_figure *figure)
 double lx_shown_value(const struct lx_figure *figure, double value)
 {
     double below = figure->scale.low, above = figure->scale.high;
-    if (figure->settings.bands != LUXEL_BANDS)
+    if (figure->settings.bands != LUXEL_BANDS_STEPS)
         return value;
     for (size_t i = 0; i < figure->level_count; i++) {
         if (figure->levels[i] <= value)
@@ -111,7 +111,7 @@ static void draw_image(const struct lx_figure *figure, const struct lx_canvas *c
     /* squares when they are enlarged, as pixels are data, and what lies between the cells of a plane; means when they
      * are made smaller */
     double dots = 1, unused = 0;
-    const bool is_even = figure->plane && figure->settings.bands != LUXEL_BANDS;
+    const bool is_even = figure->plane && figure->settings.bands != LUXEL_BANDS_STEPS;
     cairo_user_to_device_distance(cairo, &dots, &unused);
     cairo_pattern_set_extend(cairo_get_source(cairo), is_even ? CAIRO_EXTEND_PAD : CAIRO_EXTEND_NONE);
     cairo_pattern_set_filter(cairo_get_source(cairo), fabs(dots) < 0.9 ? CAIRO_FILTER_GOOD
@@ -140,7 +140,7 @@ static void draw_surfaces(const struct lx_figure *figure, const struct lx_canvas
     }
     cairo_clip(cairo);
     lx_color(canvas, canvas->ground, 1);
-    if (figure->settings.bands == LUXEL_LINES)
+    if (figure->settings.bands == LUXEL_BANDS_LINES)
         cairo_paint(cairo);
     else
         draw_image(figure, canvas, plot);
@@ -155,7 +155,7 @@ void lx_line_color(const struct lx_figure *figure, const struct lx_canvas *canva
     lx_figure_color(figure, value, color);
     double lightness = lx_lightness(color), ground = lx_lightness(canvas->ground);
     for (int i = 0; i < 3; i++) {
-        if (figure->settings.bands != LUXEL_LINES)
+        if (figure->settings.bands != LUXEL_BANDS_LINES)
             color[i] = lightness < 0.5 ? 0.97 : 0.08;
         else if (ground > 0.5)
             color[i] *= lightness > 0.7 ? 0.7 / lightness : 1;
@@ -169,7 +169,7 @@ static void draw_lines(const struct lx_labels *labels)
     const struct lx_figure *figure = labels->figure;
     const struct lx_plot *plot = labels->plot;
     cairo_t *cairo = labels->canvas->cairo;
-    bool alone = figure->settings.bands == LUXEL_LINES, bands = figure->settings.bands == LUXEL_BANDS;
+    bool alone = figure->settings.bands == LUXEL_BANDS_LINES, bands = figure->settings.bands == LUXEL_BANDS_STEPS;
     cairo_save(cairo);
     lx_clip_labels(labels);
     cairo_set_line_join(cairo, CAIRO_LINE_JOIN_ROUND);

@@ -15,7 +15,8 @@ static bool is_seen(const struct lx_figure *figure, const luxel_evaluator *evalu
     const struct lx_screen *screen = &figure->scene->screen;
     if (fabs(inside[0]) > screen->width_mm / 2 || fabs(inside[1]) > screen->height_mm / 2)
         return true; /* it is clipped */
-    const luxel_value value = luxel_trace(evaluator, inside[0], inside[1]);
+    luxel_value value;
+    luxel_trace_screen(evaluator, inside[0], inside[1], &value);
     return value.on_surface && value.surface == surface->authored && value.part == surface->part;
 }
 

@@ -13,12 +13,12 @@ enum { STEPS = 1440 };
 
 /* The list that callers see comes first, so that a pointer to it is one to the whole. */
 struct outlines {
-    luxel_outlines list;
-    luxel_outline *lines;
+    luxel_surface_outlines list;
+    luxel_surface_outline *lines;
     double *places_mm;
 };
 
-void luxel_outlines_free(luxel_outlines *outlines)
+void luxel_surface_outlines_free(luxel_surface_outlines *outlines)
 {
     struct outlines *whole = (struct outlines *)outlines;
     if (!whole)
@@ -34,7 +34,7 @@ static bool is_line(const struct lx_figure_outline *outline)
     return outline->count >= 2;
 }
 
-static luxel_outlines *copy(const struct lx_figure *figure)
+static luxel_surface_outlines *copy(const struct lx_figure *figure)
 {
     size_t places = 0, count = 0;
     struct outlines *whole = lx_new_array(1, sizeof *whole);
@@ -45,7 +45,7 @@ static luxel_outlines *copy(const struct lx_figure *figure)
     whole->lines = lx_new_array(figure->outline_count + 1, sizeof *whole->lines);
     whole->places_mm = lx_new_array(2 * places + 1, sizeof *whole->places_mm);
     if (!whole->lines || !whole->places_mm) {
-        luxel_outlines_free(&whole->list);
+        luxel_surface_outlines_free(&whole->list);
         return NULL;
     }
     double *at = whole->places_mm;
@@ -53,18 +53,19 @@ static luxel_outlines *copy(const struct lx_figure *figure)
         const struct lx_figure_outline *outline = &figure->outlines[i];
         if (!is_line(outline))
             continue;
-        whole->lines[count++] = (luxel_outline){outline->count, at, at + outline->count};
+        whole->lines[count++] = (luxel_surface_outline){outline->count, at, at + outline->count};
         for (size_t k = 0; k < outline->count; k++) {
             at[k] = outline->places_mm[k][0];
             at[outline->count + k] = outline->places_mm[k][1];
         }
         at += 2 * outline->count;
     }
-    whole->list = (luxel_outlines){count, whole->lines};
+    whole->list = (luxel_surface_outlines){count, whole->lines};
     return &whole->list;
 }
 
-luxel_status luxel_find_outlines(const luxel_scene *scene, luxel_diagnostics *diagnostics, luxel_outlines **outlines)
+luxel_status luxel_find_surface_outlines(const luxel_scene *scene, luxel_diagnostics *diagnostics,
+                                         luxel_surface_outlines **outlines)
 {
     static const size_t nobody[1];
     luxel_settings dark; /* what is seen at a place costs as much as its light, so there is none */

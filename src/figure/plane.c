@@ -96,8 +96,8 @@ static luxel_status make_field(struct lx_figure *figure, const luxel_settings *s
     for (int i = 0; i < 2; i++)
         fine_n[i] = (unsigned)fmin(n[i] * (double)parts_of(grid->size_mm[i] / n[i], wanted_mm), 65536);
     fine.tolerance = fmax(fine.tolerance, FINE_TOLERANCE);
-    return luxel_measure_field(figure->copy, &fine, figure->settings.grid - 1, fine_n[0], fine_n[1], diagnostics,
-                               &figure->own.field);
+    return luxel_find_grid_field(figure->copy, &fine, figure->settings.grid - 1, fine_n[0], fine_n[1], diagnostics,
+                                 &figure->own.field);
 }
 
 /* The whole plane, as the contour of what has colours. */
@@ -149,7 +149,7 @@ luxel_status lx_figure_plane(struct lx_figure *figure, const luxel_settings *set
     if (!figure->plane)
         return lx_out_of_memory(diagnostics);
     luxel_status status =
-        luxel_measure_values(figure->copy, settings, figure->settings.grid - 1, diagnostics, &figure->plane->grid);
+        luxel_find_grid_values(figure->copy, settings, figure->settings.grid - 1, diagnostics, &figure->plane->grid);
     if (status != LUXEL_OK)
         return status;
     for (int side = 0; side < 2; side++)

@@ -99,7 +99,7 @@ static const char *caption_of(const struct lx_figure *figure)
     const bool has_lines = figure->isophotes && figure->isophotes->count > 0, has_sections = figure->sections[0];
     const luxel_peak *peak = &figure->extrema.maximum;
     const bool at_maximum = peak->exists && peak->place != LUXEL_PEAK_PLATEAU;
-    if (figure->settings.bands == LUXEL_SMOOTH)
+    if (figure->settings.bands == LUXEL_BANDS_SMOOTH)
         return LX_N("The picture in grey levels.");
     if (!has_sections)
         return has_lines ? LX_N("False colour with lines of equal value.") : LX_N("False colour.");
@@ -141,12 +141,12 @@ luxel_status lx_report_pictures(struct lx_report *report)
     settings.small_print = false;
     lx_document_heading(report->document, 1, LX_N("Pictures"), NULL);
     settings.palette = "grey";
-    settings.bands = LUXEL_SMOOTH;
+    settings.bands = LUXEL_BANDS_SMOOTH;
     settings.points = settings.extrema = false;
     luxel_status status = add_picture(report, &settings);
     settings.width_mm = FALSE_COLOUR_MM;
     settings.palette = report->texts->palette;
-    settings.bands = LUXEL_CONTOURS;
+    settings.bands = LUXEL_BANDS_CONTOURS;
     settings.points = settings.extrema = true;
     settings.section = report->rendered.extrema.maximum.exists ? LUXEL_SECTION_MAXIMUM : LUXEL_SECTION_NONE;
     if (status == LUXEL_OK)
@@ -225,9 +225,9 @@ static luxel_status write_to(const struct lx_destination *destinations, size_t c
     luxel_scene *lit = NULL;
     luxel_status status = check(destinations, count, scene, diagnostics);
     if (status == LUXEL_OK)
-        status = lx_check_reserved(
-            (void *const[4]){report.texts->reserved[0], report.texts->reserved[1], report.texts->reserved[2]},
-            diagnostics);
+        status = LX_CHECK_RESERVE(report.texts, diagnostics);
+    if (status == LUXEL_OK && report.texts->language)
+        status = LX_CHECK_RESERVE(report.texts->language, diagnostics);
     if (status == LUXEL_OK)
         status = lx_scene_lit(scene, settings, diagnostics, &lit);
     if (status != LUXEL_OK)

@@ -30,8 +30,8 @@ struct lx_report {
     struct lx_rendered rendered;
     luxel_summary summary;
     luxel_statistics statistics;
-    luxel_reach reach;
-    luxel_probe *probes; /* of the scene's points */
+    luxel_light_reach reach;
+    luxel_probes *probes; /* of the scene's points */
     size_t probe_count;
     luxel_probe *peak;                /* at the maximum; NULL where there is none */
     struct lx_report_width widths[2]; /* along x, along y */

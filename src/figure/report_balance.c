@@ -10,7 +10,7 @@
 enum { CELL = 2 * LX_NUMBER_SIZE + 8 };
 
 /* "208.3341 ± 0.085" */
-static const char *write_amount(const luxel_amount *amount, char cell[CELL])
+static const char *write_amount(const luxel_bounded *amount, char cell[CELL])
 {
     char error[LX_NUMBER_SIZE];
     snprintf(cell, CELL, "%s ± %s", lx_report_number(amount->value, (char[LX_NUMBER_SIZE]){0}),
@@ -19,7 +19,7 @@ static const char *write_amount(const luxel_amount *amount, char cell[CELL])
 }
 
 /* "table, front", "room, floor", "surfaces[1], outside" */
-static void name_side(const struct lx_report *report, const luxel_lit_side *side, struct lx_text *name)
+static void name_side(const struct lx_report *report, const luxel_balance_side *side, struct lx_text *name)
 {
     if (side->surface_name)
         lx_text_puts(name, side->surface_name);
@@ -27,11 +27,11 @@ static void name_side(const struct lx_report *report, const luxel_lit_side *side
         lx_text_printf(name, "surfaces[%zu]", side->surface);
     if (side->part_name)
         lx_text_printf(name, ", %s", side->part_name);
-    if (!side->part_name || side->side != LUXEL_FRONT)
-        lx_text_printf(name, ", %s", lx_document_word(report->document, luxel_side_name(side->side)));
+    if (!side->part_name || side->side != LUXEL_SIDE_FRONT)
+        lx_text_printf(name, ", %s", lx_document_word(report->document, luxel_surface_side_name(side->side)));
 }
 
-static void add_side(const struct lx_report *report, const luxel_lit_side *side)
+static void add_side(const struct lx_report *report, const luxel_balance_side *side)
 {
     struct lx_text name = {0};
     char direct[CELL], all[CELL];
@@ -43,7 +43,7 @@ static void add_side(const struct lx_report *report, const luxel_lit_side *side)
     lx_text_clear(&name);
 }
 
-static void add_flux(const struct lx_report *report, const char *english, const luxel_amount *flux)
+static void add_flux(const struct lx_report *report, const char *english, const luxel_bounded *flux)
 {
     char cell[CELL];
     lx_document_row(report->document, LX_SPANS(LX_TERM_SPAN(english), LX_PLAIN(write_amount(flux, cell))), false);

@@ -85,7 +85,7 @@ static void conclude_shares(struct lx_report *report)
     if (peak->has_reflected)
         lx_document_item(report->document,
                          LX_N("Light that surfaces reflect to each other gives {0} % of the value there."),
-                         LX_SPANS(LX_PLAIN(percent(peak->reflected_value / peak->value, share))));
+                         LX_SPANS(LX_PLAIN(percent(peak->reflected.value / peak->value, share))));
     if (!(next > 0) || next >= most * (1 - 1e-9))
         return;
     struct lx_text name = {0};
@@ -120,7 +120,7 @@ static void conclude_pixels(struct lx_report *report)
     double largest = 0;
     size_t compared = 0, point = 0;
     for (size_t i = 0; i < report->probe_count; i++) {
-        const luxel_probe *probe = &report->probes[i];
+        const luxel_probe *probe = luxel_probes_get(report->probes, i);
         if (!probe->has_value || !probe->has_pixel_value)
             continue;
         compared++;

@@ -63,8 +63,8 @@ static luxel_status add_lamp(struct lx_report *report, const struct lamp *lamp)
     luxel_photometry_figures figures;
     luxel_ugr_table glare;
     char count[LX_NUMBER_SIZE], flux[LX_NUMBER_SIZE], greatest[LX_NUMBER_SIZE], across[16], along[16];
-    if (luxel_photometry_measure(lamp->photometry, &figures) != LUXEL_OK ||
-        luxel_photometry_rate_glare(lamp->photometry, SPACING, &glare) != LUXEL_OK)
+    if (luxel_photometry_find_figures(lamp->photometry, &figures) != LUXEL_OK ||
+        luxel_photometry_find_ugr_table(lamp->photometry, SPACING, &glare) != LUXEL_OK)
         return LUXEL_ERROR_MEMORY;
     lx_document_row(report->document,
                     LX_SPANS(LX_CODE(lamp->file), LX_PLAIN(lx_write_number((double)lamp->count, count)),

@@ -36,7 +36,7 @@ const char *lx_report_bounded(const struct lx_report *report, double value, doub
 
 void lx_report_clear(struct lx_report *report)
 {
-    luxel_probe_free(report->probes);
+    luxel_probes_free(report->probes);
     luxel_probe_free(report->peak);
     luxel_balance_free(report->balance);
     lx_rendered_clear(&report->rendered);
@@ -54,7 +54,7 @@ static luxel_status probe_points(struct lx_report *report)
     for (size_t i = 0; i < count; i++)
         luxel_scene_point(report->scene, i, &places[i].screen_mm[0], &places[i].screen_mm[1]);
     luxel_status status =
-        luxel_probe_many(report->scene, report->settings, places, count, report->diagnostics, &report->probes);
+        luxel_probe_places(report->scene, report->settings, places, count, report->diagnostics, &report->probes);
     report->probe_count = status == LUXEL_OK ? count : 0;
     free(places);
     return status;
@@ -89,7 +89,8 @@ static double find_fall(const struct way *way, double level, double low, double 
     for (int i = 0; i < HALVINGS; i++) {
         const double middle = (low + high) / 2;
         const luxel_place place = place_on(way, middle);
-        const luxel_value value = luxel_evaluate_place(way->evaluator, &place, NULL);
+        luxel_value value;
+        luxel_evaluate_place(way->evaluator, &place, &value, NULL);
         if (is_above(&value, level))
             low = middle;
         else
@@ -166,7 +167,7 @@ luxel_status lx_report_compute(struct lx_report *report)
         status = luxel_field_summary(report->rendered.field, NULL, report->diagnostics, &report->summary);
     if (status == LUXEL_OK) {
         report->statistics = *luxel_field_statistics(report->rendered.field);
-        status = luxel_find_reach(report->scene, report->settings, report->diagnostics, &report->reach);
+        status = luxel_find_light_reach(report->scene, report->settings, report->diagnostics, &report->reach);
     }
     if (status == LUXEL_OK)
         status = probe_points(report);

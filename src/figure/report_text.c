@@ -97,7 +97,7 @@ void lx_report_task(struct lx_report *report)
 
 static void add_probe(struct lx_report *report, size_t i)
 {
-    const luxel_probe *probe = &report->probes[i];
+    const luxel_probe *probe = luxel_probes_get(report->probes, i);
     char value[LX_NUMBER_SIZE], error[LX_NUMBER_SIZE], pixel[LX_NUMBER_SIZE];
     struct lx_text name = {0}, place = {0};
     lx_text_printf(&name, "P%zu", i + 1);

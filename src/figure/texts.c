@@ -137,7 +137,7 @@ static void print_lights(const struct lx_figure *figure, struct lx_text *text)
 /* The conventions of the picture and of the range of the figure's colours, unless that was given. */
 static void print_conventions(const struct lx_figure *figure, struct lx_text *text)
 {
-    const luxel_use use = {
+    const luxel_conventions_use use = {
         .screen = !figure->plane,
         .pixels = !figure->plane,
         .range = isnan(figure->settings.low) && !figure->plane && !figure->settings.logarithmic,
@@ -213,7 +213,7 @@ static char *make_caption(const struct lx_figure *figure)
     struct lx_text phrase = {0};
     if (grid->measured == 0)
         return take(&phrase);
-    lx_value_text(grid->average, average);
+    lx_value_text(grid->average.value, average);
     lx_value_text(grid->minimum.value, minimum);
     lx_value_text(grid->maximum.value, maximum);
     lx_write_digits(grid->u0, 3, evenness);

@@ -105,7 +105,7 @@ bool lx_array_table_next(struct lx_array_table *array, double *numbers, bool *is
         numbers[c] = c >= npy->columns              ? (double)NAN
                      : npy->sample == LX_SAMPLE_F32 ? (double)((const float *)array->values)[start + c]
                                                     : ((const double *)array->values)[start + c];
-        bool must_be_finite = c < npy->columns && array->form->columns[c].type != LUXEL_COLUMN_VALUE;
+        bool must_be_finite = c < npy->columns && array->form->columns[c].type != LUXEL_TABLE_VALUE;
         *is_good = *is_good && (!must_be_finite || isfinite(numbers[c]));
     }
     return true;

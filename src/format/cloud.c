@@ -69,11 +69,11 @@ static const char *const INTENSITY_NAMES[] = {"intensity",
                                               "i",
                                               NULL};
 
-static const luxel_column COLUMNS[LX_CLOUD_COLUMNS] = {
-    {LUXEL_COLUMN_LENGTH, true, X_NAMES},
-    {LUXEL_COLUMN_LENGTH, true, Y_NAMES},
-    {LUXEL_COLUMN_LENGTH, true, Z_NAMES},
-    {LUXEL_COLUMN_NUMBER, false, INTENSITY_NAMES},
+static const luxel_table_column COLUMNS[LX_CLOUD_COLUMNS] = {
+    {.type = LUXEL_TABLE_LENGTH, .is_required = true, .names = X_NAMES},
+    {.type = LUXEL_TABLE_LENGTH, .is_required = true, .names = Y_NAMES},
+    {.type = LUXEL_TABLE_LENGTH, .is_required = true, .names = Z_NAMES},
+    {.type = LUXEL_TABLE_NUMBER, .is_required = false, .names = INTENSITY_NAMES},
 };
 
 static const struct lx_text_table_form FORM = {.columns = COLUMNS, .count = LX_CLOUD_COLUMNS, .takes_lp = true};

@@ -26,10 +26,10 @@ static const char *const VALUE_NAMES[] = {
     "освещённость", "освещенность", "облучённость", "radiance", "luminance",  NULL,
 };
 
-static const luxel_column COLUMNS[COLUMN_COUNT] = {
-    [X] = {LUXEL_COLUMN_LENGTH, true, X_NAMES},
-    [Y] = {LUXEL_COLUMN_LENGTH, true, Y_NAMES},
-    [VALUE] = {LUXEL_COLUMN_VALUE, true, VALUE_NAMES},
+static const luxel_table_column COLUMNS[COLUMN_COUNT] = {
+    [X] = {.type = LUXEL_TABLE_LENGTH, .is_required = true, .names = X_NAMES},
+    [Y] = {.type = LUXEL_TABLE_LENGTH, .is_required = true, .names = Y_NAMES},
+    [VALUE] = {.type = LUXEL_TABLE_VALUE, .is_required = true, .names = VALUE_NAMES},
 };
 
 static const struct lx_text_table_form FORM = {.columns = COLUMNS, .count = COLUMN_COUNT};

@@ -58,7 +58,7 @@ static bool sample(const luxel_photometry *photometry, double plane_step, double
                                  .intensities = lx_new_array(planes * angles, sizeof(double))};
     if (!turned->planes || !turned->angles || !turned->intensities)
         return false;
-    turned->shown.type = LUXEL_TYPE_C;
+    turned->shown.type = LUXEL_PHOTOMETRY_TYPE_C;
     turned->shown.symmetry = LUXEL_SYMMETRY_NONE;
     turned->shown.plane_count = planes;
     turned->shown.angle_count = angles;

@@ -267,7 +267,7 @@ static struct lx_text_table_fault read_row(struct lx_text_table *table, double *
     for (size_t c = 0; c < form->count; c++) {
         size_t place = table->places[c];
         numbers[c] = (double)NAN;
-        if (place == LX_NO_FIELD || form->columns[c].type == LUXEL_COLUMN_TEXT)
+        if (place == LX_NO_FIELD || form->columns[c].type == LUXEL_TABLE_TEXT)
             continue;
         place += table->shift;
         const struct lx_text_table_field *field = &lines->fields[place];
@@ -275,7 +275,7 @@ static struct lx_text_table_fault read_row(struct lx_text_table *table, double *
         if (field->length == 0 && !form->columns[c].is_required)
             continue;
         if (!lx_text_table_number(field->at, field->length, decimal_comma, &numbers[c], NULL) &&
-            !(form->columns[c].type == LUXEL_COLUMN_VALUE && read_word(field->at, field->length, &numbers[c])))
+            !(form->columns[c].type == LUXEL_TABLE_VALUE && read_word(field->at, field->length, &numbers[c])))
             return judge_field(table, c, place);
         if (decimal_comma && is_ambiguous(table, field))
             return lx_text_table_fault_at(table, c, LX_MSG_TABLE_TWO_MEANINGS);
@@ -330,7 +330,7 @@ struct lx_text_table *lx_text_table_new(struct lx_source *source, const struct l
     struct lx_text_table *table = lx_new_array(1, sizeof *table);
     bool has_texts = false;
     for (size_t c = 0; c < form->count; c++)
-        has_texts = has_texts || form->columns[c].type == LUXEL_COLUMN_TEXT;
+        has_texts = has_texts || form->columns[c].type == LUXEL_TABLE_TEXT;
     if (!table)
         return NULL;
     table->form = form;

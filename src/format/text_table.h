@@ -27,7 +27,7 @@ enum { LX_MOST_COLUMNS = 16 };
 
 /* What is to be read. */
 struct lx_text_table_form {
-    const luxel_column *columns;
+    const luxel_table_column *columns;
     size_t count;       /* LX_MOST_COLUMNS at most */
     bool needs_heading; /* a table without one is refused */
     bool takes_lp;      /* an .lp file is taken, whose numbers are the first three columns */

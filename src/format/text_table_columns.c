@@ -35,12 +35,12 @@ static bool is_word_for_number(const char *text, size_t length)
 }
 
 bool lx_text_table_is_number(const struct lx_text_table *table, const struct lx_text_table_field *field,
-                             luxel_column_type type)
+                             luxel_table_column_type type)
 {
     double number;
     bool decimal_comma = table->lines.separator != ',' || field->is_quoted;
-    return type == LUXEL_COLUMN_TEXT || lx_text_table_number(field->at, field->length, decimal_comma, &number, NULL) ||
-           (type == LUXEL_COLUMN_VALUE && is_word_for_number(field->at, field->length));
+    return type == LUXEL_TABLE_TEXT || lx_text_table_number(field->at, field->length, decimal_comma, &number, NULL) ||
+           (type == LUXEL_TABLE_VALUE && is_word_for_number(field->at, field->length));
 }
 
 /* Whether the line is a row of a table without heading. */
@@ -67,9 +67,9 @@ static bool is_lamp(const struct lx_text_table *table)
     if (table->announced == 0 || lx_text_table_trimmed(table, 1) != LP_FIELDS)
         return false;
     for (size_t i = 1; i < LP_FIELDS; i++)
-        if (!lx_text_table_is_number(table, &fields[i], LUXEL_COLUMN_NUMBER))
+        if (!lx_text_table_is_number(table, &fields[i], LUXEL_TABLE_NUMBER))
             return false;
-    return !lx_text_table_is_number(table, &fields[0], LUXEL_COLUMN_NUMBER) ||
+    return !lx_text_table_is_number(table, &fields[0], LUXEL_TABLE_NUMBER) ||
            (length > 3 && strcasecmp(name + length - 3, ".lp") == 0);
 }
 
@@ -199,7 +199,7 @@ static struct lx_text_table_fault judge_line(struct lx_text_table *table, char g
     if (step != LX_TABLE_LINE)
         return lx_text_table_fault_of_step(table, step);
     for (size_t i = 0; i < lines->count; i++)
-        numbers += lines->fields[i].length > 0 && lx_text_table_is_number(table, &lines->fields[i], LUXEL_COLUMN_VALUE);
+        numbers += lines->fields[i].length > 0 && lx_text_table_is_number(table, &lines->fields[i], LUXEL_TABLE_VALUE);
     lx_text_table_list_columns(table->form, list, sizeof list);
     if (table->announced > 0 && !table->has_heading)
         return lx_text_table_fault_here(table, LX_MSG_TABLE_LAMP, lines->start, 0, NULL);

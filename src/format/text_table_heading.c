@@ -92,7 +92,7 @@ static bool find_column(const struct lx_text_table_form *form, const char *headi
             if (strncmp(heading, name, strlen(name)) != 0 ||
                 !set_off(heading + strlen(name), &named->unit, &named->unit_length, &in_brackets))
                 continue;
-            if (form->columns[c].type == LUXEL_COLUMN_LENGTH)
+            if (form->columns[c].type == LUXEL_TABLE_LENGTH)
                 named->factor = length_in_mm(named->unit, named->unit_length);
             if (named->factor > 0 || in_brackets)
                 return true;

@@ -22,7 +22,7 @@ struct luxel_table {
     double numbers[LX_MOST_COLUMNS];
     const char *texts[LX_MOST_COLUMNS];
     struct lx_text held[LX_MOST_COLUMNS]; /* what they point to */
-    luxel_row row;
+    luxel_table_row row;
     bool has_failed; /* the source, which was told */
 };
 
@@ -47,7 +47,7 @@ static luxel_status open_table(luxel_table *made, const char *path)
     return fault.message == LX_MSG_OUT_OF_MEMORY ? LUXEL_ERROR_MEMORY : LUXEL_ERROR_FILE;
 }
 
-luxel_status luxel_table_open(const char *path, const luxel_column *columns, size_t count, bool needs_heading,
+luxel_status luxel_table_open(const char *path, const luxel_table_column *columns, size_t count, bool needs_heading,
                               luxel_diagnostics *diagnostics, luxel_table **table)
 {
     const char *missing = !path ? "path" : !columns || count == 0 || count > LX_MOST_COLUMNS ? "columns" : "table";
@@ -55,6 +55,9 @@ luxel_status luxel_table_open(const char *path, const luxel_column *columns, siz
         lx_report(diagnostics, LUXEL_SEVERITY_ERROR, NULL, LX_MSG_MISSING_ARGUMENT, LX_ARGS(missing));
         return LUXEL_ERROR_ARGUMENT;
     }
+    for (size_t c = 0; c < count; c++)
+        if (LX_CHECK_RESERVE(&columns[c], diagnostics) != LUXEL_OK)
+            return LUXEL_ERROR_ARGUMENT;
     *table = NULL;
     luxel_table *made = lx_new_array(1, sizeof *made);
     if (!made)
@@ -105,7 +108,7 @@ static bool take_text(luxel_table *table, size_t column)
         field.at = lx_text_table_field(table->table, column, &field.length, &field.is_quoted);
     if (field.at)
         lx_text_table_add(held, &field);
-    else if (table->array && table->form.columns[column].type == LUXEL_COLUMN_TEXT && luxel_table_has(table, column))
+    else if (table->array && table->form.columns[column].type == LUXEL_TABLE_TEXT && luxel_table_has(table, column))
         lx_text_puts(held, lx_write_number(table->numbers[column], number));
     table->texts[column] = held->bytes;
     return !held->failed;
@@ -138,7 +141,7 @@ static bool next_of_array(luxel_table *table, bool *is_good)
     return true;
 }
 
-bool luxel_table_next(luxel_table *table, const luxel_row **row)
+bool luxel_table_next(luxel_table *table, const luxel_table_row **row)
 {
     bool is_good;
     *row = NULL;
@@ -151,7 +154,7 @@ bool luxel_table_next(luxel_table *table, const luxel_row **row)
             lx_out_of_memory(table->diagnostics);
             return true;
         }
-    table->row = (luxel_row){.numbers = table->numbers, .texts = table->texts};
+    table->row = (luxel_table_row){.numbers = table->numbers, .texts = table->texts};
     *row = &table->row;
     return true;
 }

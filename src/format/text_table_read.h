@@ -39,7 +39,7 @@ struct lx_text_table_fault lx_text_table_find_columns(struct lx_text_table *tabl
 
 /* Whether a field is a number, or what may stand for one in a column of this type. */
 bool lx_text_table_is_number(const struct lx_text_table *table, const struct lx_text_table_field *field,
-                             luxel_column_type type);
+                             luxel_table_column_type type);
 
 /* Fields of the line without empty ones at its end that no column needs; 0: all are empty. */
 size_t lx_text_table_trimmed(const struct lx_text_table *table, size_t width);

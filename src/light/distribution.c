@@ -43,9 +43,9 @@ static void point(const struct lx_distribution *distribution, struct lx_pose pos
     const lx_wide3 axis = pose.axis, c0 = pose.upward, across = pose.across;
     const luxel_photometry_type type = distribution->photometry->shown.type;
     const lx_wide3 frames[][3] = {
-        [LUXEL_TYPE_A] = {axis, c0, negated(across)},
-        [LUXEL_TYPE_B] = {axis, across, negated(c0)},
-        [LUXEL_TYPE_C] = {c0, across, axis},
+        [LUXEL_PHOTOMETRY_TYPE_A] = {axis, c0, negated(across)},
+        [LUXEL_PHOTOMETRY_TYPE_B] = {axis, across, negated(c0)},
+        [LUXEL_PHOTOMETRY_TYPE_C] = {c0, across, axis},
     };
     pointed->distribution = distribution;
     pointed->axis = lx_wide3_direction(axis);
@@ -212,7 +212,7 @@ static const double ROUNDINGS = 12;
 lx_bounded lx_pointed_value(const struct lx_pointed *pointed, lx_bounded3 towards)
 {
     const struct lx_distribution *distribution = pointed->distribution;
-    const bool is_turned = distribution->photometry->shown.type != LUXEL_TYPE_C;
+    const bool is_turned = distribution->photometry->shown.type != LUXEL_PHOTOMETRY_TYPE_C;
     const double off = is_turned || distribution->interpolation == LUXEL_INTERPOLATE_COSINE ? LINES_OFF : 0;
     const struct angles angles = angles_of(pointed, towards);
     const lx_bounded azimuth = angles.azimuth, polar = angles.polar;

@@ -56,7 +56,7 @@ LX_DISTRIBUTION_TYPES(float, single);
 struct lx_distribution {
     struct lx_kept kept;
     const struct lx_photometry *photometry; /* what it was made of */
-    luxel_interpolation interpolation;
+    luxel_photometry_interpolation interpolation;
     size_t azimuth_count, polar_count; /* lines */
     double *azimuths, *polars;         /* degrees */
     double *values;                    /* by azimuth, then by polar angle */
@@ -70,10 +70,11 @@ struct lx_distribution {
 };
 
 /* Makes it of a photometry, of which it becomes one more user; NULL: memory ran out.  Freed as lx_kept. */
-struct lx_distribution *lx_distribution_make(struct lx_photometry *photometry, luxel_interpolation interpolation);
+struct lx_distribution *lx_distribution_make(struct lx_photometry *photometry,
+                                             luxel_photometry_interpolation interpolation);
 
 /* Function that frees it, by which lists of what was read tell the two interpolations apart. */
-void (*lx_distribution_free_of(luxel_interpolation interpolation))(struct lx_kept *kept);
+void (*lx_distribution_free_of(luxel_photometry_interpolation interpolation))(struct lx_kept *kept);
 
 /* A distribution in space. */
 struct lx_pointed {

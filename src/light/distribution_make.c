@@ -36,7 +36,7 @@ static void free_by_cosine(struct lx_kept *kept)
     clear((struct lx_distribution *)kept);
 }
 
-void (*lx_distribution_free_of(luxel_interpolation interpolation))(struct lx_kept *kept)
+void (*lx_distribution_free_of(luxel_photometry_interpolation interpolation))(struct lx_kept *kept)
 {
     return interpolation == LUXEL_INTERPOLATE_ANGLE ? free_by_angle : free_by_cosine;
 }
@@ -53,8 +53,8 @@ static bool make_grid(struct lx_distribution *made)
 {
     const luxel_photometry *shown = &made->photometry->shown;
     const size_t planes = shown->plane_count, angles = shown->angle_count;
-    const bool is_sideways = shown->type == LUXEL_TYPE_B;
-    const double from_pole = shown->type == LUXEL_TYPE_C ? 0 : 90;
+    const bool is_sideways = shown->type == LUXEL_PHOTOMETRY_TYPE_B;
+    const double from_pole = shown->type == LUXEL_PHOTOMETRY_TYPE_C ? 0 : 90;
     int exponent = 0;
     frexp(greatest_of(shown->intensities, planes * angles), &exponent);
     made->unit_cd = ldexp(1, exponent);
@@ -306,7 +306,8 @@ static bool make_tables(struct lx_distribution *made)
 
 /* ---- the whole ---- */
 
-struct lx_distribution *lx_distribution_make(struct lx_photometry *photometry, luxel_interpolation interpolation)
+struct lx_distribution *lx_distribution_make(struct lx_photometry *photometry,
+                                             luxel_photometry_interpolation interpolation)
 {
     luxel_photometry_figures figures;
     struct lx_distribution *made = lx_new_array(1, sizeof *made);
@@ -316,8 +317,8 @@ struct lx_distribution *lx_distribution_make(struct lx_photometry *photometry, l
     lx_kept_hold(&photometry->kept);
     made->photometry = photometry;
     made->interpolation = interpolation;
-    if (!make_grid(made) || luxel_photometry_measure(&photometry->shown, &figures) != LUXEL_OK || !make_tables(made) ||
-        !lx_even_table_make(made, &made->even)) {
+    if (!make_grid(made) || luxel_photometry_find_figures(&photometry->shown, &figures) != LUXEL_OK ||
+        !make_tables(made) || !lx_even_table_make(made, &made->even)) {
         clear(made);
         return NULL;
     }

@@ -26,7 +26,7 @@ struct luminaire_parameters {
     double flux;
     double factor;
     double maintenance;
-    int interpolation; /* luxel_interpolation */
+    int interpolation; /* luxel_photometry_interpolation */
     struct lx_opening opening;
     struct lx_distribution *distribution; /* what was read of the file */
     struct lx_pointed *pointed;           /* and as it hangs */
@@ -172,7 +172,7 @@ static struct lx_photometry *read_photometry(const struct lx_check *check, const
 /* Reads the file, unless the scene has done so already; false where that failed, which is reported. */
 static bool load(const struct lx_check *check, struct luminaire_parameters *luminaire, const char *path)
 {
-    const luxel_interpolation interpolation = (luxel_interpolation)luminaire->interpolation;
+    const luxel_photometry_interpolation interpolation = (luxel_photometry_interpolation)luminaire->interpolation;
     luminaire->distribution =
         (struct lx_distribution *)lx_check_kept(check, path, lx_distribution_free_of(interpolation));
     if (luminaire->distribution)
@@ -325,7 +325,7 @@ static double opening_of(const void *parameters)
     const struct luminaire_parameters *luminaire = parameters;
     if (luminaire->opening.word != LX_OPENING_IS_POINT)
         return 0; /* it counts as what it is */
-    const luxel_opening *opening = &luminaire->distribution->photometry->shown.opening;
+    const luxel_photometry_opening *opening = &luminaire->distribution->photometry->shown.opening;
     return opening->shape == LUXEL_OPENING_POINT
                ? 0
                : fmax(fmax(opening->width_mm, opening->length_mm), opening->height_mm);

@@ -123,7 +123,7 @@ static void give(const struct lx_table *table, void *parameters, const char *key
 }
 
 /* The direction of the luminaire that is the axis of a round shape: 0 to 2 as radii_mm has them; -1: it needs none. */
-static int axis_of(luxel_opening_shape shape)
+static int axis_of(luxel_photometry_opening_shape shape)
 {
     switch (shape) {
     case LUXEL_OPENING_ELLIPSE:
@@ -170,7 +170,8 @@ static void set_round(int along, const double lengths_mm[3], const struct lx_poi
     }
 }
 
-bool lx_opening_of_file(const luxel_opening *declared, const struct lx_pointed *pointed, struct lx_opening *opening)
+bool lx_opening_of_file(const luxel_photometry_opening *declared, const struct lx_pointed *pointed,
+                        struct lx_opening *opening)
 {
     const double l = declared->length_mm, w = declared->width_mm, h = declared->height_mm;
     const double lengths_mm[3] = {l, w, h};

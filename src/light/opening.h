@@ -36,7 +36,8 @@ extern const char *const lx_opening_words[];
 extern const struct lx_table lx_opening_table;
 
 /* The opening that a file declares, as one of the shapes; false: it has none. */
-bool lx_opening_of_file(const luxel_opening *declared, const struct lx_pointed *pointed, struct lx_opening *opening);
+bool lx_opening_of_file(const luxel_photometry_opening *declared, const struct lx_pointed *pointed,
+                        struct lx_opening *opening);
 
 /* Appends the emitters of an opening that is no word; `point` is the luminaire as a point.  0, or -1 where memory ran
  * out. */

@@ -69,7 +69,7 @@ static const struct {
     {"grey", LX_N("grey")},
 };
 
-const char *luxel_choice_label(const char *choice)
+const char *luxel_parameter_choice_label(const char *choice)
 {
     for (size_t i = 0; choice && i < sizeof labels / sizeof labels[0]; i++)
         if (strcmp(labels[i].choice, choice) == 0)

@@ -53,11 +53,11 @@ static const char *keep_phrase(struct lx_parameter_reflection *reflection, const
     return keep_words(reflection, &text);
 }
 
-static luxel_interval interval_of(const struct lx_interval *range)
+static luxel_parameter_range interval_of(const struct lx_interval *range)
 {
     if (!range->given)
-        return (luxel_interval){.low = -HUGE_VAL, .high = HUGE_VAL};
-    return (luxel_interval){.given = true, .low = range->low, .high = range->high, .low_open = range->low_open};
+        return (luxel_parameter_range){.low = -HUGE_VAL, .high = HUGE_VAL};
+    return (luxel_parameter_range){.given = true, .low = range->low, .high = range->high, .low_open = range->low_open};
 }
 
 /* How many numbers one value consists of, or one element of a list of points. */
@@ -76,22 +76,22 @@ static unsigned count_numbers(const struct lx_parameter *parameter)
 /* What a form needs beside words. */
 static void measure(const struct lx_parameter *parameter, luxel_parameter *shown)
 {
-    static const luxel_value_type types[] = {
-        [LX_REAL] = LUXEL_NUMBER,
-        [LX_WHOLE] = LUXEL_WHOLE_NUMBER,
-        [LX_BOOLEAN] = LUXEL_YES_OR_NO,
-        [LX_CHOICE] = LUXEL_CHOICE,
-        [LX_TEXT] = LUXEL_TEXT,
-        [LX_REALS] = LUXEL_NUMBERS,
-        [LX_WHOLES] = LUXEL_WHOLE_NUMBERS,
-        [LX_CHOICE_OR_PAIR] = LUXEL_CHOICE_OR_PAIR,
-        [LX_GROUP] = LUXEL_GROUP,
-        [LX_POINTS] = LUXEL_POINTS,
-        [LX_VECTORS] = LUXEL_VECTORS,
-        [LX_CHOICE_OR_WHOLE] = LUXEL_CHOICE_OR_WHOLE,
-        [LX_GROUPS] = LUXEL_GROUPS,
-        [LX_VARIANTS] = LUXEL_VARIANTS,
-        [LX_ANY] = LUXEL_ANY,
+    static const luxel_parameter_type types[] = {
+        [LX_REAL] = LUXEL_PARAMETER_NUMBER,
+        [LX_WHOLE] = LUXEL_PARAMETER_WHOLE_NUMBER,
+        [LX_BOOLEAN] = LUXEL_PARAMETER_YES_OR_NO,
+        [LX_CHOICE] = LUXEL_PARAMETER_CHOICE,
+        [LX_TEXT] = LUXEL_PARAMETER_TEXT,
+        [LX_REALS] = LUXEL_PARAMETER_NUMBERS,
+        [LX_WHOLES] = LUXEL_PARAMETER_WHOLE_NUMBERS,
+        [LX_CHOICE_OR_PAIR] = LUXEL_PARAMETER_CHOICE_OR_PAIR,
+        [LX_GROUP] = LUXEL_PARAMETER_GROUP,
+        [LX_POINTS] = LUXEL_PARAMETER_POINTS,
+        [LX_VECTORS] = LUXEL_PARAMETER_VECTORS,
+        [LX_CHOICE_OR_WHOLE] = LUXEL_PARAMETER_CHOICE_OR_WHOLE,
+        [LX_GROUPS] = LUXEL_PARAMETER_GROUPS,
+        [LX_VARIANTS] = LUXEL_PARAMETER_VARIANTS,
+        [LX_ANY] = LUXEL_PARAMETER_ANY,
     };
     bool by_component = parameter->advised[1].given;
     shown->value_type = types[parameter->type];
@@ -128,22 +128,22 @@ static bool describe(struct lx_parameter_reflection *reflection, const struct lx
 }
 
 /* A rule of a table as the key `key` sees it; false where it says nothing about that key. */
-static bool see_rule(const struct lx_rule *rule, const char *key, luxel_rule *seen)
+static bool see_rule(const struct lx_rule *rule, const char *key, luxel_parameter_rule *seen)
 {
-    static const luxel_rule_kind kinds[] = {
+    static const luxel_parameter_rule_kind kinds[] = {
         [LX_RULE_EXCLUSIVE] = LUXEL_RULE_EXCLUDES, [LX_RULE_NEEDED] = LUXEL_RULE_NEEDED,
         [LX_RULE_USED] = LUXEL_RULE_USED,          [LX_RULE_ORDERED] = LUXEL_RULE_AT_MOST,
         [LX_RULE_DISTINCT] = LUXEL_RULE_DIFFERS,   [LX_RULE_POSITIVE] = LUXEL_RULE_POSITIVE,
         [LX_RULE_ONE] = LUXEL_RULE_ONE_OF,
     };
     if (rule->kind == LX_RULE_ONE) {
-        *seen = (luxel_rule){.kind = LUXEL_RULE_ONE_OF};
+        *seen = (luxel_parameter_rule){.kind = LUXEL_RULE_ONE_OF};
         return lx_rule_lists(rule, key);
     }
     bool is_key = strcmp(rule->key, key) == 0;
     if (!is_key && !(rule->kind == LX_RULE_EXCLUSIVE && strcmp(rule->other, key) == 0))
         return false;
-    *seen = (luxel_rule){.kind = kinds[rule->kind], .other = is_key ? rule->other : rule->key};
+    *seen = (luxel_parameter_rule){.kind = kinds[rule->kind], .other = is_key ? rule->other : rule->key};
     return true;
 }
 
@@ -155,7 +155,7 @@ static int add_rules(struct lx_reflected *item, const struct lx_table *table, co
         return -1;
     item->shown.rules = item->rules;
     for (size_t i = 0; i < table->rule_count; i++) {
-        luxel_rule seen;
+        luxel_parameter_rule seen;
         if (!see_rule(&table->rules[i], key, &seen))
             continue;
         struct lx_text words = {0};
@@ -217,8 +217,8 @@ static int append_kinds(struct lx_parameter_reflection *reflection, const struct
         const char *meaning = keep_phrase(reflection, variant->meaning);
         if (!meaning)
             return -1;
-        reflection->kinds[reflection->kind_count++] =
-            (luxel_kind){.list = list->name, .name = variant->name, .meaning = meaning, .example = variant->example};
+        reflection->kinds[reflection->kind_count++] = (luxel_parameter_kind){
+            .list = list->name, .name = variant->name, .meaning = meaning, .example = variant->example};
     }
     return 0;
 }

@@ -11,13 +11,13 @@
 struct lx_reflected {
     luxel_parameter shown; /* its texts are those below, the reflection's words, or the tables' */
     char *path, *choices;
-    luxel_rule *rules; /* their choices are texts of their own */
+    luxel_parameter_rule *rules; /* their choices are texts of their own */
 };
 
 struct lx_parameter_reflection {
     struct lx_reflected *items;
     size_t count, capacity;
-    luxel_kind *kinds;
+    luxel_parameter_kind *kinds;
     size_t kind_count, kind_capacity;
     char **words; /* what is said in the language of `translate` */
     size_t word_count, word_capacity;

@@ -11,6 +11,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "../base/diagnostics.h"
 #include "../base/memory.h"
 #include "../base/number.h"
 #include "../base/phrase.h"
@@ -22,25 +23,11 @@
 enum purpose { ANY_RESULT, OF_SCREEN, OF_PIXELS, OF_RANGE, OF_ROUNDING, OF_BRIGHTNESS };
 
 struct collecting {
-    const luxel_use *use; /* NULL: all */
-    bool skips_materials; /* of a surface that had no say, or whose parts have their own */
-    struct lx_convention *list;
+    const luxel_conventions_use *use; /* NULL: all */
+    bool skips_materials;             /* of a surface that had no say, or whose parts have their own */
+    luxel_convention *list;           /* whose values are its own */
     size_t count, capacity;
 };
-
-static void clear(struct lx_convention *list, size_t count)
-{
-    for (size_t i = 0; i < count; i++)
-        free(list[i].value);
-    free(list);
-}
-
-void lx_clear_conventions(luxel_scene *scene)
-{
-    clear(scene->conventions, scene->convention_count);
-    scene->conventions = NULL;
-    scene->convention_count = 0;
-}
 
 /* Whether `word` is one of the words joined by ", ". */
 static bool holds(const char *words, const char *word)
@@ -57,7 +44,7 @@ static bool holds(const char *words, const char *word)
 /* Adds a word to the convention with this key, once. */
 static int add(struct collecting *all, const char *key, const char *word)
 {
-    struct lx_convention *found = NULL;
+    luxel_convention *found = NULL;
     for (size_t i = 0; i < all->count && !found; i++)
         if (strcmp(all->list[i].key, key) == 0)
             found = &all->list[i];
@@ -73,7 +60,7 @@ static int add(struct collecting *all, const char *key, const char *word)
     if (!value)
         return -1;
     if (found) {
-        free(found->value);
+        free((char *)found->value);
         found->value = value;
         return 0;
     }
@@ -81,7 +68,7 @@ static int add(struct collecting *all, const char *key, const char *word)
         free(value);
         return -1;
     }
-    all->list[all->count++] = (struct lx_convention){key, value};
+    all->list[all->count++] = (luxel_convention){key, value};
     return 0;
 }
 
@@ -94,7 +81,7 @@ static bool has_effect(const struct lx_table *table, const struct lx_parameter *
     return true;
 }
 
-static bool matters(const luxel_use *use, enum purpose purpose)
+static bool matters(const luxel_conventions_use *use, enum purpose purpose)
 {
     if (!use)
         return true;
@@ -151,7 +138,7 @@ static int collect_list(struct collecting *all, const struct lx_parameter *param
 /* The view of a result of which some, or all, was seen from a direction of its own. */
 static int add_view(struct collecting *all, const struct lx_parameter *parameter, const void *parameters)
 {
-    const luxel_use *use = all->use;
+    const luxel_conventions_use *use = all->use;
     char words[3 * LX_NUMBER_SIZE + 8], x[LX_NUMBER_SIZE], y[LX_NUMBER_SIZE], z[LX_NUMBER_SIZE];
     if (!use || !use->only_view)
         if (add(all, parameter->name, lx_chosen(parameter, parameters)) < 0)
@@ -254,54 +241,37 @@ static int collect_table(struct collecting *all, const struct lx_table *table, c
     return result;
 }
 
-int lx_collect_conventions(luxel_scene *scene)
-{
-    struct collecting all = {.use = NULL};
-    int result = collect_table(&all, &lx_scene_table, &scene->parameters, true, ANY_RESULT);
-    scene->conventions = all.list;
-    scene->convention_count = all.count;
-    return result;
-}
-
-/* Conventions as their users see them, with the list that they show. */
-struct found {
-    luxel_conventions seen; /* first, so that its address is that of the whole */
-    struct lx_convention *list;
-};
-
 void luxel_conventions_free(luxel_conventions *conventions)
 {
-    struct found *found = (struct found *)conventions;
-    if (!found)
+    if (!conventions)
         return;
-    clear(found->list, found->seen.count);
-    free((luxel_convention *)found->seen.list);
-    free(found);
+    for (size_t i = 0; i < conventions->count; i++)
+        free((char *)conventions->list[i].value);
+    free((luxel_convention *)conventions->list);
+    free(conventions);
 }
 
-luxel_status luxel_find_conventions(const luxel_scene *scene, const luxel_use *use, luxel_conventions **conventions)
+luxel_status luxel_find_conventions(const luxel_scene *scene, const luxel_conventions_use *use,
+                                    luxel_conventions **conventions)
 {
-    if (!conventions || !scene || !luxel_scene_is_committed(scene))
+    if (!conventions || !scene || !luxel_scene_is_committed(scene) || (use && LX_CHECK_RESERVE(use, NULL) != LUXEL_OK))
         return LUXEL_ERROR_ARGUMENT;
     const struct lx_scene_parameters *parameters = lx_scene_parameters(scene);
-    luxel_use used = use ? *use : (luxel_use){.screen = false};
+    luxel_conventions_use used = use ? *use : (luxel_conventions_use){.screen = false};
     /* in perspective the projection decides the view */
     used.screen =
         used.screen || (used.brightness && !used.only_view && parameters->observer.projection == LX_PERSPECTIVE);
     struct collecting all = {.use = use ? &used : NULL};
-    int failed = collect_table(&all, &lx_scene_table, parameters, true, ANY_RESULT);
-    struct found *found = lx_new_array(1, sizeof *found);
-    luxel_convention *list = lx_new_array(all.count, sizeof *list);
-    if (failed || !found || !list) {
-        clear(all.list, all.count);
-        free(found);
-        free(list);
+    luxel_conventions *made = lx_new_array(1, sizeof *made);
+    if (!made)
+        return LUXEL_ERROR_MEMORY;
+    const int failed = collect_table(&all, &lx_scene_table, parameters, true, ANY_RESULT);
+    *made = (luxel_conventions){all.count, all.list};
+    if (failed) {
+        luxel_conventions_free(made);
         return LUXEL_ERROR_MEMORY;
     }
-    for (size_t i = 0; i < all.count; i++)
-        list[i] = (luxel_convention){all.list[i].key, all.list[i].value};
-    *found = (struct found){.seen = {all.count, list}, .list = all.list};
-    *conventions = &found->seen;
+    *conventions = made;
     return LUXEL_OK;
 }
 

@@ -11,19 +11,12 @@
 #include "carried.h"
 #include "scene.h"
 
-struct lx_convention {
-    const char *key;
-    char *value;
-};
-
 struct luxel_scene {
     struct lx_document document;
     size_t compact_bytes; /* what the document held when it was last without garbage */
     bool committed;
-    bool is_ahead;                         /* the parameters have values that the document has not (bind.h) */
-    struct lx_scene_parameters parameters; /* meaningful where committed, and so are the conventions */
-    struct lx_convention *conventions;
-    size_t convention_count;
+    bool is_ahead;                           /* the parameters have values that the document has not (bind.h) */
+    struct lx_scene_parameters parameters;   /* meaningful where committed */
     struct lx_carried carried;               /* of the picture that it was read from */
     char *folder;                            /* of the file that it was read from; NULL: none, or the current one */
     struct lx_kept_files kept;               /* what was read of the files that it names */
@@ -60,9 +53,5 @@ void lx_advise_design(struct lx_walk *walk, const luxel_scene *scene);
 
 /* Checks what reflected light asks of surfaces and lights. */
 void lx_validate_reflections(struct lx_walk *walk, const luxel_scene *scene);
-
-/* Collects the conventions of the decoded scene; 0, or -1 when memory ran out. */
-int lx_collect_conventions(luxel_scene *scene);
-void lx_clear_conventions(luxel_scene *scene);
 
 #endif

@@ -47,7 +47,7 @@ size_t luxel_parameters_kind_count(const luxel_parameters *parameters)
     return parameters->reflection.kind_count;
 }
 
-const luxel_kind *luxel_parameters_kind(const luxel_parameters *parameters, size_t i)
+const luxel_parameter_kind *luxel_parameters_kind(const luxel_parameters *parameters, size_t i)
 {
     return i < parameters->reflection.kind_count ? &parameters->reflection.kinds[i] : NULL;
 }

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * The scene object, public functions included: made from a text, committed (decoded, validated, its conventions
- * collected), copied, freed, and asked for what it says.
+ * The scene object, public functions included: made from a text, committed (decoded, validated), copied, freed, and
+ * asked for what it says.
  */
 #include <stdlib.h>
 #include <string.h>
@@ -148,7 +148,6 @@ void luxel_scene_free(luxel_scene *scene)
 void lx_scene_uncommit(luxel_scene *scene)
 {
     lx_parameters_clear(&lx_scene_table, &scene->parameters);
-    lx_clear_conventions(scene);
     memset(&scene->parameters, 0, sizeof scene->parameters);
     scene->committed = scene->is_ahead = false;
     lx_kept_slot_free(scene->reflected);
@@ -194,8 +193,6 @@ static luxel_status commit(luxel_scene *scene, luxel_diagnostics *diagnostics)
             lx_validate_view(&walk, scene); /* so that all that is wrong is told at once */
         status = lx_walk_status(&walk);
     }
-    if (status == LUXEL_OK && lx_collect_conventions(scene) < 0)
-        status = lx_out_of_memory(diagnostics);
     if (status == LUXEL_OK && scene->parameters.reflections.choice != LX_REFLECTIONS_NONE) {
         scene->reflected = lx_kept_slot_new(); /* without it, it is found each time */
         scene->reflected_on_plane = lx_kept_slot_new();
@@ -277,7 +274,7 @@ luxel_status luxel_scene_surface_radius(const luxel_scene *scene, size_t i, doub
     return LUXEL_OK;
 }
 
-const char *luxel_part_name(const luxel_scene *scene, size_t i, unsigned part)
+const char *luxel_scene_part_name(const luxel_scene *scene, size_t i, unsigned part)
 {
     if (i >= luxel_scene_surface_count(scene))
         return NULL;
@@ -292,19 +289,4 @@ luxel_status luxel_scene_resolution(const luxel_scene *scene, unsigned *columns,
     *columns = scene->parameters.screen.resolution[0];
     *rows = scene->parameters.screen.resolution[1];
     return LUXEL_OK;
-}
-
-size_t luxel_scene_convention_count(const luxel_scene *scene)
-{
-    return luxel_scene_is_committed(scene) ? scene->convention_count : 0;
-}
-
-const char *luxel_scene_convention_key(const luxel_scene *scene, size_t i)
-{
-    return i < luxel_scene_convention_count(scene) ? scene->conventions[i].key : NULL;
-}
-
-const char *luxel_scene_convention_value(const luxel_scene *scene, size_t i)
-{
-    return i < luxel_scene_convention_count(scene) ? scene->conventions[i].value : NULL;
 }

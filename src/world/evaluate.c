@@ -19,9 +19,9 @@ lx_bounded lx_reflected_value(const struct lx_lobe *lobe, luxel_quantity quantit
     return quantity == LUXEL_IRRADIANCE ? irradiance : lx_mul(lobe->diffuse, irradiance);
 }
 
-double lx_reported_error(lx_bounded number)
+lx_bounded lx_reported(lx_bounded number)
 {
-    return number.error >= 0 ? number.error : HUGE_VAL;
+    return (lx_bounded){number.value, number.error >= 0 ? number.error : HUGE_VAL};
 }
 
 static void copy3(double to[3], lx_bounded3 from)
@@ -94,7 +94,7 @@ void lx_evaluate_elements(const struct luxel_evaluator *evaluator, const struct 
         *value = place_of(&element);
         value->has_value = has_value[i];
         value->value = has_value[i] ? sum.value : 0;
-        value->error = has_value[i] ? lx_reported_error(sum) : 0;
+        value->error = has_value[i] ? lx_reported(sum).error : 0;
         if (!has_value[i] && shares)
             memset(shares + of[i] * lights, 0, lights * sizeof *shares);
     }
@@ -115,20 +115,28 @@ bool lx_evaluator_sees(const struct luxel_evaluator *evaluator, double x_mm, dou
     return evaluator->sees && lx_element_seen(&evaluator->prepared, x_mm, y_mm, element);
 }
 
-luxel_value luxel_trace(const luxel_evaluator *evaluator, double x_mm, double y_mm)
+void luxel_trace_screen(const luxel_evaluator *evaluator, double x_mm, double y_mm, luxel_value *value)
 {
     struct lx_element element;
-    return lx_evaluator_sees(evaluator, x_mm, y_mm, &element) ? place_of(&element) : (luxel_value){0};
+    *value = lx_evaluator_sees(evaluator, x_mm, y_mm, &element) ? place_of(&element) : (luxel_value){0};
 }
 
-luxel_value luxel_evaluate(const luxel_evaluator *evaluator, double x_mm, double y_mm, double *shares)
+/* The answer where there is nothing to be evaluated. */
+static void answer_nothing(const luxel_evaluator *evaluator, luxel_value *value, double *shares)
+{
+    *value = (luxel_value){.on_surface = false};
+    if (shares)
+        memset(shares, 0, luxel_evaluator_light_count(evaluator) * sizeof *shares);
+}
+
+void luxel_evaluate_screen(const luxel_evaluator *evaluator, double x_mm, double y_mm, luxel_value *value,
+                           double *shares)
 {
     struct lx_element element;
     if (lx_evaluator_sees(evaluator, x_mm, y_mm, &element))
-        return lx_evaluate_element(evaluator, &element, shares);
-    if (shares)
-        memset(shares, 0, luxel_evaluator_light_count(evaluator) * sizeof *shares);
-    return (luxel_value){.on_surface = false};
+        *value = lx_evaluate_element(evaluator, &element, shares);
+    else
+        answer_nothing(evaluator, value, shares);
 }
 
 static bool is_direction(const double way[3])
@@ -139,6 +147,8 @@ static bool is_direction(const double way[3])
 bool lx_is_place(const luxel_place *place)
 {
     const double *at = place->position_mm;
+    if (place->reserved[0] || place->reserved[1] || place->reserved[2])
+        return false;
     if (!place->is_element)
         return isfinite(place->screen_mm[0]) && isfinite(place->screen_mm[1]);
     return isfinite(at[0]) && isfinite(at[1]) && isfinite(at[2]) && is_direction(place->normal) &&
@@ -154,35 +164,20 @@ struct lx_element lx_free_element_at(const struct lx_prepared *prepared, const l
     return lx_element_at(prepared, &asked);
 }
 
-luxel_value luxel_evaluate_place(const luxel_evaluator *evaluator, const luxel_place *place, double *shares)
+void luxel_evaluate_place(const luxel_evaluator *evaluator, const luxel_place *place, luxel_value *value,
+                          double *shares)
 {
     const struct lx_prepared *prepared = &evaluator->prepared;
-    if (place->is_element && lx_is_place(place) && place->surface < lx_material_count(prepared->scene)) {
+    if (!lx_is_place(place) || (place->is_element && place->surface >= lx_material_count(prepared->scene))) {
+        answer_nothing(evaluator, value, shares);
+    } else if (place->is_element) {
         const struct lx_element element = lx_free_element_at(prepared, place);
-        luxel_value value = lx_evaluate_element(evaluator, &element, shares);
+        *value = lx_evaluate_element(evaluator, &element, shares);
         if (!element.own)
-            value.surface = place->surface;
-        return value;
+            value->surface = place->surface;
+    } else {
+        luxel_evaluate_screen(evaluator, place->screen_mm[0], place->screen_mm[1], value, shares);
     }
-    if (!place->is_element && lx_is_place(place))
-        return luxel_evaluate(evaluator, place->screen_mm[0], place->screen_mm[1], shares);
-    if (shares)
-        memset(shares, 0, luxel_evaluator_light_count(evaluator) * sizeof *shares);
-    return (luxel_value){.on_surface = false};
-}
-
-luxel_value luxel_evaluate_sphere(const luxel_evaluator *evaluator, size_t surface, const double normal[3],
-                                  double *shares)
-{
-    const struct lx_prepared *prepared = &evaluator->prepared;
-    if (surface < prepared->scene->surfaces.count &&
-        lx_is_by_normal(prepared, lx_prepared_index(prepared, surface, 0))) {
-        const struct lx_element element = lx_element_on(prepared, lx_prepared_index(prepared, surface, 0), normal);
-        return lx_evaluate_element(evaluator, &element, shares);
-    }
-    if (shares)
-        memset(shares, 0, luxel_evaluator_light_count(evaluator) * sizeof *shares);
-    return (luxel_value){.on_surface = false};
 }
 
 bool luxel_evaluator_integrates(const luxel_evaluator *evaluator)

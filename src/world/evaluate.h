@@ -27,10 +27,10 @@ lx_bounded lx_received_value(const struct lx_received *received, luxel_quantity 
 /* What reflected light adds to it, of an irradiance. */
 lx_bounded lx_reflected_value(const struct lx_lobe *lobe, luxel_quantity quantity, lx_bounded irradiance);
 
-/* The error that is told of a number: infinite where the bound has left the range and so is none. */
-double lx_reported_error(lx_bounded number);
+/* A number as it is told: with an infinite error where the bound has left the range and so is none. */
+lx_bounded lx_reported(lx_bounded number);
 
-/* Whether a place is one that can be probed: its numbers finite, its directions not 0. */
+/* Whether a place is one that can be probed: its numbers finite, its directions not 0, its reserve NULL. */
 bool lx_is_place(const luxel_place *place);
 
 /* The free element at a place that is one. */

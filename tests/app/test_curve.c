@@ -8,7 +8,8 @@
 
 static luxel_profile *profile_of(const AppMoment *moment)
 {
-    const luxel_path path = {.type = LUXEL_PATH_LINE, .samples = 101, .from_mm = {-250, 20}, .to_mm = {250, 20}};
+    const luxel_profile_path path = {
+        .type = LUXEL_PATH_LINE, .samples = 101, .from_mm = {-250, 20}, .to_mm = {250, 20}};
     luxel_evaluator *evaluator;
     luxel_profile *profile;
     assert_int_equal(luxel_evaluator_new(moment->scene, NULL, NULL, &evaluator), LUXEL_OK);

@@ -233,9 +233,9 @@ static void expect_profile(const luxel_profile *found, const luxel_evaluator *ev
                            double degrees)
 {
     static const double through[2] = {12, -34};
-    luxel_path path = {.type = LUXEL_PATH_LINE, .samples = found->count};
+    luxel_profile_path path = {.type = LUXEL_PATH_LINE, .samples = found->count};
     luxel_profile *profile;
-    assert_int_equal(luxel_line_across_screen(shot->moment->scene, through, degrees, NULL, path.from_mm, path.to_mm),
+    assert_int_equal(luxel_profile_line(shot->moment->scene, through, degrees, NULL, path.from_mm, path.to_mm),
                      LUXEL_OK);
     assert_int_equal(luxel_find_profile(evaluator, &path, NULL, &profile), LUXEL_OK);
     assert_true(found->count > 100);
@@ -297,7 +297,7 @@ static void reads_statistics(void **state)
     assert_true(desk->statistics.extrema.minimum.value == extrema.minimum.value);
     const luxel_histogram *histogram = desk->statistics.histogram;
     assert_non_null(histogram);
-    assert_int_equal(histogram->scale, LUXEL_LINEAR);
+    assert_int_equal(histogram->scale, LUXEL_HISTOGRAM_LINEAR);
     assert_int_equal(histogram->pixels, summary.pixels);
     gsize sum = histogram->below + histogram->above;
     for (gsize i = 0; i < histogram->bins; i++)
@@ -423,7 +423,8 @@ static void reads_what_is_under_the_pointer(void **state)
         desk->readings = 0;
         app_pointer_ask(desk->pointer, shot, NULL, x, y);
         wait_until(has_reading, desk);
-        const luxel_value value = luxel_evaluate(evaluator, x, y, shares);
+        luxel_value value;
+        luxel_evaluate_screen(evaluator, x, y, &value, shares);
         assert_true(reading->x_mm == x && reading->y_mm == y);
         assert_int_equal(reading->value.on_surface, value.on_surface);
         assert_int_equal(reading->value.has_value, value.has_value);

@@ -45,7 +45,7 @@ static void gives_as_much(void **state)
             /* in its ceiling, which the others shine at from next to it */
             if (strcmp(luxel_builtin_scene_name(s), "office") == 0)
                 continue;
-            const luxel_kind *kind = luxel_parameters_kind(parameters, i);
+            const luxel_parameter_kind *kind = luxel_parameters_kind(parameters, i);
             if (strcmp(kind->list, "lights") != 0 || !kind->example)
                 continue;
             AppDocument *document = document_of_builtin(luxel_builtin_scene_name(s));

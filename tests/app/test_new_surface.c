@@ -109,7 +109,8 @@ static double seen(const AppDocument *document, gsize surface)
     for (int i = 0; i < PLACES * PLACES; i++) {
         const double x = ((i % PLACES + 0.5) / PLACES - 0.5) * width;
         const double y = ((double)(i / PLACES) + 0.5) / PLACES - 0.5;
-        const luxel_value value = luxel_evaluate(evaluator, x, y * height, NULL);
+        luxel_value value;
+        luxel_evaluate_screen(evaluator, x, y * height, &value, NULL);
         count += value.on_surface && value.surface == surface;
     }
     luxel_evaluator_free(evaluator);
@@ -134,7 +135,7 @@ static void test_of_kinds(void **state)
     gsize tried = 0;
     (void)state;
     for (gsize i = 0; i < luxel_parameters_kind_count(parameters); i++) {
-        const luxel_kind *kind = luxel_parameters_kind(parameters, i);
+        const luxel_parameter_kind *kind = luxel_parameters_kind(parameters, i);
         for (gsize k = 0; k < G_N_ELEMENTS(scenes) && strcmp(kind->list, "surfaces") == 0 && kind->example; k++) {
             AppDocument *document = document_of_builtin(scenes[k]);
             const gsize count = app_document_size(document, "surfaces");

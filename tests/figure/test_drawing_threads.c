@@ -45,8 +45,8 @@ static cairo_surface_t *draw(const struct shared *shared)
     cairo_t *cairo = cairo_create(image);
     luxel_drawing_style style;
     luxel_drawing_style_init(&style, false);
-    const luxel_bar bar = {.low = 0, .high = 10, .label = "brightness"};
-    luxel_draw_bar(cairo, &style, &bar, WIDTH, HEIGHT);
+    const luxel_color_bar bar = {.low = 0, .high = 10, .label = "brightness"};
+    luxel_draw_color_bar(cairo, &style, &bar, WIDTH, HEIGHT);
     cairo_translate(cairo, 0, HEIGHT);
     luxel_draw_profile(cairo, &style, shared->profile, NULL, WIDTH, HEIGHT);
     cairo_translate(cairo, 0, HEIGHT);
@@ -77,18 +77,21 @@ static void *paint(void *argument)
 static void *evaluate(void *argument)
 {
     struct shared *shared = argument;
-    const double first = luxel_evaluate(shared->evaluator, 10, 20, NULL).value;
+    luxel_value first, again;
+    luxel_evaluate_screen(shared->evaluator, 10, 20, &first, NULL);
     void *changed = NULL;
-    while (!atomic_load(&shared->done))
-        if (luxel_evaluate(shared->evaluator, 10, 20, NULL).value != first)
+    while (!atomic_load(&shared->done)) {
+        luxel_evaluate_screen(shared->evaluator, 10, 20, &again, NULL);
+        if (again.value != first.value)
             changed = shared;
+    }
     return changed;
 }
 
 static void test_threads(void **state)
 {
     (void)state;
-    const luxel_path path = {.from_mm = {-200, 0}, .to_mm = {200, 0}, .samples = 50};
+    const luxel_profile_path path = {.from_mm = {-200, 0}, .to_mm = {200, 0}, .samples = 50};
     struct shared shared = {.evaluator = NULL};
     struct painter painters[THREADS];
     luxel_scene *scene = NULL;
@@ -100,9 +103,9 @@ static void test_threads(void **state)
     assert_int_equal(luxel_render(scene, NULL, NULL, &field), LUXEL_OK);
     assert_int_equal(luxel_evaluator_new(scene, NULL, NULL, &shared.evaluator), LUXEL_OK);
     assert_int_equal(luxel_find_profile(shared.evaluator, &path, NULL, &shared.profile), LUXEL_OK);
-    assert_int_equal(
-        luxel_field_histogram(field, NULL, LUXEL_LINEAR, (double)NAN, (double)NAN, 20, NULL, &shared.histogram),
-        LUXEL_OK);
+    assert_int_equal(luxel_field_histogram(field, NULL, LUXEL_HISTOGRAM_LINEAR, (double)NAN, (double)NAN, 20, NULL,
+                                           &shared.histogram),
+                     LUXEL_OK);
     shared.alone = draw(&shared);
     assert_int_equal(pthread_create(&evaluating, NULL, evaluate, &shared), 0);
     for (int i = 0; i < THREADS; i++) {

@@ -20,10 +20,10 @@ static luxel_scene *scene_of(const char *text)
     return scene;
 }
 
-static luxel_outlines *find(const luxel_scene *scene)
+static luxel_surface_outlines *find(const luxel_scene *scene)
 {
-    luxel_outlines *outlines;
-    assert_int_equal(luxel_find_outlines(scene, NULL, &outlines), LUXEL_OK);
+    luxel_surface_outlines *outlines;
+    assert_int_equal(luxel_find_surface_outlines(scene, NULL, &outlines), LUXEL_OK);
     return outlines;
 }
 
@@ -41,9 +41,9 @@ static void finds_the_rim_of_a_sphere(void **state)
     char text[sizeof sphere + 20];
     snprintf(text, sizeof text, sphere, "orthographic");
     luxel_scene *scene = scene_of(text);
-    luxel_outlines *outlines = find(scene);
+    luxel_surface_outlines *outlines = find(scene);
     assert_int_equal(outlines->count, 1);
-    const luxel_outline *line = &outlines->lines[0];
+    const luxel_surface_outline *line = &outlines->lines[0];
     double turned = 0;
     for (size_t i = 0; i < line->count; i++) {
         double x = line->x_mm[i] - 100, y = line->y_mm[i] + 50;
@@ -57,7 +57,7 @@ static void finds_the_rim_of_a_sphere(void **state)
         turned += atan2(from_x * y - from_y * x, from_x * x + from_y * y);
     }
     assert_true(fabs(fabs(turned) - 2 * M_PI) < 1e-9);
-    luxel_outlines_free(outlines);
+    luxel_surface_outlines_free(outlines);
     luxel_scene_free(scene);
 }
 
@@ -68,7 +68,7 @@ static void finds_what_perspective_shows(void **state)
     char text[sizeof sphere + 20];
     snprintf(text, sizeof text, sphere, "perspective");
     luxel_scene *scene = scene_of(text);
-    luxel_outlines *outlines = find(scene);
+    luxel_surface_outlines *outlines = find(scene);
     assert_int_equal(outlines->count, 1);
     for (size_t i = 0; i < outlines->lines[0].count; i++) {
         /* from the observer (0, 0, 3000) through (x, y, 0): how far it passes by the centre */
@@ -79,7 +79,7 @@ static void finds_what_perspective_shows(void **state)
         const double square = to[0] * to[0] + to[1] * to[1] + to[2] * to[2];
         assert_true(fabs(sqrt(square - along * along / length) - 300) < 1e-6);
     }
-    luxel_outlines_free(outlines);
+    luxel_surface_outlines_free(outlines);
     luxel_scene_free(scene);
 }
 
@@ -95,7 +95,7 @@ static void leaves_out_what_is_covered(void **state)
                                   "  - {type: sphere, center: [100, 0, 1500], radius: 150}\n"
                                   "  - {type: rectangle, center: [0, -350, 500], size: [400, 100]}\n"
                                   "lights: [{type: point, position: [0, 0, 2900], intensity: 1}]\n");
-    luxel_outlines *outlines = find(scene);
+    luxel_surface_outlines *outlines = find(scene);
     size_t of_back = 0, of_front = 0, of_plate = 0;
     for (size_t i = 0; i < outlines->count; i++) {
         assert_true(outlines->lines[i].count >= 2);
@@ -111,22 +111,22 @@ static void leaves_out_what_is_covered(void **state)
         }
     }
     assert_true(of_front > 1400 && of_plate > 1400 && of_back > 700 && of_back < 1400);
-    luxel_outlines_free(outlines);
+    luxel_surface_outlines_free(outlines);
     luxel_scene_free(scene);
 }
 
 static void refuses_what_is_not_committed(void **state)
 {
     (void)state;
-    luxel_outlines *outlines;
+    luxel_surface_outlines *outlines;
     luxel_scene *scene;
     luxel_diagnostics *diagnostics = luxel_diagnostics_new();
     assert_int_equal(luxel_scene_open_builtin("report", NULL, &scene), LUXEL_OK);
-    assert_int_equal(luxel_find_outlines(scene, diagnostics, &outlines), LUXEL_ERROR_ARGUMENT);
+    assert_int_equal(luxel_find_surface_outlines(scene, diagnostics, &outlines), LUXEL_ERROR_ARGUMENT);
     assert_null(outlines);
     assert_string_equal(luxel_diagnostics_get(diagnostics, 0)->id, "not-committed");
-    assert_int_equal(luxel_find_outlines(NULL, NULL, &outlines), LUXEL_ERROR_ARGUMENT);
-    luxel_outlines_free(NULL);
+    assert_int_equal(luxel_find_surface_outlines(NULL, NULL, &outlines), LUXEL_ERROR_ARGUMENT);
+    luxel_surface_outlines_free(NULL);
     luxel_diagnostics_free(diagnostics);
     luxel_scene_free(scene);
 }

@@ -57,7 +57,7 @@ static void assert_side(cairo_t *cairo, double x1, double y1, double x2, double 
     }
 }
 
-static void assert_drawn_there(cairo_t *cairo, const luxel_frame *frame)
+static void assert_drawn_there(cairo_t *cairo, const luxel_plot_frame *frame)
 {
     const double right = frame->x + frame->width, low = frame->y + frame->height;
     assert_true(frame->width > 50 && frame->height > 50);
@@ -84,14 +84,14 @@ static void profiles(void **state)
     for (int i = 0; i < 6; i++) {
         luxel_drawing_style style;
         luxel_profile_style how;
-        luxel_frame frame;
+        luxel_plot_frame frame;
         cairo_t *cairo = begin(&style, i % 2 ? 9 : 14);
         luxel_profile_style_init(&how);
         how.along = LUXEL_ALONG_X;
         how.names = i < 2 ? NULL : names;
         how.high = i < 4 ? (double)NAN : 12345;
         assert_int_equal(luxel_draw_profile(cairo, &style, &profile, &how, WIDTH, HEIGHT), LUXEL_OK);
-        assert_int_equal(luxel_measure_profile(&style, &profile, &how, WIDTH, HEIGHT, &frame), LUXEL_OK);
+        assert_int_equal(luxel_profile_frame(&style, &profile, &how, WIDTH, HEIGHT, &frame), LUXEL_OK);
         assert_drawn_there(cairo, &frame);
         assert_true(frame.left == -20 && frame.right == 100 && frame.bottom == 0);
         assert_true(i < 4 ? fabs(frame.top - 4.24) < 1e-12 : frame.top == 12345);
@@ -104,12 +104,13 @@ static void histograms(void **state)
     (void)state;
     const double edges[] = {1, 10, 100, 1000};
     const size_t counts[] = {100, 0, 50};
-    const luxel_histogram histogram = {.scale = LUXEL_LOGARITHMIC, .bins = 3, .edges = edges, .counts = counts};
+    const luxel_histogram histogram = {
+        .scale = LUXEL_HISTOGRAM_LOGARITHMIC, .bins = 3, .edges = edges, .counts = counts};
     luxel_drawing_style style;
-    luxel_frame frame;
+    luxel_plot_frame frame;
     cairo_t *cairo = begin(&style, 11);
     assert_int_equal(luxel_draw_histogram(cairo, &style, &histogram, NULL, "x", "y", WIDTH, HEIGHT), LUXEL_OK);
-    assert_int_equal(luxel_measure_histogram(&style, &histogram, "x", "y", WIDTH, HEIGHT, &frame), LUXEL_OK);
+    assert_int_equal(luxel_histogram_frame(&style, &histogram, "x", "y", WIDTH, HEIGHT, &frame), LUXEL_OK);
     assert_drawn_there(cairo, &frame);
     assert_true(frame.left == 1 && frame.right == 1000 && frame.bottom == 0 && fabs(frame.top - 106) < 1e-12);
     cairo_destroy(cairo);
@@ -126,25 +127,25 @@ static void small_and_refused(void **state)
     const luxel_profile profile = {.quantity_word = "brightness", .count = 2, .samples = samples};
     luxel_profile_style how;
     luxel_drawing_style style;
-    luxel_frame frame = {.width = 7};
+    luxel_plot_frame frame = {.width = 7};
     luxel_drawing_style_init(&style, false);
-    assert_int_equal(luxel_measure_profile(&style, &profile, NULL, 9, 9, &frame), LUXEL_OK);
+    assert_int_equal(luxel_profile_frame(&style, &profile, NULL, 9, 9, &frame), LUXEL_OK);
     assert_true(frame.width == 0 && frame.height == 0);
     frame.width = 7;
-    assert_int_equal(luxel_measure_histogram(&style, &histogram, "x", "y", 9, 9, &frame), LUXEL_OK);
+    assert_int_equal(luxel_histogram_frame(&style, &histogram, "x", "y", 9, 9, &frame), LUXEL_OK);
     assert_true(frame.width == 0 && frame.height == 0);
     luxel_profile_style_init(&how);
     how.along = LUXEL_ALONG_X; /* which is the same everywhere */
-    assert_int_equal(luxel_measure_profile(&style, &profile, &how, 200, 100, &frame), LUXEL_ERROR_ARGUMENT);
-    assert_int_equal(luxel_measure_profile(NULL, &profile, NULL, 200, 100, &frame), LUXEL_ERROR_ARGUMENT);
-    assert_int_equal(luxel_measure_profile(&style, NULL, NULL, 200, 100, &frame), LUXEL_ERROR_ARGUMENT);
-    assert_int_equal(luxel_measure_profile(&style, &profile, NULL, 0, 100, &frame), LUXEL_ERROR_ARGUMENT);
-    assert_int_equal(luxel_measure_profile(&style, &profile, NULL, 200, 100, NULL), LUXEL_ERROR_ARGUMENT);
-    assert_int_equal(luxel_measure_histogram(NULL, &histogram, NULL, NULL, 200, 100, &frame), LUXEL_ERROR_ARGUMENT);
-    assert_int_equal(luxel_measure_histogram(&style, NULL, NULL, NULL, 200, 100, &frame), LUXEL_ERROR_ARGUMENT);
-    assert_int_equal(luxel_measure_histogram(&style, &histogram, NULL, NULL, 200, (double)NAN, &frame),
+    assert_int_equal(luxel_profile_frame(&style, &profile, &how, 200, 100, &frame), LUXEL_ERROR_ARGUMENT);
+    assert_int_equal(luxel_profile_frame(NULL, &profile, NULL, 200, 100, &frame), LUXEL_ERROR_ARGUMENT);
+    assert_int_equal(luxel_profile_frame(&style, NULL, NULL, 200, 100, &frame), LUXEL_ERROR_ARGUMENT);
+    assert_int_equal(luxel_profile_frame(&style, &profile, NULL, 0, 100, &frame), LUXEL_ERROR_ARGUMENT);
+    assert_int_equal(luxel_profile_frame(&style, &profile, NULL, 200, 100, NULL), LUXEL_ERROR_ARGUMENT);
+    assert_int_equal(luxel_histogram_frame(NULL, &histogram, NULL, NULL, 200, 100, &frame), LUXEL_ERROR_ARGUMENT);
+    assert_int_equal(luxel_histogram_frame(&style, NULL, NULL, NULL, 200, 100, &frame), LUXEL_ERROR_ARGUMENT);
+    assert_int_equal(luxel_histogram_frame(&style, &histogram, NULL, NULL, 200, (double)NAN, &frame),
                      LUXEL_ERROR_ARGUMENT);
-    assert_int_equal(luxel_measure_histogram(&style, &histogram, NULL, NULL, 200, 100, NULL), LUXEL_ERROR_ARGUMENT);
+    assert_int_equal(luxel_histogram_frame(&style, &histogram, NULL, NULL, 200, 100, NULL), LUXEL_ERROR_ARGUMENT);
 }
 
 int main(void)

@@ -13,7 +13,7 @@ static luxel_grid *measure(const luxel_scene *scene, double tolerance)
     luxel_settings settings = trial_settings(LUXEL_DOUBLE);
     luxel_grid *grid = NULL;
     settings.tolerance = tolerance;
-    return scene && luxel_scene_grid_count(scene) > 0 && luxel_measure(scene, &settings, 0, NULL, &grid) == LUXEL_OK
+    return scene && luxel_scene_grid_count(scene) > 0 && luxel_find_grid(scene, &settings, 0, NULL, &grid) == LUXEL_OK
                ? grid
                : NULL;
 }
@@ -180,12 +180,12 @@ static bool is_consistent(struct trial *trial, const luxel_grid *grid)
     if (grid->measured == 0)
         return true;
     const double average = sum / (double)grid->measured, low = grid->minimum.value, high = grid->maximum.value;
-    const bool is_so = fabs(average - grid->average) <= 1e-14 * average + 1e-300 && low <= high &&
-                       grid->average >= low * (1 - 1e-14) && grid->average <= high * (1 + 1e-14) &&
-                       grid->has_evenness == (grid->average > 0) && grid->u0 >= 0 && grid->u0 <= 1 + 1e-14 &&
+    const bool is_so = fabs(average - grid->average.value) <= 1e-14 * average + 1e-300 && low <= high &&
+                       grid->average.value >= low * (1 - 1e-14) && grid->average.value <= high * (1 + 1e-14) &&
+                       grid->has_evenness == (grid->average.value > 0) && grid->u0 >= 0 && grid->u0 <= 1 + 1e-14 &&
                        grid->ud >= 0 && grid->ud <= 1;
-    return is_so || trial_fails(trial, "average %.17g, from %.17g to %.17g, U0 %g, Ud %g", grid->average, low, high,
-                                grid->u0, grid->ud);
+    return is_so || trial_fails(trial, "average %.17g, from %.17g to %.17g, U0 %g, Ud %g", grid->average.value, low,
+                                high, grid->u0, grid->ud);
 }
 
 bool has_grid_within_bounds(struct trial *trial)

@@ -28,7 +28,8 @@ static void widen(struct range *range, size_t light, double value)
 static void widen_by(struct range *range, const luxel_evaluator *evaluator, double x, double y)
 {
     double shares[DRAFT_LIGHTS];
-    luxel_value value = luxel_evaluate(evaluator, x, y, shares);
+    luxel_value value;
+    luxel_evaluate_screen(evaluator, x, y, &value, shares);
     for (size_t i = 0; (value.has_value || !value.on_surface) && i < luxel_evaluator_light_count(evaluator); i++)
         widen(range, i, shares[i]);
 }
@@ -111,7 +112,8 @@ static void widen_by_raised_surfaces(struct range *range, const struct draft *dr
 static double share_at(const luxel_evaluator *evaluator, size_t light, double x, double y)
 {
     double shares[DRAFT_LIGHTS];
-    luxel_evaluate(evaluator, x, y, shares);
+    luxel_value value;
+    luxel_evaluate_screen(evaluator, x, y, &value, shares);
     return shares[light];
 }
 
@@ -174,7 +176,9 @@ static luxel_value look(struct trial *trial, unsigned column, unsigned row, doub
     *x = luxel_field_x_mm(picture)[column];
     *y = luxel_field_y_mm(picture)[row];
     memset(shares, 0, DRAFT_LIGHTS * sizeof *shares);
-    return luxel_evaluate(trial_evaluator(trial), *x, *y, shares);
+    luxel_value value;
+    luxel_evaluate_screen(trial_evaluator(trial), *x, *y, &value, shares);
+    return value;
 }
 
 bool truth_allows(struct trial *trial, unsigned column, unsigned row, double shown, double slack)
@@ -212,10 +216,11 @@ bool truth_shows(struct trial *trial, unsigned column, unsigned row, bool is_sho
     if (value.on_surface == is_shown)
         return true;
     const double reach = fmax(REACH_MM, 2 * rounding_of(trial->draft, value.surface));
-    for (int way = 0; way < WAYS; way++)
-        if (luxel_evaluate(trial_evaluator(trial), x + ways[way][0] * reach, y + ways[way][1] * reach, NULL)
-                .on_surface == is_shown)
+    for (int way = 0; way < WAYS; way++) {
+        luxel_evaluate_screen(trial_evaluator(trial), x + ways[way][0] * reach, y + ways[way][1] * reach, &value, NULL);
+        if (value.on_surface == is_shown)
             return true;
+    }
     return trial_fails(trial, "pixel [%u, %u] at (%.17g, %.17g) is %s a surface", column, row, x, y,
                        is_shown ? "wrongly on" : "not on");
 }

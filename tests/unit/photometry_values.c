@@ -13,14 +13,15 @@
 static void print_facts(const luxel_photometry *photometry)
 {
     luxel_photometry_figures figures;
-    luxel_photometry_measure(photometry, &figures);
+    luxel_photometry_find_figures(photometry, &figures);
     printf("%s|%c|%s|%zu|%zu|%zu|%.17g|%.17g|%.17g|%.17g|%.17g|%.17g|%.17g|%s|%.17g|%.17g|%.17g|%.17g|%zu|%.17g\n",
            luxel_photometry_format_name(photometry), "ABC"[photometry->type],
            luxel_photometry_symmetry_name(photometry->symmetry), photometry -> declared_planes,
            photometry -> stored_planes, photometry -> angle_count, photometry -> declared_lumens, figures.zone_lumens,
            figures.linear_lumens, figures.greatest_cd, figures.dff, figures.beam_deg, figures.field_deg,
-           luxel_opening_name(&photometry->opening), photometry->opening.width_mm, photometry->opening.length_mm,
-           photometry->opening.height_mm, photometry->multiplier, photometry->tilt_count, photometry->watts);
+           luxel_photometry_opening_name(&photometry->opening), photometry->opening.width_mm,
+           photometry->opening.length_mm, photometry->opening.height_mm, photometry->multiplier, photometry->tilt_count,
+           photometry->watts);
 }
 
 static void answer(const luxel_photometry *photometry, const char *what, double plane, double angle)
@@ -32,7 +33,8 @@ static void answer(const luxel_photometry *photometry, const char *what, double 
         printf("%.17g %.17g %.17g %.17g %.17g\n", direction[0], direction[1], direction[2], plane, angle);
         return;
     }
-    luxel_interpolation how = strcmp(what, "cosine") == 0 ? LUXEL_INTERPOLATE_COSINE : LUXEL_INTERPOLATE_ANGLE;
+    luxel_photometry_interpolation how =
+        strcmp(what, "cosine") == 0 ? LUXEL_INTERPOLATE_COSINE : LUXEL_INTERPOLATE_ANGLE;
     printf("%.17g\n", luxel_photometry_intensity(photometry, how, plane, angle));
 }
 

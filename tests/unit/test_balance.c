@@ -55,7 +55,7 @@ static luxel_balance *balance_of(const char *keys, const char *surfaces, const c
 
 /* Inside its bound, which is no more than `most`. */
 #define EXPECT(amount, truth, most) expect(__LINE__, &(amount), truth, most)
-static void expect(int line, const luxel_amount *amount, double truth, double most)
+static void expect(int line, const luxel_bounded *amount, double truth, double most)
 {
     if (!(fabs(amount->value - truth) <= amount->error + 1e-12 * fabs(truth)) || !(amount->error <= most))
         fail_msg("line %d: %.10g ± %.2g instead of %.10g", line, amount->value, amount->error, truth);
@@ -69,11 +69,11 @@ static void closed_room(void **state)
     double direct = 0, all = 0;
     assert_int_equal(balance->side_count, 6);
     for (size_t i = 0; i < 6; i++) {
-        const luxel_lit_side *side = &balance->sides[i];
+        const luxel_balance_side *side = &balance->sides[i];
         assert_string_equal(side->surface_name, "cube");
         assert_string_equal(side->part_name, walls[i]);
         assert_int_equal(side->part, i);
-        assert_int_equal(side->side, LUXEL_FRONT);
+        assert_int_equal(side->side, LUXEL_SIDE_FRONT);
         assert_true(fabs(side->area_m2 - 16) < 1e-6 && side->reflectance == 0.5);
         assert_true(side->irradiance.error <= 2e-3 * side->irradiance.value);
         direct += side->direct.value / 6;
@@ -107,7 +107,7 @@ static void integrating_sphere(void **state)
                                         "{type: spot, position: [0, 100, 50], axis: [1, 0.3, 0.2], inner: 10, outer: "
                                         "40, power: 1000}");
     assert_int_equal(balance->side_count, 1);
-    assert_int_equal(balance->sides[0].side, LUXEL_INSIDE);
+    assert_int_equal(balance->sides[0].side, LUXEL_SIDE_INSIDE);
     assert_null(balance->sides[0].surface_name);
     assert_null(balance->sides[0].part_name);
     EXPECT(balance->sides[0].direct, 1000 / M_PI, 0.1);
@@ -124,8 +124,8 @@ static void plates(void **state)
     const double factor = 0.28273278739747;
     luxel_balance *balance = balance_of("reflections: 1", PLATES, UNIFORM);
     assert_int_equal(balance->side_count, 4);
-    assert_int_equal(balance->sides[0].side, LUXEL_FRONT);
-    assert_int_equal(balance->sides[1].side, LUXEL_BACK);
+    assert_int_equal(balance->sides[0].side, LUXEL_SIDE_FRONT);
+    assert_int_equal(balance->sides[1].side, LUXEL_SIDE_BACK);
     EXPECT(balance->sides[0].irradiance, 1 + 0.8 * factor, 2e-3);
     EXPECT(balance->sides[1].irradiance, 1, 2e-3);
     EXPECT(balance->sides[2].irradiance, 1 + 0.5 * factor, 2e-3);
@@ -142,7 +142,7 @@ static void plates(void **state)
                                     "0], " MATERIAL("0.8") "}",
                          "{type: point, position: [0, 0, 0], power: 600}");
     assert_int_equal(balance->side_count, 2);
-    assert_int_equal(balance->sides[1].side, LUXEL_FRONT);
+    assert_int_equal(balance->sides[1].side, LUXEL_SIDE_FRONT);
     EXPECT(balance->sides[0].direct, 25, 0.01);
     EXPECT(balance->missed, 400, 0.1);
     luxel_balance_free(balance);
@@ -161,8 +161,8 @@ static void without(void **state)
     assert_int_equal(luxel_find_balance(NULL, NULL, NULL, &balance), LUXEL_ERROR_ARGUMENT);
     luxel_scene_free(scene);
     luxel_balance_free(NULL);
-    assert_null(luxel_side_name((luxel_side)7));
-    assert_string_equal(luxel_side_name(LUXEL_OUTSIDE), "outside");
+    assert_null(luxel_surface_side_name((luxel_surface_side)7));
+    assert_string_equal(luxel_surface_side_name(LUXEL_SIDE_OUTSIDE), "outside");
     luxel_diagnostics_free(diagnostics);
     /* without all shadows light goes through surfaces, and its sum tells nothing */
     balance = balance_of("reflections: 1\nshadows: none", CUBE, LAMP);
@@ -203,7 +203,7 @@ static void threads(void **state)
     assert_memory_equal(&found[0]->absorbed, &found[1]->absorbed, sizeof found[0]->absorbed);
     assert_memory_equal(&found[0]->difference, &found[1]->difference, sizeof found[0]->difference);
     for (size_t i = 0; i < 6; i++)
-        assert_memory_equal(&found[0]->sides[i].irradiance, &found[1]->sides[i].irradiance, sizeof(luxel_amount));
+        assert_memory_equal(&found[0]->sides[i].irradiance, &found[1]->sides[i].irradiance, sizeof(luxel_bounded));
     luxel_balance_free(found[0]);
     luxel_balance_free(found[1]);
     luxel_scene_free(scene);

@@ -151,8 +151,8 @@ static void test_sides(void **state)
             const struct lx_shape *shape = &sides[s].shape;
             int axis, end;
             meant(box.is_z_up, s, &axis, &end);
-            assert_string_equal(luxel_part_name(scene, 0, (unsigned)s), names[s]);
-            assert_string_equal(luxel_part_name(scene, 1, (unsigned)s), walls[s]);
+            assert_string_equal(luxel_scene_part_name(scene, 0, (unsigned)s), names[s]);
+            assert_string_equal(luxel_scene_part_name(scene, 1, (unsigned)s), walls[s]);
             for (int i = 0; i < 3; i++) {
                 const double at = box.center[i] + end * box.size[axis] / 2 * box.axes[axis][i];
                 const double at_wall = box.center[i] + (i == axis ? end * box.size[axis] / 2 : 0);
@@ -248,7 +248,7 @@ static void test_elements(void **state)
                 place.normal[i] = between(-1, 1);
             }
             for (int i = 0; i < 3; i++)
-                values[i] = luxel_evaluate_place(evaluators[i], &place, NULL);
+                luxel_evaluate_place(evaluators[i], &place, &values[i], NULL);
             assert_true(values[0].value == values[1].value && values[0].error == values[1].error);
             darkened += k % 3 == 0 && values[0].value < values[2].value - values[2].error - values[0].error;
         }
@@ -305,17 +305,17 @@ static void test_reflections(void **state)
                 {.is_element = true, .position_mm = {300, 0, 50}, .normal = {-1, 0, 0}},
                 {.is_element = true, .position_mm = {-200, 250, 0}, .normal = {0, 0, 1}},
             };
-            luxel_probe *probes;
+            luxel_probes *probes;
             snprintf(surfaces, sizeof surfaces, "%s, %s", floor_text,
                      i ? six_of(&boxes[b], matte, six) : box_of(&boxes[b], matte, one));
             luxel_scene *scene =
                 scene_of("reflections: 2\n", surfaces, "{type: point, position: [-300, 200, 900], intensity: 10}");
-            assert_int_equal(luxel_probe_many(scene, &settings, places, 3, NULL, &probes), LUXEL_OK);
-            for (int k = 0; k < 3; k++) {
-                values[i][k] = probes[k].reflected_value;
-                errors[i][k] = probes[k].reflected_error;
+            assert_int_equal(luxel_probe_places(scene, &settings, places, 3, NULL, &probes), LUXEL_OK);
+            for (size_t k = 0; k < 3; k++) {
+                values[i][k] = luxel_probes_get(probes, k)->reflected.value;
+                errors[i][k] = luxel_probes_get(probes, k)->reflected.error;
             }
-            luxel_probe_free(probes);
+            luxel_probes_free(probes);
             luxel_scene_free(scene);
         }
         for (int k = 0; k < 3; k++)

@@ -303,14 +303,9 @@ static void refuses_too_many_rows(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(reads_csv),
-        cmocka_unit_test(reads_long_csv),
-        cmocka_unit_test(refuses_csv),
-        cmocka_unit_test(reads_npy),
-        cmocka_unit_test(reads_places_alone),
-        cmocka_unit_test(refuses_npy),
-        cmocka_unit_test(refuses_rows_of_npy),
-        cmocka_unit_test(refuses_too_many_rows),
+        cmocka_unit_test(reads_csv),           cmocka_unit_test(reads_long_csv),        cmocka_unit_test(refuses_csv),
+        cmocka_unit_test(reads_npy),           cmocka_unit_test(reads_places_alone),    cmocka_unit_test(refuses_npy),
+        cmocka_unit_test(refuses_rows_of_npy), cmocka_unit_test(refuses_too_many_rows),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -159,8 +159,9 @@ static void test_not_finite(void **state)
         assert_int_equal(luxel_compare(good, bad[i], diagnostics, &made, NULL), LUXEL_ERROR_ARGUMENT);
         assert_int_equal(luxel_compare(bad[i], good, diagnostics, &made, NULL), LUXEL_ERROR_ARGUMENT);
         assert_int_equal(luxel_field_summary(bad[i], NULL, diagnostics, &summary), LUXEL_ERROR_ARGUMENT);
-        assert_int_equal(luxel_field_histogram(bad[i], NULL, LUXEL_LINEAR, NONE, NONE, 4, diagnostics, &histogram),
-                         LUXEL_ERROR_ARGUMENT);
+        assert_int_equal(
+            luxel_field_histogram(bad[i], NULL, LUXEL_HISTOGRAM_LINEAR, NONE, NONE, 4, diagnostics, &histogram),
+            LUXEL_ERROR_ARGUMENT);
         assert_int_equal(luxel_diagnostics_count(diagnostics), 4);
         for (size_t k = 0; k < 4; k++) {
             char *message = luxel_diagnostics_message(diagnostics, k, NULL, NULL);

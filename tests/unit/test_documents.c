@@ -10,7 +10,7 @@
 
 #define COUNT(array) (sizeof(array) / sizeof(array)[0])
 
-static const luxel_language russian = {documents_translate, NULL, "ru"};
+static const luxel_language russian = {.translate = documents_translate, .code = "ru"};
 
 /* ---- each format ---- */
 

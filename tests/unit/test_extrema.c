@@ -11,6 +11,7 @@
 #include <string.h>
 
 #include "campaign.h"
+#include "evaluated.h"
 #include "scenes.h"
 
 enum { TEXT_SIZE = 8000 };
@@ -53,15 +54,14 @@ static void clear(struct setting *setting)
 /* Whether a peak is what the function gives at its place. */
 static void expect_true_value(const luxel_evaluator *evaluator, const luxel_region *region, const luxel_peak *peak)
 {
-    luxel_value seen = luxel_evaluate(evaluator, peak->x_mm, peak->y_mm, NULL);
+    luxel_value seen = value_seen(evaluator, peak->x_mm, peak->y_mm);
     assert_true(peak->exists && seen.on_surface && seen.surface == peak->surface);
     assert_true(luxel_region_holds(region, peak->x_mm, peak->y_mm));
     if (seen.value == peak->value && seen.error == peak->error)
         return;
     /* On the rim of a sphere the screen does not resolve the place: the normal does. */
-    luxel_value there = luxel_evaluate_sphere(evaluator, peak->surface, peak->normal, NULL);
-    double apart = hypot(hypot(seen.position_mm[0] - peak->position_mm[0], seen.position_mm[1] - peak->position_mm[1]),
-                         seen.position_mm[2] - peak->position_mm[2]);
+    luxel_value there = value_on(evaluator, peak->position_mm, peak->normal);
+    double apart = distance_of(seen.position_mm, peak->position_mm);
     assert_true(there.on_surface && fabs(there.value - peak->value) <= 1e-12 * fabs(peak->value));
     assert_true(apart < 1e-2);
 }
@@ -99,7 +99,7 @@ static double value_at(const struct domain *domain, double x, double y)
 {
     if (!(fabs(x) <= domain->half && fabs(y) <= domain->half && luxel_region_holds(domain->region, x, y)))
         return -HUGE_VAL;
-    luxel_value value = luxel_evaluate(domain->evaluator, x, y, NULL);
+    luxel_value value = value_seen(domain->evaluator, x, y);
     /* what is sure of it: in a crack between two surfaces it may not even be known what shades what */
     return value.on_surface && value.has_value ? domain->sign * value.value - value.error : -HUGE_VAL;
 }
@@ -275,7 +275,7 @@ static double edge_doubt(const struct domain *domain, const luxel_peak *peak)
     double doubt = 0, value = domain->sign * peak->value;
     for (int i = 0; i < 8; i++) {
         double x = peak->x_mm + 4e-9 * cos(i * M_PI / 4), y = peak->y_mm + 4e-9 * sin(i * M_PI / 4);
-        luxel_value beside = luxel_evaluate(domain->evaluator, x, y, NULL);
+        luxel_value beside = value_seen(domain->evaluator, x, y);
         double apart = fabs(domain->sign * beside.value - value);
         if (beside.surface == peak->surface && apart < 1e-6 * fabs(value))
             doubt = fmax(doubt, apart);

@@ -257,14 +257,14 @@ static void test_bits(void **state)
     snprintf(first, sizeof first, "%s/a.png", files->folder);
     snprintf(second, sizeof second, "%s/b.png", files->folder);
     assert_int_equal(luxel_field_write(field, first, NULL), LUXEL_OK);
-    assert_int_equal(luxel_field_write_as(field, second, &(luxel_output){0}, NULL), LUXEL_OK);
+    assert_int_equal(luxel_field_write_as(field, second, &(luxel_field_output){0}, NULL), LUXEL_OK);
     assert_same_files(first, second);
-    assert_int_equal(luxel_field_write_as(field, second, &(luxel_output){.bits = 16}, NULL), LUXEL_OK);
+    assert_int_equal(luxel_field_write_as(field, second, &(luxel_field_output){.bits = 16}, NULL), LUXEL_OK);
     assert_int_equal(luxel_scene_read_file(second, NULL, &scene), LUXEL_OK);
-    assert_int_equal(luxel_field_write_as(field, second, &(luxel_output){.bits = 4}, diagnostics),
+    assert_int_equal(luxel_field_write_as(field, second, &(luxel_field_output){.bits = 4}, diagnostics),
                      LUXEL_ERROR_ARGUMENT);
     assert_string_equal(luxel_diagnostics_get(diagnostics, 0)->id, "setting-out-of-range");
-    assert_int_equal(luxel_field_write_as(field, second, &(luxel_output){.reserved = {files}}, diagnostics),
+    assert_int_equal(luxel_field_write_as(field, second, &(luxel_field_output){.reserved = {files}}, diagnostics),
                      LUXEL_ERROR_ARGUMENT);
     luxel_scene_free(scene);
     luxel_field_free(field);
@@ -354,15 +354,15 @@ static void test_damage(void **state)
 static void test_in_memory(void **state)
 {
     struct files *files = *state;
-    for (size_t i = 0; luxel_output_ending(i); i++)
+    for (size_t i = 0; luxel_field_output_ending(i); i++)
         for (int precision = 0; precision < 2; precision++) {
             char name[32];
             unsigned char *bytes = NULL;
             size_t length = 0;
-            const luxel_output how = {.bits = precision ? 16 : 8};
+            const luxel_field_output how = {.bits = precision ? 16 : 8};
             luxel_field *field = render_small(precision ? LUXEL_DOUBLE : LUXEL_SINGLE, LUXEL_BRIGHTNESS);
             luxel_field *read = NULL, *other = NULL;
-            snprintf(name, sizeof name, "a%s", luxel_output_ending(i));
+            snprintf(name, sizeof name, "a%s", luxel_field_output_ending(i));
             if (luxel_field_write_as(field, path_of(files, name), &how, NULL) != LUXEL_OK) { /* .pfm, .exr: float32 */
                 assert_int_equal(luxel_field_write_memory(field, name, &how, NULL, &bytes, &length),
                                  LUXEL_ERROR_ARGUMENT);
@@ -380,7 +380,7 @@ static void test_in_memory(void **state)
             luxel_status status = luxel_field_read_memory(bytes, length, name, NULL, &read);
             luxel_bytes_free(bytes);
             assert_int_equal(status, luxel_field_read(files->path, NULL, &other));
-            assert_int_equal(status, strcmp(luxel_output_ending(i), ".png") == 0 ? LUXEL_ERROR_FILE : LUXEL_OK);
+            assert_int_equal(status, strcmp(luxel_field_output_ending(i), ".png") == 0 ? LUXEL_ERROR_FILE : LUXEL_OK);
             if (read) {
                 unsigned columns = luxel_field_columns(read), rows = luxel_field_rows(read);
                 assert_int_equal(columns, luxel_field_columns(other));

@@ -42,7 +42,7 @@ static luxel_scene *scene_with(const char *surfaces, const char *lights, const c
 static luxel_grid *measure(const luxel_scene *scene, size_t i)
 {
     luxel_grid *grid = NULL;
-    assert_int_equal(luxel_measure(scene, NULL, i, NULL, &grid), LUXEL_OK);
+    assert_int_equal(luxel_find_grid(scene, NULL, i, NULL, &grid), LUXEL_OK);
     return grid;
 }
 
@@ -50,11 +50,12 @@ static luxel_grid *measure(const luxel_scene *scene, size_t i)
 static void assert_flux(const luxel_grid *grid, double expected, double relative)
 {
     assert_true(grid->has_mean && grid->flux_unit);
-    if (!(fabs(grid->flux - expected) <= grid->flux_error + 1e-15 * expected))
-        fail_msg("%.17g +- %.3g is not %.17g", grid->flux, grid->flux_error, expected);
-    if (!(grid->flux_error <= relative * expected))
-        fail_msg("%.17g +- %.3g: the error is above %g", grid->flux, grid->flux_error, relative);
-    assert_true(fabs(grid->mean * grid->size_mm[0] * grid->size_mm[1] / 1e6 - grid->flux) <= 1e-14 * grid->flux);
+    if (!(fabs(grid->flux.value - expected) <= grid->flux.error + 1e-15 * expected))
+        fail_msg("%.17g +- %.3g is not %.17g", grid->flux.value, grid->flux.error, expected);
+    if (!(grid->flux.error <= relative * expected))
+        fail_msg("%.17g +- %.3g: the error is above %g", grid->flux.value, grid->flux.error, relative);
+    assert_true(fabs(grid->mean.value * grid->size_mm[0] * grid->size_mm[1] / 1e6 - grid->flux.value) <=
+                1e-14 * grid->flux.value);
 }
 
 static void expect_flux(const char *surfaces, const char *lights, const char *grid, double expected, double relative)
@@ -89,7 +90,7 @@ static void closed_numbers(void **state)
                                     "[700, 0, 0], intensity: 1}, {type: distant, direction: [0, 0, 1], irradiance: 5}",
                                     desk);
     luxel_grid *grid = measure(scene, 0);
-    assert_true(grid->has_mean && grid->flux == 0 && grid->sampling_error == 0 && !grid->is_coarse);
+    assert_true(grid->has_mean && grid->flux.value == 0 && grid->sampling_error == 0 && !grid->is_coarse);
     luxel_grid_free(grid);
     luxel_scene_free(scene);
 }
@@ -139,8 +140,8 @@ static void closed_rooms(void **state)
         for (size_t wall = 0; wall < 6; wall++) {
             luxel_grid *grid = measure(scene, wall);
             assert_true(grid->has_mean);
-            all += grid->flux;
-            error += grid->flux_error;
+            all += grid->flux.value;
+            error += grid->flux.error;
             luxel_grid_free(grid);
         }
         assert_int_equal(luxel_scene_light_flux(scene, 0, &sent), LUXEL_OK);
@@ -180,7 +181,7 @@ static void plates_aside(void **state)
     snprintf(all + length, sizeof all - length, "%s", alone);
     luxel_scene *scene = scene_with(alone, lamp, plane);
     luxel_grid *grid = measure(scene, 0);
-    expect_flux(all, lamp, plane, grid->flux, 1e-8);
+    expect_flux(all, lamp, plane, grid->flux.value, 1e-8);
     luxel_grid_free(grid);
     luxel_scene_free(scene);
 }
@@ -209,8 +210,8 @@ static void crowds_under_the_sun(void **state)
         luxel_scene *scene = scene_with(crowd.text, "{type: distant, direction: [0, 0, -1], irradiance: 5}", plane);
         luxel_grid *grid = measure(scene, 0);
         const double expected = 5 * open_area(&crowd) * 1e-6;
-        if (!(fabs(grid->flux - expected) <= 1e-6 * expected && grid->flux_error <= 1e-6 * expected))
-            fail_msg("seed %d: %.12g +- %g, not %.12g", (int)seed, grid->flux, grid->flux_error, expected);
+        if (!(fabs(grid->flux.value - expected) <= 1e-6 * expected && grid->flux.error <= 1e-6 * expected))
+            fail_msg("seed %d: %.12g +- %g, not %.12g", (int)seed, grid->flux.value, grid->flux.error, expected);
         luxel_grid_free(grid);
         luxel_scene_free(scene);
     }
@@ -226,9 +227,9 @@ static void bounds_of_penumbrae(void **state)
     snprintf(plane, sizeof plane, "{center: [0, 0, 0], size: [%d, %d], n: [12, 12]}", CROWD_SIZE, CROWD_SIZE);
     luxel_scene *open = scene_with(NULL, lamp, plane), *scene = scene_with(crowd.text, lamp, plane);
     luxel_grid *whole = measure(open, 0), *grid = measure(scene, 0);
-    assert_true(grid->flux >= 0 && grid->flux <= whole->flux + whole->flux_error);
-    assert_true(grid->flux_error <= whole->flux + whole->flux_error);
-    assert_true(fabs(grid->flux - grid->average * CROWD_SIZE * CROWD_SIZE * 1e-6) < 0.1 * grid->flux);
+    assert_true(grid->flux.value >= 0 && grid->flux.value <= whole->flux.value + whole->flux.error);
+    assert_true(grid->flux.error <= whole->flux.value + whole->flux.error);
+    assert_true(fabs(grid->flux.value - grid->average.value * CROWD_SIZE * CROWD_SIZE * 1e-6) < 0.1 * grid->flux.value);
     luxel_grid_free(whole);
     luxel_grid_free(grid);
     luxel_scene_free(open);
@@ -250,11 +251,12 @@ static void penumbrae_of_one(void **state)
             surfaces[i], "{type: planar, rectangle: {center: [0, 0, 1800], size: [800, 500]}, radiance: 10}",
             "{center: [0, 0, 0], size: [1600, 1600], n: [3, 3]}, {center: [0, 0, 0], size: [1600, 1600], n: [72, 72]}");
         luxel_grid *grid = measure(scene, 0), *fine = NULL;
-        assert_int_equal(luxel_measure_values(scene, NULL, 1, NULL, &fine), LUXEL_OK);
-        if (!(fabs(grid->mean - fine->average) <= grid->mean_error && grid->mean_error <= greatest[i] * grid->mean))
-            fail_msg("%s: %.9g +- %.3g, and %.9g of many cells", surfaces[i], grid->mean, grid->mean_error,
-                     fine->average);
-        assert_true(fabs(grid->flux - 2.56 * grid->mean) <= 1e-12 * grid->flux);
+        assert_int_equal(luxel_find_grid_values(scene, NULL, 1, NULL, &fine), LUXEL_OK);
+        if (!(fabs(grid->mean.value - fine->average.value) <= grid->mean.error &&
+              grid->mean.error <= greatest[i] * grid->mean.value))
+            fail_msg("%s: %.9g +- %.3g, and %.9g of many cells", surfaces[i], grid->mean.value, grid->mean.error,
+                     fine->average.value);
+        assert_true(fabs(grid->flux.value - 2.56 * grid->mean.value) <= 1e-12 * grid->flux.value);
         luxel_grid_free(grid);
         luxel_grid_free(fine);
         luxel_scene_free(scene);
@@ -268,9 +270,10 @@ static void values_alone(void **state)
     luxel_scene *scene = scene_with(NULL, "{type: point, position: [10, 0, 20], intensity: 100}",
                                     "{center: [0, 0, 0], size: [100, 80], n: [5, 4]}");
     luxel_grid *whole = measure(scene, 0), *alone = NULL;
-    assert_int_equal(luxel_measure_values(scene, NULL, 0, NULL, &alone), LUXEL_OK);
+    assert_int_equal(luxel_find_grid_values(scene, NULL, 0, NULL, &alone), LUXEL_OK);
     assert_memory_equal(whole->values, alone->values, 20 * sizeof *whole->values);
-    assert_true(whole->average == alone->average && whole->u0 == alone->u0 && whole->measured == alone->measured);
+    assert_true(whole->average.value == alone->average.value && whole->u0 == alone->u0 &&
+                whole->measured == alone->measured);
     assert_true(whole->has_mean && whole->has_sampling_error && !alone->has_mean && !alone->has_sampling_error);
     luxel_grid_free(whole);
     luxel_grid_free(alone);
@@ -296,10 +299,10 @@ static void sampling(void **state)
         luxel_grid *grid = measure(scene, 0);
         assert_true(grid->has_sampling_error && grid->has_mean == has_mean && grid->sampling_is_bound == has_mean);
         if (grid->is_coarse != cases[i].is_coarse)
-            fail_msg("case %zu: sampling error %g of %g", i, grid->sampling_error, grid->average);
+            fail_msg("case %zu: sampling error %g of %g", i, grid->sampling_error, grid->average.value);
         if (has_mean)
-            assert_true(grid->sampling_error >= fabs(grid->average - grid->mean));
-        assert_true(grid->has_evenness && grid->u0 == grid->minimum.value / grid->average);
+            assert_true(grid->sampling_error >= fabs(grid->average.value - grid->mean.value));
+        assert_true(grid->has_evenness && grid->u0 == grid->minimum.value / grid->average.value);
         luxel_grid_free(grid);
         luxel_scene_free(scene);
     }
@@ -307,7 +310,7 @@ static void sampling(void **state)
                                     "{center: [0, 0, 0], size: [900, 900], n: [3, 3]}");
     luxel_grid *grid = measure(scene, 0);
     assert_true(grid->enclosed == 1 && grid->enclosing_surface == 0 && grid->measured == 8);
-    assert_true(!grid->has_sampling_error && grid->has_mean && fabs(grid->mean - 1) <= grid->mean_error);
+    assert_true(!grid->has_sampling_error && grid->has_mean && fabs(grid->mean.value - 1) <= grid->mean.error);
     luxel_grid_free(grid);
     luxel_scene_free(scene);
 }
@@ -338,10 +341,10 @@ static void along_the_plane(void **state)
                                     "axis: [1.647, 0.641, -0.034]}",
                                     "{center: [0, 0, 0], size: [100, 2000], n: [150, 600]}");
     luxel_grid *grid = measure(scene, 0);
-    assert_true(grid->has_mean && grid->average > 0);
-    assert_true(grid->mean_error <= 1e-8 * grid->mean);
-    if (!(fabs(grid->mean - grid->average) <= 1e-3 * grid->average))
-        fail_msg("%.17g +- %.3g is not %.17g", grid->mean, grid->mean_error, grid->average);
+    assert_true(grid->has_mean && grid->average.value > 0);
+    assert_true(grid->mean.error <= 1e-8 * grid->mean.value);
+    if (!(fabs(grid->mean.value - grid->average.value) <= 1e-3 * grid->average.value))
+        fail_msg("%.17g +- %.3g is not %.17g", grid->mean.value, grid->mean.error, grid->average.value);
     luxel_grid_free(grid);
     luxel_scene_free(scene);
 }

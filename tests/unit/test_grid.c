@@ -52,7 +52,7 @@ static luxel_scene *scene_with(const char *units, const char *lights, const char
 static luxel_grid *measure(const luxel_scene *scene, size_t i)
 {
     luxel_grid *grid = NULL;
-    assert_int_equal(luxel_measure(scene, NULL, i, NULL, &grid), LUXEL_OK);
+    assert_int_equal(luxel_find_grid(scene, NULL, i, NULL, &grid), LUXEL_OK);
     assert_non_null(grid);
     return grid;
 }
@@ -141,21 +141,21 @@ static void test_point_law(void **state)
             assert_true(grid->errors[7 * row + column] <= 1e-14 * expected);
             assert_true(grid->errors[7 * row + column] <= grid->error);
         }
-    assert_near(grid->average, sum / 49, 1e-14);
-    assert_true(grid->average_error >= errors / 49 * (1 - 1e-14) && grid->average_error <= 1e-14 * grid->average);
+    assert_near(grid->average.value, sum / 49, 1e-14);
+    assert_true(grid->average.error >= errors / 49 * (1 - 1e-14) && grid->average.error <= 1e-14 * grid->average.value);
     assert_near(grid->maximum.value, 1000.0 / 9, 1e-14);
     assert_int_equal(grid->maximum.column, 3);
     assert_int_equal(grid->maximum.row, 3);
     assert_vector(grid->maximum.position_mm, 0, 0, 0);
     assert_near(grid->minimum.value, 9000 / (13.5 * 13.5), 1e-14);
     assert_true(grid->has_evenness);
-    assert_near(grid->u0, grid->minimum.value / grid->average, 1e-15);
+    assert_near(grid->u0, grid->minimum.value / grid->average.value, 1e-15);
     assert_near(grid->ud, grid->minimum.value / grid->maximum.value, 1e-15);
     assert_string_equal(grid->flux_unit, "lm");
-    assert_near(grid->flux, grid->mean * 12.25, 1e-15);
-    assert_near(grid->mean, grid->average, 1e-2);
+    assert_near(grid->flux.value, grid->mean.value * 12.25, 1e-15);
+    assert_near(grid->mean.value, grid->average.value, 1e-2);
     assert_true(grid->has_sampling_error && grid->sampling_is_bound && !grid->is_coarse);
-    assert_true(grid->sampling_error >= fabs(grid->average - grid->mean));
+    assert_true(grid->sampling_error >= fabs(grid->average.value - grid->mean.value));
     assert_true(grid->tolerance_reached);
     luxel_grid_free(grid);
     luxel_scene_free(scene);
@@ -181,7 +181,7 @@ static void test_closed_room(void **state)
         for (size_t i = 0; i < 6; i++) {
             luxel_grid *grid = measure(scene, i);
             assert_string_equal(grid->flux_unit, "lm");
-            flux += grid->flux;
+            flux += grid->flux.value;
             luxel_grid_free(grid);
         }
         assert_near(flux, 10000, 1e-13);
@@ -197,9 +197,9 @@ static void test_uniform(void **state)
     luxel_grid *grid = measure(scene, 0);
     assert_string_equal(grid->unit, "W/m²");
     assert_string_equal(grid->flux_unit, "W");
-    assert_true(grid->average == 0.1 && grid->minimum.value == 0.1 && grid->maximum.value == 0.1);
+    assert_true(grid->average.value == 0.1 && grid->minimum.value == 0.1 && grid->maximum.value == 0.1);
     assert_true(grid->u0 == 1 && grid->ud == 1);
-    assert_true(grid->average_error <= 4 * DBL_EPSILON * 0.1); /* many cells add nothing to it */
+    assert_true(grid->average.error <= 4 * DBL_EPSILON * 0.1); /* many cells add nothing to it */
     /* Ties: the first in row order. */
     assert_int_equal(grid->minimum.column + grid->minimum.row + grid->maximum.column + grid->maximum.row, 0);
     luxel_grid_free(grid);
@@ -210,8 +210,8 @@ static void test_uniform(void **state)
                        "{center: [0, 0, 0], size: [10, 10], axis: [0, 0, -1], n: [3, 3]}");
     grid = measure(scene, 0);
     assert_int_equal(grid->measured, 9);
-    assert_true(grid->average == 0 && grid->maximum.value == 0 && !grid->has_evenness && grid->u0 == 0);
-    assert_true(grid->flux_unit && grid->flux == 0);
+    assert_true(grid->average.value == 0 && grid->maximum.value == 0 && !grid->has_evenness && grid->u0 == 0);
+    assert_true(grid->flux_unit && grid->flux.value == 0);
     luxel_grid_free(grid);
     luxel_scene_free(scene);
 
@@ -221,7 +221,7 @@ static void test_uniform(void **state)
                        "outer: 30, attenuation: none}",
                        "{center: [10, 0, 0], size: [30, 10], n: [3, 1]}");
     grid = measure(scene, 0);
-    assert_true(grid->maximum.value > 0 && grid->average == 0 && !grid->has_evenness && grid->u0 == 0);
+    assert_true(grid->maximum.value > 0 && grid->average.value == 0 && !grid->has_evenness && grid->u0 == 0);
     luxel_grid_free(grid);
     luxel_scene_free(scene);
 
@@ -230,7 +230,7 @@ static void test_uniform(void **state)
                        "{center: [0, 0, 0], size: [10, 10], n: [3, 3]}");
     grid = measure(scene, 0);
     assert_null(grid->flux_unit);
-    assert_true(grid->has_evenness && grid->flux == 0);
+    assert_true(grid->has_evenness && grid->flux.value == 0);
     luxel_grid_free(grid);
     luxel_scene_free(scene);
 }
@@ -247,14 +247,14 @@ static void test_on_source(void **state)
     assert_int_equal(grid->blocking_light, 1);
     assert_int_equal(grid->mask[5], 0);
     assert_true(grid->values[5] == 0 && grid->errors[5] == 0);
-    assert_true(grid->average == 2 && grid->minimum.value == 2); /* the source is in the plane: it lights none */
+    assert_true(grid->average.value == 2 && grid->minimum.value == 2); /* the source is in the plane: it lights none */
     assert_null(grid->flux_unit);
     luxel_grid_free(grid);
 
     grid = measure(scene, 1);
     assert_int_equal(grid->measured, 0);
     assert_false(grid->has_evenness);
-    assert_true(grid->average == 0 && grid->tolerance_reached);
+    assert_true(grid->average.value == 0 && grid->tolerance_reached);
     luxel_grid_free(grid);
     luxel_scene_free(scene);
 }
@@ -268,11 +268,11 @@ static void test_tolerance(void **state)
     luxel_grid *grid = NULL;
     luxel_settings_init(&settings);
     settings.tolerance = 1e-12;
-    assert_int_equal(luxel_measure(scene, &settings, 0, NULL, &grid), LUXEL_OK);
+    assert_int_equal(luxel_find_grid(scene, &settings, 0, NULL, &grid), LUXEL_OK);
     assert_true(grid->tolerance_reached);
     luxel_grid_free(grid);
     settings.tolerance = 1e-18;
-    assert_int_equal(luxel_measure(scene, &settings, 0, NULL, &grid), LUXEL_OK);
+    assert_int_equal(luxel_find_grid(scene, &settings, 0, NULL, &grid), LUXEL_OK);
     assert_false(grid->tolerance_reached);
     assert_int_equal(grid->measured, 9);
     luxel_grid_free(grid);
@@ -294,7 +294,7 @@ static void test_threads(void **state)
     for (size_t i = 0; i < sizeof counts / sizeof counts[0]; i++) {
         luxel_grid *grid = NULL;
         settings.threads = counts[i];
-        assert_int_equal(luxel_measure(scene, &settings, 0, NULL, &grid), LUXEL_OK);
+        assert_int_equal(luxel_find_grid(scene, &settings, 0, NULL, &grid), LUXEL_OK);
         if (!one) {
             one = grid;
             continue;
@@ -303,7 +303,7 @@ static void test_threads(void **state)
         assert_memory_equal(grid->errors, one->errors, (size_t)71 * 33 * sizeof(double));
         assert_memory_equal(&grid->minimum, &one->minimum, sizeof one->minimum);
         assert_memory_equal(&grid->maximum, &one->maximum, sizeof one->maximum);
-        assert_true(grid->average == one->average && grid->average_error == one->average_error);
+        assert_true(grid->average.value == one->average.value && grid->average.error == one->average.error);
         luxel_grid_free(grid);
     }
     luxel_grid_free(one);
@@ -363,22 +363,24 @@ static void test_refusals(void **state)
     unsigned calls = 0, columns = 0, rows = 0;
     luxel_settings_init(&settings);
 
-    expect_error(luxel_measure(NULL, NULL, 0, diagnostics, &grid), LUXEL_ERROR_ARGUMENT, diagnostics, "not-committed");
-    expect_error(luxel_measure(scene, NULL, 0, diagnostics, NULL), LUXEL_ERROR_ARGUMENT, diagnostics,
+    expect_error(luxel_find_grid(NULL, NULL, 0, diagnostics, &grid), LUXEL_ERROR_ARGUMENT, diagnostics,
+                 "not-committed");
+    expect_error(luxel_find_grid(scene, NULL, 0, diagnostics, NULL), LUXEL_ERROR_ARGUMENT, diagnostics,
                  "missing-argument");
-    expect_error(luxel_measure(scene, NULL, 1, diagnostics, &grid), LUXEL_ERROR_ARGUMENT, diagnostics, "no-such-grid");
+    expect_error(luxel_find_grid(scene, NULL, 1, diagnostics, &grid), LUXEL_ERROR_ARGUMENT, diagnostics,
+                 "no-such-grid");
     expect_error(luxel_find_grid_extrema(scene, NULL, 0, diagnostics, NULL), LUXEL_ERROR_ARGUMENT, diagnostics,
                  "missing-argument");
     expect_error(luxel_find_grid_extrema(scene, NULL, 1, diagnostics, &extrema), LUXEL_ERROR_ARGUMENT, diagnostics,
                  "no-such-grid");
-    expect_error(luxel_measure_field(scene, NULL, 1, 2, 2, diagnostics, &field), LUXEL_ERROR_ARGUMENT, diagnostics,
+    expect_error(luxel_find_grid_field(scene, NULL, 1, 2, 2, diagnostics, &field), LUXEL_ERROR_ARGUMENT, diagnostics,
                  "no-such-grid");
-    expect_error(luxel_measure_values(scene, NULL, 1, diagnostics, &grid), LUXEL_ERROR_ARGUMENT, diagnostics,
+    expect_error(luxel_find_grid_values(scene, NULL, 1, diagnostics, &grid), LUXEL_ERROR_ARGUMENT, diagnostics,
                  "no-such-grid");
-    expect_error(luxel_measure_values(scene, NULL, 0, diagnostics, NULL), LUXEL_ERROR_ARGUMENT, diagnostics,
+    expect_error(luxel_find_grid_values(scene, NULL, 0, diagnostics, NULL), LUXEL_ERROR_ARGUMENT, diagnostics,
                  "missing-argument");
     settings.threads = 5000;
-    expect_error(luxel_measure(scene, &settings, 0, diagnostics, &grid), LUXEL_ERROR_ARGUMENT, diagnostics,
+    expect_error(luxel_find_grid(scene, &settings, 0, diagnostics, &grid), LUXEL_ERROR_ARGUMENT, diagnostics,
                  "setting-out-of-range");
     expect_error(luxel_check_grid_output_name("a.png", diagnostics), LUXEL_ERROR_ARGUMENT, diagnostics, "grid-ending");
     expect_error(luxel_check_grid_output_name("csv", diagnostics), LUXEL_ERROR_ARGUMENT, diagnostics, "grid-ending");
@@ -396,18 +398,20 @@ static void test_refusals(void **state)
     settings.threads = 0;
     settings.progress = cancel;
     settings.progress_data = &calls;
-    assert_int_equal(luxel_measure(scene, &settings, 0, diagnostics, &grid), LUXEL_CANCELLED);
+    assert_int_equal(luxel_find_grid(scene, &settings, 0, diagnostics, &grid), LUXEL_CANCELLED);
     assert_int_equal(calls, 1);
     luxel_scene_free(scene);
 
     scene = scene_with("radiometric", "{type: point, position: [0, 0, 1], intensity: 1e308}",
                        "{center: [0, 0, 0], size: [30, 30], n: [3, 3]}");
-    expect_error(luxel_measure(scene, NULL, 0, diagnostics, &grid), LUXEL_ERROR_RANGE, diagnostics, "value-too-large");
+    expect_error(luxel_find_grid(scene, NULL, 0, diagnostics, &grid), LUXEL_ERROR_RANGE, diagnostics,
+                 "value-too-large");
 
     /* A change takes the readiness away. */
     assert_int_equal(luxel_scene_set(scene, "lights[0].intensity=3", NULL), LUXEL_OK);
     assert_int_equal(luxel_scene_grid_count(scene), 0);
-    expect_error(luxel_measure(scene, NULL, 0, diagnostics, &grid), LUXEL_ERROR_ARGUMENT, diagnostics, "not-committed");
+    expect_error(luxel_find_grid(scene, NULL, 0, diagnostics, &grid), LUXEL_ERROR_ARGUMENT, diagnostics,
+                 "not-committed");
     assert_null(grid);
     luxel_grid_free(NULL);
     luxel_scene_free(scene);

@@ -191,7 +191,8 @@ static void test_what_is_seen(void **state)
             for (unsigned row = 0; row < 120; row++)
                 for (unsigned column = 0; column < 120; column++) {
                     const double x = luxel_field_x_mm(field)[column], y = luxel_field_y_mm(field)[row];
-                    const luxel_value value = luxel_evaluate(evaluator, x, y, NULL);
+                    luxel_value value;
+                    luxel_evaluate_screen(evaluator, x, y, &value, NULL);
                     assert_true(value.on_surface == luxel_field_mask(field)[row * 120 + column]);
                     if (!value.on_surface)
                         continue;

@@ -62,7 +62,8 @@ static void assert_on_level(const struct view *view, const luxel_isophotes *line
         const luxel_isophote *line = &lines->lines[i];
         assert_true(line->count >= 2);
         for (size_t k = 0; k < line->count; k++) {
-            luxel_value value = luxel_evaluate(view->evaluator, line->x_mm[k], line->y_mm[k], NULL);
+            luxel_value value;
+            luxel_evaluate_screen(view->evaluator, line->x_mm[k], line->y_mm[k], &value, NULL);
             if (!value.has_value || !(fabs(value.value - line->level) <= 1e-9 * line->level))
                 fail_msg("(%.17g, %.17g): %.17g is not %.17g", line->x_mm[k], line->y_mm[k], value.value, line->level);
             if (k > 0)
@@ -79,8 +80,10 @@ static void assert_turned_left(const struct view *view, const luxel_isophotes *l
         for (size_t k = line->count / 2; k < line->count / 2 + 1 && k + 1 < line->count; k++) {
             double dx = line->x_mm[k + 1] - line->x_mm[k], dy = line->y_mm[k + 1] - line->y_mm[k];
             double x = (line->x_mm[k + 1] + line->x_mm[k]) / 2, y = (line->y_mm[k + 1] + line->y_mm[k]) / 2;
-            luxel_value left = luxel_evaluate(view->evaluator, x - 0.1 * dy, y + 0.1 * dx, NULL);
-            luxel_value right = luxel_evaluate(view->evaluator, x + 0.1 * dy, y - 0.1 * dx, NULL);
+            luxel_value left;
+            luxel_evaluate_screen(view->evaluator, x - 0.1 * dy, y + 0.1 * dx, &left, NULL);
+            luxel_value right;
+            luxel_evaluate_screen(view->evaluator, x + 0.1 * dy, y - 0.1 * dx, &right, NULL);
             assert_true(left.value > right.value);
         }
     }
@@ -126,7 +129,8 @@ static void test_circles_on_a_sphere(void **state)
         for (size_t i = 0; i < lines->count; i++) {
             const luxel_isophote *line = &lines->lines[i];
             for (size_t v = 0; v < line->count; v++) {
-                luxel_value value = luxel_evaluate(view.evaluator, line->x_mm[v], line->y_mm[v], NULL);
+                luxel_value value;
+                luxel_evaluate_screen(view.evaluator, line->x_mm[v], line->y_mm[v], &value, NULL);
                 double cosine = value.normal[0] * toward[0] + value.normal[1] * toward[1] + value.normal[2] * toward[2];
                 assert_true(fabs(cosine - line->level / 4) <= 1e-9 * cosine);
             }
@@ -184,7 +188,9 @@ static void test_saddle(void **state)
         bool above = i % 2;
         snprintf(text, sizeof text, plate, lamps[i / 2]);
         struct view view = view_with(text, LUXEL_BRIGHTNESS, 0);
-        double level = luxel_evaluate(view.evaluator, 0.3, 1.7, NULL).value * (above ? 1 + 1e-6 : 1 - 1e-6);
+        luxel_value value;
+        luxel_evaluate_screen(view.evaluator, 0.3, 1.7, &value, NULL);
+        double level = value.value * (above ? 1 + 1e-6 : 1 - 1e-6);
         luxel_isophotes *lines = lines_of(&view, &level, 1);
         assert_int_equal(lines->count, above ? 2 : 1);
         assert_on_level(&view, lines);
@@ -328,8 +334,9 @@ static void test_picture(void **state)
     assert_int_equal(luxel_find_isophotes(view.field, NULL, levels, 4, NULL, &lines), LUXEL_OK);
     assert_int_equal(lines->count, 1);
     for (size_t v = 0; v < lines->lines[0].count; v++) {
-        double value = luxel_evaluate(view.evaluator, lines->lines[0].x_mm[v], lines->lines[0].y_mm[v], NULL).value;
-        assert_true(fabs(value - 6) < 0.01);
+        luxel_value value;
+        luxel_evaluate_screen(view.evaluator, lines->lines[0].x_mm[v], lines->lines[0].y_mm[v], &value, NULL);
+        assert_true(fabs(value.value - 6) < 0.01);
     }
     luxel_isophotes_free(lines);
     for (int i = 0; i < 3; i++) {

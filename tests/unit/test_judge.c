@@ -25,7 +25,7 @@ static luxel_judgement *judge(const luxel_scene *scene, double x_mm, double y_mm
 }
 
 static void expect_verdict(const luxel_scene *scene, double x_mm, double y_mm, double answer, double rounding,
-                           luxel_verdict verdict)
+                           luxel_judgement_verdict verdict)
 {
     luxel_judgement *judgement = judge(scene, x_mm, y_mm, answer, rounding);
     if (judgement->verdict != verdict)

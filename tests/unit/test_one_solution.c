@@ -51,7 +51,7 @@ enum { PLACES = sizeof places / sizeof *places };
 /* Whatever may be asked of a scene. */
 struct answers {
     luxel_field *field, *coarse;
-    luxel_probe *probes;
+    luxel_probes *probes;
     luxel_balance *balance;
     luxel_grid *grid;
     luxel_grid_extrema extrema;
@@ -61,19 +61,19 @@ struct answers {
 
 static void ask(const luxel_scene *scene, const luxel_settings *settings, struct answers *answers)
 {
-    const luxel_sight sight = {.eye_mm = {0, 0, 2000}, .view = {0, 0.1, -1}};
+    const luxel_glare_sight sight = {.eye_mm = {0, 0, 2000}, .view = {0, 0.1, -1}};
     luxel_settings quick = *settings;
     luxel_evaluator *evaluator;
     quick.stride = 4;
     assert_int_equal(luxel_render(scene, &quick, NULL, &answers->coarse), LUXEL_OK);
     assert_int_equal(luxel_render(scene, settings, NULL, &answers->field), LUXEL_OK);
-    assert_int_equal(luxel_probe_many(scene, settings, places, PLACES, NULL, &answers->probes), LUXEL_OK);
+    assert_int_equal(luxel_probe_places(scene, settings, places, PLACES, NULL, &answers->probes), LUXEL_OK);
     assert_int_equal(luxel_find_balance(scene, settings, NULL, &answers->balance), LUXEL_OK);
-    assert_int_equal(luxel_measure(scene, settings, 0, NULL, &answers->grid), LUXEL_OK);
+    assert_int_equal(luxel_find_grid(scene, settings, 0, NULL, &answers->grid), LUXEL_OK);
     assert_int_equal(luxel_find_grid_extrema(scene, settings, 0, NULL, &answers->extrema), LUXEL_OK);
-    assert_int_equal(luxel_rate_glare(scene, settings, &sight, NULL, &answers->glare), LUXEL_OK);
+    assert_int_equal(luxel_find_glare(scene, settings, &sight, NULL, &answers->glare), LUXEL_OK);
     assert_int_equal(luxel_evaluator_new(scene, settings, NULL, &evaluator), LUXEL_OK);
-    answers->value = luxel_evaluate(evaluator, 700, 300, NULL);
+    luxel_evaluate_screen(evaluator, 700, 300, &answers->value, NULL);
     luxel_evaluator_free(evaluator);
 }
 
@@ -81,7 +81,7 @@ static void forget(struct answers *answers)
 {
     luxel_field_free(answers->field);
     luxel_field_free(answers->coarse);
-    luxel_probe_free(answers->probes);
+    luxel_probes_free(answers->probes);
     luxel_balance_free(answers->balance);
     luxel_grid_free(answers->grid);
     luxel_glare_free(answers->glare);
@@ -130,11 +130,11 @@ static void anyone_makes_it(void **state)
         luxel_field *field;
         made_count = 0;
         if (first == 0)
-            assert_int_equal(luxel_probe_many(scene, &settings, &places[2], 1, NULL, &probe), LUXEL_OK);
+            assert_int_equal(luxel_probe_place(scene, &settings, &places[2], NULL, &probe), LUXEL_OK);
         else if (first == 1)
             assert_int_equal(luxel_find_balance(scene, &settings, NULL, &balance), LUXEL_OK);
         else
-            assert_int_equal(luxel_measure(scene, &settings, 0, NULL, &grid), LUXEL_OK);
+            assert_int_equal(luxel_find_grid(scene, &settings, 0, NULL, &grid), LUXEL_OK);
         assert_int_equal(luxel_render(scene, &settings, NULL, &field), LUXEL_OK);
         assert_int_equal(made_count, 1);
         luxel_probe_free(probe);
@@ -158,18 +158,20 @@ static void numbers_agree(void **state)
     ask(other, &own, &b);
     assert_true(made_count > 1);
     for (size_t i = 0; i < PLACES; i++) {
-        assert_true(a.probes[i].has_reflected && a.probes[i].reflected_value > 0);
-        assert_true(a.probes[i].error < 0.1 * a.probes[i].value);
-        agree(a.probes[i].value, b.probes[i].value, a.probes[i].error + b.probes[i].error);
-        assert_true(a.probes[i].reflected_reached == (a.probes[i].reflected_error <= 2e-2 * a.probes[i].value));
+        assert_true(luxel_probes_get(a.probes, i)->has_reflected && luxel_probes_get(a.probes, i)->reflected.value > 0);
+        assert_true(luxel_probes_get(a.probes, i)->error < 0.1 * luxel_probes_get(a.probes, i)->value);
+        agree(luxel_probes_get(a.probes, i)->value, luxel_probes_get(b.probes, i)->value,
+              luxel_probes_get(a.probes, i)->error + luxel_probes_get(b.probes, i)->error);
+        assert_true(luxel_probes_get(a.probes, i)->reflected_reached ==
+                    (luxel_probes_get(a.probes, i)->reflected.error <= 2e-2 * luxel_probes_get(a.probes, i)->value));
     }
     for (size_t i = 0; i < a.balance->side_count; i++)
         agree(a.balance->sides[i].irradiance.value, b.balance->sides[i].irradiance.value,
               a.balance->sides[i].irradiance.error + b.balance->sides[i].irradiance.error);
     assert_true(a.balance->closes);
-    agree(a.grid->average, b.grid->average, a.grid->reflected_error + b.grid->reflected_error);
+    agree(a.grid->average.value, b.grid->average.value, a.grid->reflected_error + b.grid->reflected_error);
     agree(a.extrema.maximum.value, b.extrema.maximum.value, a.extrema.maximum.error + b.extrema.maximum.error);
-    agree(a.glare->background, b.glare->background, a.glare->background_error + b.glare->background_error);
+    agree(a.glare->background.value, b.glare->background.value, a.glare->background.error + b.glare->background.error);
     forget(&a);
     forget(&b);
     luxel_scene_free(scene);
@@ -188,7 +190,7 @@ static void pictures_are_the_same(void **state)
     const size_t bytes = sizeof(float) * luxel_field_columns(a.field) * luxel_field_rows(a.field);
     assert_memory_equal(luxel_field_single(a.field), luxel_field_single(b.field), bytes);
     assert_true(a.value.value == b.value.value && a.value.error == b.value.error);
-    assert_true(a.probes[0].pixel_value == b.probes[0].pixel_value);
+    assert_true(luxel_probes_get(a.probes, 0)->pixel_value == luxel_probes_get(b.probes, 0)->pixel_value);
     forget(&a);
     forget(&b);
     luxel_scene_free(scene);
@@ -205,12 +207,12 @@ static void pixels_are_skipped(void **state)
     luxel_settings settings = settings_of(false);
     luxel_probe *with, *seen, *element, *shared;
     made_count = 0;
-    assert_int_equal(luxel_probe_many(scene, &settings, places, 1, NULL, &with), LUXEL_OK);
+    assert_int_equal(luxel_probe_place(scene, &settings, places, NULL, &with), LUXEL_OK);
     assert_true(with->has_pixel_value && made_count > 0);
     luxel_scene *other = open_scene();
     made_count = 0;
     settings.skip_reflected_pixels = true;
-    assert_int_equal(luxel_probe_many(other, &settings, places, 1, NULL, &seen), LUXEL_OK);
+    assert_int_equal(luxel_probe_place(other, &settings, places, NULL, &seen), LUXEL_OK);
     assert_int_equal(made_count, 1);
     assert_true(seen->has_pixel && !seen->has_pixel_value && seen->column == with->column && seen->row == with->row);
     assert_int_equal(luxel_probe_element(other, &settings, seen->position_mm, seen->normal, NULL, &element), LUXEL_OK);
@@ -218,7 +220,7 @@ static void pixels_are_skipped(void **state)
     agree(seen->value, element->value, 1e-12 * element->value);
     agree(seen->value, with->value, seen->error + with->error);
     settings.share_reflected = true;
-    assert_int_equal(luxel_probe_many(other, &settings, places, 1, NULL, &shared), LUXEL_OK);
+    assert_int_equal(luxel_probe_place(other, &settings, places, NULL, &shared), LUXEL_OK);
     assert_int_equal(made_count, 3);
     assert_true(shared->has_pixel_value && shared->pixel_value == with->pixel_value);
     luxel_probe_free(with);

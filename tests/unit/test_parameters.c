@@ -60,25 +60,25 @@ static void types(void **state)
 {
     (void)state;
     static const struct {
-        luxel_value_type type;
+        luxel_parameter_type type;
         const char *words, *path, *variant;
         unsigned count;
     } cases[] = {
-        {LUXEL_NUMBER, "number", "surfaces[].radius", "sphere", 1},
-        {LUXEL_WHOLE_NUMBER, "whole number", "luxel", NULL, 1},
-        {LUXEL_YES_OR_NO, "true or false", "lights[].enabled", NULL, 1},
-        {LUXEL_CHOICE, "one of", "screen.sampling", NULL, 1},
-        {LUXEL_TEXT, "text", "lights[].mesh", "volume", 1},
-        {LUXEL_NUMBERS, "3 numbers", "lights[].position", "spot", 3},
-        {LUXEL_NUMBERS, "2 numbers", "lights[].rectangle.size", "planar", 2},
-        {LUXEL_WHOLE_NUMBERS, "2 whole numbers", "screen.resolution", NULL, 2},
-        {LUXEL_CHOICE_OR_PAIR, "one of, or [low, high]", "picture.range", NULL, 2},
-        {LUXEL_GROUP, "group of keys", "surfaces[].material", NULL, 1},
-        {LUXEL_POINTS, "list of points [x, y]", "points", NULL, 2},
-        {LUXEL_VECTORS, "list of 3 or more places [x, y, z]", "lights[].vertices", "planar", 3},
-        {LUXEL_CHOICE_OR_WHOLE, "one of, or a whole number", "lights[].parts", "volume", 1},
-        {LUXEL_GROUPS, "list of groups of keys", "grids", NULL, 1},
-        {LUXEL_VARIANTS, "list", "lights", NULL, 1},
+        {LUXEL_PARAMETER_NUMBER, "number", "surfaces[].radius", "sphere", 1},
+        {LUXEL_PARAMETER_WHOLE_NUMBER, "whole number", "luxel", NULL, 1},
+        {LUXEL_PARAMETER_YES_OR_NO, "true or false", "lights[].enabled", NULL, 1},
+        {LUXEL_PARAMETER_CHOICE, "one of", "screen.sampling", NULL, 1},
+        {LUXEL_PARAMETER_TEXT, "text", "lights[].mesh", "volume", 1},
+        {LUXEL_PARAMETER_NUMBERS, "3 numbers", "lights[].position", "spot", 3},
+        {LUXEL_PARAMETER_NUMBERS, "2 numbers", "lights[].rectangle.size", "planar", 2},
+        {LUXEL_PARAMETER_WHOLE_NUMBERS, "2 whole numbers", "screen.resolution", NULL, 2},
+        {LUXEL_PARAMETER_CHOICE_OR_PAIR, "one of, or [low, high]", "picture.range", NULL, 2},
+        {LUXEL_PARAMETER_GROUP, "group of keys", "surfaces[].material", NULL, 1},
+        {LUXEL_PARAMETER_POINTS, "list of points [x, y]", "points", NULL, 2},
+        {LUXEL_PARAMETER_VECTORS, "list of 3 or more places [x, y, z]", "lights[].vertices", "planar", 3},
+        {LUXEL_PARAMETER_CHOICE_OR_WHOLE, "one of, or a whole number", "lights[].parts", "volume", 1},
+        {LUXEL_PARAMETER_GROUPS, "list of groups of keys", "grids", NULL, 1},
+        {LUXEL_PARAMETER_VARIANTS, "list", "lights", NULL, 1},
     };
     luxel_parameters *parameters = luxel_parameters_new();
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
@@ -90,7 +90,7 @@ static void types(void **state)
     luxel_parameters_free(parameters);
 }
 
-static void expect_range(luxel_interval range, bool given, double low, double high, bool low_open)
+static void expect_range(luxel_parameter_range range, bool given, double low, double high, bool low_open)
 {
     assert_int_equal(range.given, given);
     assert_true(range.low == low && range.high == high);
@@ -105,7 +105,7 @@ static void ranges(void **state)
     for (size_t i = 0; (parameter = luxel_parameters_get(parameters, i)) != NULL; i++) {
         assert_int_equal(parameter->legal_range.given, parameter->legal != NULL);
         for (int k = 0; k < 3; k++) {
-            const luxel_interval *advised = &parameter->advised_range[k], *legal = &parameter->legal_range;
+            const luxel_parameter_range *advised = &parameter->advised_range[k], *legal = &parameter->legal_range;
             assert_int_equal(advised->given, parameter->advised != NULL);
             assert_true(!advised->given || (advised->low >= legal->low && advised->high <= legal->high));
         }
@@ -167,10 +167,12 @@ static void ranges_hold(void **state)
     const luxel_parameter *parameter;
     unsigned tried = 0;
     for (size_t i = 0; (parameter = luxel_parameters_get(parameters, i)) != NULL; i++) {
-        const luxel_interval *range = &parameter->legal_range;
-        bool whole = parameter->value_type == LUXEL_WHOLE_NUMBER || parameter->value_type == LUXEL_WHOLE_NUMBERS;
+        const luxel_parameter_range *range = &parameter->legal_range;
+        bool whole = parameter->value_type == LUXEL_PARAMETER_WHOLE_NUMBER ||
+                     parameter->value_type == LUXEL_PARAMETER_WHOLE_NUMBERS;
         if (!range->given || parameter->count > 2 || strcmp(parameter->path, "luxel") == 0 || /* the version */
-            !(whole || parameter->value_type == LUXEL_NUMBER || parameter->value_type == LUXEL_NUMBERS))
+            !(whole || parameter->value_type == LUXEL_PARAMETER_NUMBER ||
+              parameter->value_type == LUXEL_PARAMETER_NUMBERS))
             continue;
         const double step = whole ? 1 : 1e-9;
         const struct {

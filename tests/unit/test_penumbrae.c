@@ -41,7 +41,8 @@ static bool is_near_edge(const luxel_evaluator *evaluator, double x, double y, s
 {
     for (int k = 0; k < 4; k++) {
         const double off = k % 2 ? 1e-6 : -1e-6;
-        const luxel_value next = luxel_evaluate(evaluator, k < 2 ? x + off : x, k < 2 ? y : y + off, NULL);
+        luxel_value next;
+        luxel_evaluate_screen(evaluator, k < 2 ? x + off : x, k < 2 ? y : y + off, &next, NULL);
         if (!next.on_surface || next.surface != surface)
             return true;
     }
@@ -65,7 +66,8 @@ static size_t compare(const luxel_scene *scene, luxel_precision precision, doubl
         assert_true(found == luxel_field_value(other, column, row));
         if (i % 37 != 0)
             continue;
-        const luxel_value exact = luxel_evaluate(evaluator, x[column], y[row], NULL);
+        luxel_value exact;
+        luxel_evaluate_screen(evaluator, x[column], y[row], &exact, NULL);
         if (!exact.on_surface || is_near_edge(evaluator, x[column], y[row], exact.surface))
             continue;
         compared++;

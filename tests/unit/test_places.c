@@ -22,7 +22,7 @@
 static luxel_probe *probe_at(const luxel_scene *scene, const luxel_place *place)
 {
     luxel_probe *probe = NULL;
-    assert_int_equal(luxel_probe_many(scene, NULL, place, 1, NULL, &probe), LUXEL_OK);
+    assert_int_equal(luxel_probe_place(scene, NULL, place, NULL, &probe), LUXEL_OK);
     return probe;
 }
 
@@ -251,20 +251,20 @@ static void same_as_single_ones(const char *name, luxel_precision precision, uns
     luxel_scene *scene = builtin(name);
     luxel_settings settings;
     luxel_place places[MANY];
-    luxel_probe *many = NULL;
+    luxel_probes *many = NULL;
     make_places(places);
     luxel_settings_init(&settings);
     settings.precision = precision;
     settings.threads = threads;
     settings.tolerance = 1e-3;
-    assert_int_equal(luxel_probe_many(scene, &settings, places, MANY, NULL, &many), LUXEL_OK);
+    assert_int_equal(luxel_probe_places(scene, &settings, places, MANY, NULL, &many), LUXEL_OK);
     for (size_t i = 0; i < MANY; i += 7) {
         luxel_probe *single = NULL;
-        assert_int_equal(luxel_probe_many(scene, &settings, &places[i], 1, NULL, &single), LUXEL_OK);
-        same_probe(single, &many[i]);
+        assert_int_equal(luxel_probe_place(scene, &settings, &places[i], NULL, &single), LUXEL_OK);
+        same_probe(single, luxel_probes_get(many, i));
         luxel_probe_free(single);
     }
-    luxel_probe_free(many);
+    luxel_probes_free(many);
     luxel_scene_free(scene);
 }
 
@@ -278,10 +278,10 @@ static void many_at_once(void **state)
             same_as_single_ones(names[i], LUXEL_DOUBLE, threads);
         }
     luxel_scene *scene = builtin("report");
-    luxel_probe *none = NULL;
-    assert_int_equal(luxel_probe_many(scene, NULL, NULL, 0, NULL, &none), LUXEL_OK);
+    luxel_probes *none = NULL;
+    assert_int_equal(luxel_probe_places(scene, NULL, NULL, 0, NULL, &none), LUXEL_OK);
     assert_non_null(none);
-    luxel_probe_free(none);
+    luxel_probes_free(none);
     luxel_scene_free(scene);
 }
 
@@ -296,7 +296,8 @@ static void by_evaluators(void **state)
     assert_int_equal(luxel_evaluator_new(scene, NULL, NULL, &evaluator), LUXEL_OK);
     for (size_t i = 0; i < MANY; i += 5) {
         luxel_probe *probe = probe_at(scene, &places[i]);
-        const luxel_value value = luxel_evaluate_place(evaluator, &places[i], NULL);
+        luxel_value value;
+        luxel_evaluate_place(evaluator, &places[i], &value, NULL);
         assert_int_equal(value.on_surface, probe->on_surface);
         assert_true(value.value == probe->value && value.error == probe->error);
         if (value.on_surface)
@@ -304,7 +305,9 @@ static void by_evaluators(void **state)
         luxel_probe_free(probe);
     }
     luxel_place wrong = element_at(0, 0, 0, 0, 0, 0);
-    assert_false(luxel_evaluate_place(evaluator, &wrong, NULL).on_surface);
+    luxel_value value;
+    luxel_evaluate_place(evaluator, &wrong, &value, NULL);
+    assert_false(value.on_surface);
     luxel_evaluator_free(evaluator);
     luxel_scene_free(scene);
 }
@@ -330,18 +333,18 @@ static void refuses(void **state)
     for (size_t i = 0; i < 5; i++) {
         luxel_diagnostics *diagnostics = luxel_diagnostics_new();
         luxel_probe *probe = NULL;
-        assert_int_equal(luxel_probe_many(scene, NULL, &wrong[i], 1, diagnostics, &probe), LUXEL_ERROR_ARGUMENT);
+        assert_int_equal(luxel_probe_place(scene, NULL, &wrong[i], diagnostics, &probe), LUXEL_ERROR_ARGUMENT);
         assert_null(probe);
         assert_string_equal(luxel_diagnostics_get(diagnostics, 0)->id, i == 3 ? "no-such-surface" : "bad-place");
         luxel_diagnostics_free(diagnostics);
     }
     luxel_settings settings;
     luxel_place places[MANY];
-    luxel_probe *probes = NULL;
+    luxel_probes *probes = NULL;
     make_places(places);
     luxel_settings_init(&settings);
     settings.progress = stop;
-    assert_int_equal(luxel_probe_many(scene, &settings, places, MANY, NULL, &probes), LUXEL_CANCELLED);
+    assert_int_equal(luxel_probe_places(scene, &settings, places, MANY, NULL, &probes), LUXEL_CANCELLED);
     assert_null(probes);
     luxel_scene_free(scene);
 }
@@ -349,7 +352,7 @@ static void refuses(void **state)
 /* ---- conventions ---- */
 
 /* "sampling projection ...": the keys, with a blank behind each. */
-static void expect_keys(const luxel_scene *scene, const luxel_use *use, const char *expected)
+static void expect_keys(const luxel_scene *scene, const luxel_conventions_use *use, const char *expected)
 {
     char keys[512] = "";
     luxel_conventions *conventions = NULL;
@@ -362,7 +365,8 @@ static void expect_keys(const luxel_scene *scene, const luxel_use *use, const ch
     luxel_conventions_free(conventions);
 }
 
-static const char *value_of(const luxel_scene *scene, const luxel_use *use, const char *key, char value[128])
+static const char *value_of(const luxel_scene *scene, const luxel_conventions_use *use, const char *key,
+                            char value[128])
 {
     luxel_conventions *conventions = NULL;
     assert_int_equal(luxel_find_conventions(scene, use, &conventions), LUXEL_OK);
@@ -379,14 +383,14 @@ static void conventions_that_counted(void **state)
     (void)state;
     char value[128];
     luxel_scene *scene = builtin("report");
-    expect_keys(scene, &(luxel_use){.screen = false}, "units shadows attenuation pattern ");
-    expect_keys(scene, &(luxel_use){.screen = true}, "units shadows projection attenuation pattern ");
-    expect_keys(scene, &(luxel_use){.screen = true, .pixels = true, .brightness = true},
+    expect_keys(scene, &(luxel_conventions_use){.screen = false}, "units shadows attenuation pattern ");
+    expect_keys(scene, &(luxel_conventions_use){.screen = true}, "units shadows projection attenuation pattern ");
+    expect_keys(scene, &(luxel_conventions_use){.screen = true, .pixels = true, .brightness = true},
                 "units shadows sampling projection view model over_pi highlight normalized attenuation pattern ");
     expect_keys(scene, NULL,
                 "units shadows sampling projection view model over_pi highlight normalized attenuation pattern range "
                 "rounding ");
-    luxel_use use = {.brightness = true, .has_view = true, .view = {1, 0, 2}};
+    luxel_conventions_use use = {.brightness = true, .has_view = true, .view = {1, 0, 2}};
     assert_string_equal(value_of(scene, &use, "view", value), "parallel, [1, 0, 2]");
     use.only_view = true;
     assert_string_equal(value_of(scene, &use, "view", value), "[1, 0, 2]");
@@ -396,7 +400,7 @@ static void conventions_that_counted(void **state)
                     "surfaces=[{type: sphere, center: [0, 0, 0], radius: 1, material: {model: lambert}}, "
                     "{type: sphere, center: [9, 0, 0], radius: 1, material: {model: phong}}]");
     const bool second[2] = {false, true};
-    use = (luxel_use){.brightness = true, .surfaces = second};
+    use = (luxel_conventions_use){.brightness = true, .surfaces = second};
     assert_string_equal(value_of(scene, &use, "model", value), "phong");
     assert_string_equal(value_of(scene, &use, "projection", value), "perspective"); /* it decides the view */
     use.surfaces = NULL;

@@ -25,7 +25,7 @@ static luxel_evaluator *evaluator_of(const luxel_scene *scene, unsigned threads)
     return evaluator;
 }
 
-static luxel_profile *profile_of(const luxel_evaluator *evaluator, luxel_path path)
+static luxel_profile *profile_of(const luxel_evaluator *evaluator, luxel_profile_path path)
 {
     luxel_profile *profile = NULL;
     assert_int_equal(luxel_find_profile(evaluator, &path, NULL, &profile), LUXEL_OK);
@@ -41,14 +41,15 @@ static void test_line(void **state)
     luxel_scene *scene = builtin("three-lights");
     luxel_evaluator *evaluator = evaluator_of(scene, 1);
     luxel_profile *profile =
-        profile_of(evaluator, (luxel_path){LUXEL_PATH_LINE, {-400, 100}, {350, -180}, .samples = 301});
+        profile_of(evaluator, (luxel_profile_path){LUXEL_PATH_LINE, {-400, 100}, {350, -180}, .samples = 301});
     const double length = hypot(750, 280);
     size_t valued = 0;
     assert_int_equal(profile->lights, 3);
     for (size_t i = 0; i < profile->count; i++) {
         const luxel_profile_sample *sample = &profile->samples[i];
         double shares[3], sum = 0;
-        luxel_value value = luxel_evaluate(evaluator, sample->x_mm, sample->y_mm, shares);
+        luxel_value value;
+        luxel_evaluate_screen(evaluator, sample->x_mm, sample->y_mm, &value, shares);
         assert_true(fabs(sample->abscissa - length * (double)i / 300) <= 1e-12);
         assert_true(fabs(hypot(sample->x_mm + 400, sample->y_mm - 100) - sample->abscissa) < 1e-11);
         assert_int_equal(sample->has_value, value.has_value);
@@ -72,8 +73,8 @@ static void test_ways(void **state)
     (void)state;
     luxel_scene *scene = builtin("two-spheres");
     luxel_evaluator *one = evaluator_of(scene, 1), *four = evaluator_of(scene, 4);
-    const luxel_path there = {LUXEL_PATH_LINE, {-500, 37}, {500, 211}, .samples = 1001};
-    const luxel_path back = {LUXEL_PATH_LINE, {500, 211}, {-500, 37}, .samples = 1001};
+    const luxel_profile_path there = {LUXEL_PATH_LINE, {-500, 37}, {500, 211}, .samples = 1001};
+    const luxel_profile_path back = {LUXEL_PATH_LINE, {500, 211}, {-500, 37}, .samples = 1001};
     luxel_profile *a = profile_of(one, there), *b = profile_of(four, there), *c = profile_of(one, back);
     assert_memory_equal(a->shares, b->shares, a->count * a->lights * sizeof *a->shares);
     for (size_t i = 0; i < a->count; i++) {
@@ -96,15 +97,18 @@ static void test_arc(void **state)
     (void)state;
     luxel_scene *scene = builtin("report");
     luxel_evaluator *evaluator = evaluator_of(scene, 2);
-    const luxel_path path = {LUXEL_PATH_ARC, {-100, 60}, {150, 90}, .samples = 91};
+    const luxel_profile_path path = {LUXEL_PATH_ARC, {-100, 60}, {150, 90}, .samples = 91};
     luxel_profile *profile = profile_of(evaluator, path);
-    luxel_value first = luxel_evaluate(evaluator, -100, 60, NULL), last = luxel_evaluate(evaluator, 150, 90, NULL);
+    luxel_value first, last;
+    luxel_evaluate_screen(evaluator, -100, 60, &first, NULL);
+    luxel_evaluate_screen(evaluator, 150, 90, &last, NULL);
     const double *a = first.normal, *b = last.normal;
     const double cross[3] = {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
     const double whole = acos(a[0] * b[0] + a[1] * b[1] + a[2] * b[2]) * 180 / M_PI;
     for (size_t i = 0; i < profile->count; i++) {
         const luxel_profile_sample *sample = &profile->samples[i];
-        luxel_value value = luxel_evaluate(evaluator, sample->x_mm, sample->y_mm, NULL);
+        luxel_value value;
+        luxel_evaluate_screen(evaluator, sample->x_mm, sample->y_mm, &value, NULL);
         const double *n = value.normal;
         double angle = acos(fmin(1, n[0] * a[0] + n[1] * a[1] + n[2] * a[2])) * 180 / M_PI;
         assert_true(fabs(sample->abscissa - whole * (double)i / 90) < 1e-10);
@@ -124,7 +128,7 @@ static void test_picture(void **state)
     (void)state;
     const double values[] = {1, 2, 3, 4, (double)NAN, 6};
     luxel_field *field = csv_field(values, 2, 3); /* x 0 1 2, y 1 0 */
-    const luxel_path path = {LUXEL_PATH_LINE, {-1, 0.75}, {3, 0.75}, .samples = 17};
+    const luxel_profile_path path = {LUXEL_PATH_LINE, {-1, 0.75}, {3, 0.75}, .samples = 17};
     const double top[17] = {0, 0, 1, 1, 1, 1, 2, 2, 2, 2, 3, 3, 3, 3, 3, 0, 0};
     luxel_profile *profile = NULL;
     assert_int_equal(luxel_field_profile(field, &path, NULL, &profile), LUXEL_OK);
@@ -134,7 +138,7 @@ static void test_picture(void **state)
         assert_int_equal(profile->samples[i].has_value, top[i] > 0);
     }
     luxel_profile_free(profile);
-    const luxel_path low = {LUXEL_PATH_LINE, {0, 0}, {2, 0}, .samples = 3};
+    const luxel_profile_path low = {LUXEL_PATH_LINE, {0, 0}, {2, 0}, .samples = 3};
     assert_int_equal(luxel_field_profile(field, &low, NULL, &profile), LUXEL_OK);
     assert_true(profile->samples[0].value == 4 && profile->samples[2].value == 6 && !profile->samples[1].has_value);
     luxel_profile_free(profile);
@@ -145,7 +149,7 @@ static void assert_across(const luxel_scene *scene, double x, double y, double d
 {
     const double through[2] = {x, y};
     double from[2], to[2];
-    assert_int_equal(luxel_line_across_screen(scene, through, degrees, NULL, from, to), LUXEL_OK);
+    assert_int_equal(luxel_profile_line(scene, through, degrees, NULL, from, to), LUXEL_OK);
     for (int i = 0; i < 2; i++)
         assert_true(fabs(from[i] - ends[i]) < 1e-11 && fabs(to[i] - ends[2 + i]) < 1e-11);
 }
@@ -167,29 +171,29 @@ static void test_across_screen(void **state)
     assert_across(scene, 0, 0, 360 + 135, (const double[]){250, -250, -250, 250});
     const double inside[2] = {10.1, 20.1};
     for (int quarters = -4; quarters <= 4; quarters++) { /* along an axis without rounding */
-        assert_int_equal(luxel_line_across_screen(scene, inside, 90 * quarters, NULL, from, to), LUXEL_OK);
+        assert_int_equal(luxel_profile_line(scene, inside, 90 * quarters, NULL, from, to), LUXEL_OK);
         const int kept = quarters % 2 == 0 ? 1 : 0;
         assert_true(from[kept] == inside[kept] && to[kept] == inside[kept]);
     }
     const double outside[2] = {300, 0}, nowhere[2] = {(double)NAN, 0};
-    assert_int_equal(luxel_line_across_screen(scene, outside, 90, NULL, from, to), LUXEL_ERROR_ARGUMENT);
-    assert_int_equal(luxel_line_across_screen(scene, nowhere, 0, NULL, from, to), LUXEL_ERROR_ARGUMENT);
-    assert_int_equal(luxel_line_across_screen(scene, outside, HUGE_VAL, NULL, from, to), LUXEL_ERROR_ARGUMENT);
+    assert_int_equal(luxel_profile_line(scene, outside, 90, NULL, from, to), LUXEL_ERROR_ARGUMENT);
+    assert_int_equal(luxel_profile_line(scene, nowhere, 0, NULL, from, to), LUXEL_ERROR_ARGUMENT);
+    assert_int_equal(luxel_profile_line(scene, outside, HUGE_VAL, NULL, from, to), LUXEL_ERROR_ARGUMENT);
     luxel_scene_free(scene);
 }
 
 static void test_refused(void **state)
 {
     (void)state;
-    const luxel_path bad[] = {
-        {LUXEL_PATH_LINE, {1, 1}, {1, 1}, 5},              /* no length */
-        {LUXEL_PATH_LINE, {0, 0}, {1, 1}, 1},              /* one sample */
-        {LUXEL_PATH_LINE, {0, 0}, {1, 1}, 10000001},       /* too many */
-        {LUXEL_PATH_LINE, {(double)NAN, 0}, {1, 1}, 5},    /* nowhere */
-        {LUXEL_PATH_LINE, {0, 0}, {HUGE_VAL, 1}, 5},       /* to nowhere */
-        {LUXEL_PATH_ARC, {0, 0}, {480, 0}, 5},             /* beside the spheres */
-        {LUXEL_PATH_ARC, {-100, 0}, {210, 130}, 5},        /* from one sphere to the other */
-        {LUXEL_PATH_ARC, {-100, 0}, {-100 + 1e-13, 0}, 5}, /* nearly the same place */
+    const luxel_profile_path bad[] = {
+        {LUXEL_PATH_LINE, {1, 1}, {1, 1}, .samples = 5},              /* no length */
+        {LUXEL_PATH_LINE, {0, 0}, {1, 1}, .samples = 1},              /* one sample */
+        {LUXEL_PATH_LINE, {0, 0}, {1, 1}, .samples = 10000001},       /* too many */
+        {LUXEL_PATH_LINE, {(double)NAN, 0}, {1, 1}, .samples = 5},    /* nowhere */
+        {LUXEL_PATH_LINE, {0, 0}, {HUGE_VAL, 1}, .samples = 5},       /* to nowhere */
+        {LUXEL_PATH_ARC, {0, 0}, {480, 0}, .samples = 5},             /* beside the spheres */
+        {LUXEL_PATH_ARC, {-100, 0}, {210, 130}, .samples = 5},        /* from one sphere to the other */
+        {LUXEL_PATH_ARC, {-100, 0}, {-100 + 1e-13, 0}, .samples = 5}, /* nearly the same place */
     };
     luxel_scene *scene = builtin("two-spheres");
     luxel_evaluator *evaluator = evaluator_of(scene, 1);
@@ -202,7 +206,7 @@ static void test_refused(void **state)
     }
     const double values[] = {1, 2};
     luxel_field *field = csv_field(values, 1, 2);
-    const luxel_path arc = {LUXEL_PATH_ARC, {0, 0}, {1, 0}, 5};
+    const luxel_profile_path arc = {LUXEL_PATH_ARC, {0, 0}, {1, 0}, .samples = 5};
     assert_int_equal(luxel_field_profile(field, &arc, NULL, &profile), LUXEL_ERROR_ARGUMENT);
     assert_null(profile);
     luxel_field_free(field);

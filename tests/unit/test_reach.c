@@ -33,8 +33,9 @@ static struct truth truth_of(const luxel_scene *scene, const luxel_field *field)
     assert_int_equal(luxel_evaluator_new(scene, &settings, NULL, &evaluator), LUXEL_OK);
     for (unsigned row = 0; row < rows; row++)
         for (unsigned column = 0; column < columns; column++) {
-            const luxel_value found =
-                luxel_evaluate(evaluator, luxel_field_x_mm(field)[column], luxel_field_y_mm(field)[row], shares);
+            luxel_value found;
+            luxel_evaluate_screen(evaluator, luxel_field_x_mm(field)[column], luxel_field_y_mm(field)[row], &found,
+                                  shares);
             double direct = 0;
             for (size_t i = 0; i < lights->count; i++)
                 direct += lights->items[i].variant->name[0] == 'a' ? 0 : shares[i];

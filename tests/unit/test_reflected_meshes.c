@@ -99,22 +99,23 @@ static bool ask(luxel_scene *scene, const struct element *elements, size_t count
     settings.quantity = LUXEL_IRRADIANCE;
     settings.reflected_error = most;
     luxel_place places[PLACES] = {0};
-    luxel_probe *probes;
+    luxel_probes *probes;
     for (size_t i = 0; i < count; i++) {
         places[i].is_element = true;
         memcpy(places[i].position_mm, elements[i].place, sizeof places[i].position_mm);
         memcpy(places[i].normal, elements[i].normal, sizeof places[i].normal);
     }
-    assert_int_equal(luxel_probe_many(scene, &settings, places, count, NULL, &probes), LUXEL_OK);
+    assert_int_equal(luxel_probe_places(scene, &settings, places, count, NULL, &probes), LUXEL_OK);
     for (size_t i = 0; i < count; i++) {
-        assert_true(probes[i].has_reflected);
-        if (probes[i].reflected_reached)
-            assert_true(probes[i].reflected_error <= fmax(most * probes[i].value, DBL_MIN));
-        reached = reached && probes[i].reflected_reached;
-        values[i] = probes[i].reflected_irradiance;
-        errors[i] = probes[i].reflected_error;
+        assert_true(luxel_probes_get(probes, i)->has_reflected);
+        if (luxel_probes_get(probes, i)->reflected_reached)
+            assert_true(luxel_probes_get(probes, i)->reflected.error <=
+                        fmax(most * luxel_probes_get(probes, i)->value, DBL_MIN));
+        reached = reached && luxel_probes_get(probes, i)->reflected_reached;
+        values[i] = luxel_probes_get(probes, i)->reflected_irradiance;
+        errors[i] = luxel_probes_get(probes, i)->reflected.error;
     }
-    luxel_probe_free(probes);
+    luxel_probes_free(probes);
     luxel_scene_free(scene);
     return reached;
 }

@@ -140,9 +140,10 @@ static void agreement(void **state)
         luxel_probe *probe;
         const double x_mm = -1500 + 800 * i, y_mm = 300 * i - 700;
         assert_int_equal(luxel_probe_screen(scenes[i % 2], &settings, x_mm, y_mm, NULL, &probe), LUXEL_OK);
-        assert_true(probe->has_pixel_value && probe->has_reflected && probe->reflected_value > 0);
+        assert_true(probe->has_pixel_value && probe->has_reflected && probe->reflected.value > 0);
         assert_true(probe->pixel_value == luxel_field_value(fields[0], probe->column, probe->row));
-        const luxel_value value = luxel_evaluate(evaluator, x_mm, y_mm, NULL);
+        luxel_value value;
+        luxel_evaluate_screen(evaluator, x_mm, y_mm, &value, NULL);
         assert_true(value.has_value && fabs(value.value - probe->value) <= value.error + probe->error);
         assert_true(value.value > probe->shares[0].irradiance && value.error < 0.05 * value.value);
         luxel_probe_free(probe);

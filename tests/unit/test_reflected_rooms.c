@@ -251,9 +251,9 @@ static void judge(const struct rooms *rooms, const luxel_place *place, const lux
         at[i] = place->position_mm[i] / 1000;
     const struct path_interval witness = path_reflected(&rooms->room, at, place->normal, paths, (uint64_t)seed);
     const double off = fabs(probe->reflected_irradiance - witness.value);
-    if (!(off <= probe->reflected_error + witness.error))
+    if (!(off <= probe->reflected.error + witness.error))
         fail_msg("room %d at %g %g %g: %.6g with the bound %.2g, the witness has %.6g with %.2g\n%s", seed, at[0],
-                 at[1], at[2], probe->reflected_irradiance, probe->reflected_error, witness.value, witness.error,
+                 at[1], at[2], probe->reflected_irradiance, probe->reflected.error, witness.value, witness.error,
                  rooms->text);
 }
 
@@ -265,7 +265,7 @@ static void try_room(const struct place *place, int seed, size_t paths, int plat
     snprintf(path, sizeof path, "%s/mesh.off", place->folder);
     rooms.mesh_path = path;
     luxel_place places[PLACES];
-    luxel_probe *probes;
+    luxel_probes *probes;
     luxel_scene *scene;
     luxel_settings settings;
     luxel_diagnostics *diagnostics = luxel_diagnostics_new();
@@ -276,10 +276,10 @@ static void try_room(const struct place *place, int seed, size_t paths, int plat
     luxel_settings_init(&settings);
     settings.quantity = LUXEL_IRRADIANCE;
     settings.reflected_error = 0.02;
-    assert_int_equal(luxel_probe_many(scene, &settings, places, PLACES, diagnostics, &probes), LUXEL_OK);
+    assert_int_equal(luxel_probe_places(scene, &settings, places, PLACES, diagnostics, &probes), LUXEL_OK);
     for (int p = 0; p < PLACES; p++)
-        judge(&rooms, &places[p], &probes[p], paths, seed);
-    luxel_probe_free(probes);
+        judge(&rooms, &places[p], luxel_probes_get(probes, (size_t)p), paths, seed);
+    luxel_probes_free(probes);
     luxel_scene_free(scene);
     luxel_diagnostics_free(diagnostics);
 }

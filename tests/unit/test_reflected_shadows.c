@@ -225,7 +225,7 @@ static void look_from_below(const struct shadows *shadows, const char *folder, s
     char text[TEXT_SIZE];
     luxel_scene *scene;
     luxel_settings settings;
-    luxel_probe *probes;
+    luxel_probes *probes;
     luxel_place places[PLACES] = {0};
     luxel_diagnostics *diagnostics = luxel_diagnostics_new();
     describe(shadows, folder, text);
@@ -240,16 +240,17 @@ static void look_from_below(const struct shadows *shadows, const char *folder, s
                                   .position_mm = {uniform(random, -1500, 1500), uniform(random, -1500, 1500),
                                                   uniform(random, 100, shadows->height - 50)},
                                   .normal = {0, 0, -1}};
-    const luxel_status status = luxel_probe_many(scene, &settings, places, PLACES, NULL, &probes);
+    const luxel_status status = luxel_probe_places(scene, &settings, places, PLACES, NULL, &probes);
     assert_true(status == LUXEL_OK);
     for (int i = 0; i < PLACES; i++) {
-        const double value = probes[i].reflected_irradiance, error = probes[i].reflected_error;
+        const double value = luxel_probes_get(probes, (size_t)i)->reflected_irradiance,
+                     error = luxel_probes_get(probes, (size_t)i)->reflected.error;
         const double truth = truth_at(shadows, places[i].position_mm);
         if (!(fabs(value - truth) <= error + 1e-6 * truth && error <= 0.2 * truth))
             fail_msg("scene %d%s, place %d: %.10g +- %.2g, not %.10g\n%s", number, folder ? " as meshes" : "", i, value,
                      error, truth, text);
     }
-    luxel_probe_free(probes);
+    luxel_probes_free(probes);
     luxel_scene_free(scene);
 }
 

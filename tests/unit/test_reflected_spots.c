@@ -127,7 +127,7 @@ static void expect(const char *text, const double place[3], const double normal[
     settings.quantity = LUXEL_IRRADIANCE;
     settings.reflected_error = asked;
     luxel_probe_element(scene, &settings, place, normal, NULL, &probe);
-    const double value = probe->reflected_irradiance, error = probe->reflected_error;
+    const double value = probe->reflected_irradiance, error = probe->reflected.error;
     if (!(fabs(value - truth) <= error + room * truth && error <= 40 * asked * truth))
         fail_msg("%.10g +- %.2g at %g, not %.10g\n%s", value, error, asked, truth, text);
     luxel_probe_free(probe);

@@ -42,7 +42,7 @@ static void expect(luxel_scene *scene, const struct truth *truths, size_t count,
     settings.quantity = LUXEL_IRRADIANCE;
     settings.reflected_error = most;
     luxel_place places[8] = {0};
-    luxel_probe *probes;
+    luxel_probes *probes;
     for (size_t i = 0; i < count; i++) {
         places[i].is_element = true;
         for (int k = 0; k < 3; k++) {
@@ -50,16 +50,16 @@ static void expect(luxel_scene *scene, const struct truth *truths, size_t count,
             places[i].normal[k] = truths[i].normal[k];
         }
     }
-    assert_int_equal(luxel_probe_many(scene, &settings, places, count, NULL, &probes), LUXEL_OK);
+    assert_int_equal(luxel_probe_places(scene, &settings, places, count, NULL, &probes), LUXEL_OK);
     for (size_t i = 0; i < count; i++) {
-        const luxel_probe *probe = &probes[i];
+        const luxel_probe *probe = luxel_probes_get(probes, i);
         const double off = fabs(probe->reflected_irradiance - truths[i].irradiance);
         assert_true(probe->has_reflected && probe->reflected_reached);
-        if (!(off <= probe->reflected_error) || !(probe->reflected_error <= most * probe->value))
+        if (!(off <= probe->reflected.error) || !(probe->reflected.error <= most * probe->value))
             fail_msg("place %zu: %.10g instead of %.10g, bound %.2g", i, probe->reflected_irradiance,
-                     truths[i].irradiance, probe->reflected_error);
+                     truths[i].irradiance, probe->reflected.error);
     }
-    luxel_probe_free(probes);
+    luxel_probes_free(probes);
     luxel_scene_free(scene);
 }
 
@@ -234,10 +234,10 @@ static void one_ball(void **state)
             luxel_probe_element(scene, &settings, at[i].place, at[i].normal, NULL, &probe);
             assert_true(probe->has_reflected);
             const double off = fabs(probe->reflected_irradiance - at[i].irradiance);
-            if (!(off <= probe->reflected_error + 2e-7 * at[i].irradiance) ||
-                !(probe->reflected_error < 0.25 * at[i].irradiance))
+            if (!(off <= probe->reflected.error + 2e-7 * at[i].irradiance) ||
+                !(probe->reflected.error < 0.25 * at[i].irradiance))
                 fail_msg("place %zu at %g: %.10g instead of %.10g, bound %.2g", i, most, probe->reflected_irradiance,
-                         at[i].irradiance, probe->reflected_error);
+                         at[i].irradiance, probe->reflected.error);
             luxel_probe_free(probe);
             luxel_scene_free(scene);
         }

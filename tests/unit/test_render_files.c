@@ -58,7 +58,7 @@ static void assert_same_statistics(const luxel_statistics *a, const luxel_statis
 /* Every format on its own and all at once, against the field's. */
 static void compare(const struct files *files, const luxel_scene *scene, const luxel_settings *settings, unsigned bits)
 {
-    const luxel_output how = {.bits = bits};
+    const luxel_field_output how = {.bits = bits};
     char whole[ENDING_COUNT][128], together[ENDING_COUNT][128], alone[128];
     const char *paths[ENDING_COUNT];
     const char *const one = alone;
@@ -160,7 +160,7 @@ static void test_waiting(void **state)
     for (size_t i = 0; i < 2; i++) {
         luxel_scene *scene =
             changed_scene("report", (const char *const[]){"screen.resolution=[4000, 4000]", ranges[i], NULL});
-        const luxel_output how = {.bits = 8 + 8 * (unsigned)i};
+        const luxel_field_output how = {.bits = 8 + 8 * (unsigned)i};
         char whole[128], strips[128], values[128];
         luxel_settings settings;
         luxel_field *field = NULL;
@@ -229,7 +229,7 @@ static void test_cancelled(void **state)
     luxel_scene_free(scene);
 }
 
-static void expect_refusal(const luxel_scene *scene, const char *const *paths, const luxel_output *how,
+static void expect_refusal(const luxel_scene *scene, const char *const *paths, const luxel_field_output *how,
                            luxel_status expected, const char *id)
 {
     luxel_diagnostics *diagnostics = luxel_diagnostics_new();
@@ -256,7 +256,7 @@ static void test_refused(void **state)
 
     expect_refusal(scene, NULL, NULL, LUXEL_ERROR_ARGUMENT, "missing-argument");
     expect_refusal(scene, (const char *const[]){good, bad}, NULL, LUXEL_ERROR_ARGUMENT, "unknown-ending");
-    expect_refusal(scene, (const char *const[]){good, full}, &(luxel_output){.bits = 12}, LUXEL_ERROR_ARGUMENT,
+    expect_refusal(scene, (const char *const[]){good, full}, &(luxel_field_output){.bits = 12}, LUXEL_ERROR_ARGUMENT,
                    "setting-out-of-range");
     expect_refusal(bright, (const char *const[]){good, full}, NULL, LUXEL_ERROR_RANGE, "value-too-large");
     assert_false(exists(files, "good.npy"));

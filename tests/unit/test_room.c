@@ -215,7 +215,8 @@ static void test_batches(void **state)
         }
         assert_int_equal(luxel_evaluate_places(evaluator, places, PLACES, values, NULL), LUXEL_OK);
         for (int k = 0; k < PLACES; k++) {
-            const luxel_value alone = luxel_evaluate_place(evaluator, &places[k], NULL);
+            luxel_value alone;
+            luxel_evaluate_place(evaluator, &places[k], &alone, NULL);
             assert_true(values[k].value == alone.value && values[k].error == alone.error);
             assert_true(values[k].surface == 0 && values[k].part == (unsigned)k % 6 && alone.part == (unsigned)k % 6);
             lit_count += alone.value > 0;
@@ -374,7 +375,7 @@ static void test_observers(void **state)
         assert_int_equal(luxel_probe_screen(scene, NULL, 10, 20, NULL, &probe), LUXEL_OK);
         assert_true(probe->on_surface && probe->position_mm[2] == 0);
         assert_string_equal(probe->part_name, "back");
-        assert_string_equal(luxel_part_name(scene, 0, probe->part), "back");
+        assert_string_equal(luxel_scene_part_name(scene, 0, probe->part), "back");
         luxel_probe_free(probe);
         luxel_scene_free(scene);
     }
@@ -463,8 +464,11 @@ static void test_up(void **state)
         luxel_scene_free(scenes[1]);
     }
     luxel_scene *plain = scene_of("{z: 900}", "{type: room, center: [0, 0, 0], size: [9, 9, 9]}", "");
-    for (size_t i = 0; i < luxel_scene_convention_count(plain); i++)
-        assert_string_not_equal(luxel_scene_convention_key(plain, i), "up");
+    luxel_conventions *all;
+    assert_int_equal(luxel_find_conventions(plain, NULL, &all), LUXEL_OK);
+    for (size_t i = 0; i < all->count; i++)
+        assert_string_not_equal(all->list[i].key, "up");
+    luxel_conventions_free(all);
     luxel_scene_free(plain);
 }
 

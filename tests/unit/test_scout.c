@@ -58,7 +58,8 @@ static void exact_peaks(void **state)
         assert_int_equal(scout.surface, peak->surface);
         assert_int_equal(scout.place, peak->place);
         assert_true(luxel_evaluator_light_count(truth.evaluator) <= MOST_LIGHTS);
-        luxel_evaluate(truth.evaluator, peak->x_mm, peak->y_mm, shares);
+        luxel_value value;
+        luxel_evaluate_screen(truth.evaluator, peak->x_mm, peak->y_mm, &value, shares);
         for (size_t k = 0; k < luxel_evaluator_light_count(truth.evaluator); k++)
             assert_true(shares[k] <= shares[scout.strongest]);
         clear(&truth);

@@ -31,7 +31,8 @@ static double value_of(const luxel_scene *scene)
 {
     luxel_evaluator *evaluator;
     assert_int_equal(luxel_evaluator_new(scene, NULL, NULL, &evaluator), LUXEL_OK);
-    const luxel_value seen = luxel_evaluate(evaluator, 10, 20, NULL);
+    luxel_value seen;
+    luxel_evaluate_screen(evaluator, 10, 20, &seen, NULL);
     luxel_evaluator_free(evaluator);
     assert_true(seen.has_value && seen.value > 0);
     return seen.value;
@@ -298,7 +299,7 @@ static void measuring(void **state)
         luxel_grid_free(grid);
         grid = NULL;
         shortage_begin(i);
-        luxel_status status = luxel_measure(scene, NULL, 0, NULL, &grid);
+        luxel_status status = luxel_find_grid(scene, NULL, 0, NULL, &grid);
         shortage_end();
         assert_true(status == LUXEL_OK || (shortage_met() && status == LUXEL_ERROR_MEMORY && !grid));
     }

@@ -146,7 +146,7 @@ static luxel_status explain(void)
 
 static luxel_status find_profile(void)
 {
-    const luxel_path line = {.from_mm = {-200, 0}, .to_mm = {200, 50}, .samples = 9};
+    const luxel_profile_path line = {.from_mm = {-200, 0}, .to_mm = {200, 50}, .samples = 9};
     luxel_profile *exact = NULL, *read_off = NULL;
     luxel_status status = luxel_find_profile(work.evaluator, &line, NULL, &exact);
     if (status == LUXEL_OK)
@@ -162,7 +162,8 @@ static luxel_status summarize(void)
     luxel_summary summary;
     luxel_status status = luxel_field_summary(work.field, NULL, NULL, &summary);
     if (status == LUXEL_OK)
-        status = luxel_field_histogram(work.field, NULL, LUXEL_LINEAR, (double)NAN, (double)NAN, 4, NULL, &histogram);
+        status = luxel_field_histogram(work.field, NULL, LUXEL_HISTOGRAM_LINEAR, (double)NAN, (double)NAN, 4, NULL,
+                                       &histogram);
     luxel_histogram_free(histogram);
     return status;
 }
@@ -247,7 +248,7 @@ static void test_files(void **state)
 {
     const char *ending;
     (void)state;
-    for (size_t i = 0; (ending = luxel_output_ending(i)) != NULL; i++) {
+    for (size_t i = 0; (ending = luxel_field_output_ending(i)) != NULL; i++) {
         snprintf(work.path, sizeof work.path, "%s/a%s", work.folder, ending);
         assert_survives(write_field);
         assert_int_equal(luxel_field_write(work.field, work.path, NULL), LUXEL_OK);

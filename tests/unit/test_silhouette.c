@@ -145,7 +145,8 @@ static void compare_with_picture(const char *file, double scale, double tilt, bo
     size_t seen = 0, holes = 0;
     assert_true(depth && normals);
     assert_int_equal(luxel_scene_surface_radius(scene, 0, &radius), LUXEL_OK);
-    assert_int_equal(luxel_scene_geometry(scene, NULL, depth, normals), LUXEL_OK);
+    assert_int_equal(luxel_find_geometry(scene, NULL, NULL, &(luxel_geometry){.depth_mm = depth, .normals = normals}),
+                     LUXEL_OK);
     for (size_t k = 0; k < plan->count; k++) {
         area += area_of(&plan->lines[k]);
         holes += area_of(&plan->lines[k]) < 0;

@@ -189,7 +189,8 @@ static void test_no_number(void **state)
     }
 }
 
-static luxel_histogram *histogram_of(const luxel_field *field, luxel_scale scale, double low, double high, size_t bins)
+static luxel_histogram *histogram_of(const luxel_field *field, luxel_histogram_scale scale, double low, double high,
+                                     size_t bins)
 {
     luxel_histogram *histogram = NULL;
     assert_int_equal(luxel_field_histogram(field, NULL, scale, low, high, bins, NULL, &histogram), LUXEL_OK);
@@ -214,16 +215,16 @@ static void test_histogram(void **state)
 {
     (void)state;
     luxel_field *field = dozen();
-    luxel_histogram *histogram = histogram_of(field, LUXEL_LINEAR, NONE, NONE, 5); /* edges 1 3 5 7 9 11 */
+    luxel_histogram *histogram = histogram_of(field, LUXEL_HISTOGRAM_LINEAR, NONE, NONE, 5); /* edges 1 3 5 7 9 11 */
     assert_true(histogram->edges[0] == 1 && histogram->edges[5] == 11);
     assert_counts(histogram, (const size_t[]){2, 2, 2, 2, 3}, 0, 0);
     luxel_histogram_free(histogram);
 
-    histogram = histogram_of(field, LUXEL_LINEAR, 2, 6, 2); /* edges 2 4 6 */
+    histogram = histogram_of(field, LUXEL_HISTOGRAM_LINEAR, 2, 6, 2); /* edges 2 4 6 */
     assert_counts(histogram, (const size_t[]){2, 3}, 1, 5);
     luxel_histogram_free(histogram);
 
-    histogram = histogram_of(field, LUXEL_LOGARITHMIC, 1, 16, 4); /* edges 1 2 4 8 16 */
+    histogram = histogram_of(field, LUXEL_HISTOGRAM_LOGARITHMIC, 1, 16, 4); /* edges 1 2 4 8 16 */
     for (int i = 0; i <= 4; i++)
         assert_true(fabs(histogram->edges[i] - (1 << i)) < 1e-14 * (1 << i));
     assert_int_equal(histogram->pixels, 11);
@@ -237,15 +238,15 @@ static void test_logarithmic_range(void **state)
     (void)state;
     const double values[] = {0, 0, 1e-3, 1e3}, one[] = {5, 5}, dark[] = {0, 0};
     luxel_field *field = csv_field(values, 1, 4);
-    luxel_histogram *histogram = histogram_of(field, LUXEL_LOGARITHMIC, NONE, NONE, 2);
+    luxel_histogram *histogram = histogram_of(field, LUXEL_HISTOGRAM_LOGARITHMIC, NONE, NONE, 2);
     assert_true(histogram->edges[0] == 1e-3 && histogram->edges[2] == 1e3);
     assert_counts(histogram, (const size_t[]){1, 1}, 2, 0);
     luxel_histogram_free(histogram);
     luxel_field_free(field);
 
     field = csv_field(one, 1, 2); /* a range of no size is widened about the value */
-    for (int scale = LUXEL_LINEAR; scale <= LUXEL_LOGARITHMIC; scale++) {
-        histogram = histogram_of(field, (luxel_scale)scale, NONE, NONE, 3);
+    for (int scale = LUXEL_HISTOGRAM_LINEAR; scale <= LUXEL_HISTOGRAM_LOGARITHMIC; scale++) {
+        histogram = histogram_of(field, (luxel_histogram_scale)scale, NONE, NONE, 3);
         assert_true(histogram->edges[0] < 5 && histogram->edges[3] > 5);
         assert_counts(histogram, (const size_t[]){0, 2, 0}, 0, 0);
         luxel_histogram_free(histogram);
@@ -254,9 +255,9 @@ static void test_logarithmic_range(void **state)
 
     field = csv_field(dark, 1, 2);
     luxel_histogram *none = NULL;
-    assert_int_equal(luxel_field_histogram(field, NULL, LUXEL_LOGARITHMIC, NONE, NONE, 3, NULL, &none),
+    assert_int_equal(luxel_field_histogram(field, NULL, LUXEL_HISTOGRAM_LOGARITHMIC, NONE, NONE, 3, NULL, &none),
                      LUXEL_ERROR_ARGUMENT);
-    histogram = histogram_of(field, LUXEL_LINEAR, NONE, NONE, 3);
+    histogram = histogram_of(field, LUXEL_HISTOGRAM_LINEAR, NONE, NONE, 3);
     assert_counts(histogram, (const size_t[]){0, 2, 0}, 0, 0);
     luxel_histogram_free(histogram);
     luxel_field_free(field);
@@ -276,16 +277,18 @@ static void test_refused(void **state)
     };
     for (size_t i = 0; i < sizeof bad_regions / sizeof bad_regions[0]; i++) {
         assert_int_equal(luxel_field_summary(field, &bad_regions[i], NULL, &summary), LUXEL_ERROR_ARGUMENT);
-        assert_int_equal(luxel_field_histogram(field, &bad_regions[i], LUXEL_LINEAR, NONE, NONE, 5, NULL, &histogram),
-                         LUXEL_ERROR_ARGUMENT);
+        assert_int_equal(
+            luxel_field_histogram(field, &bad_regions[i], LUXEL_HISTOGRAM_LINEAR, NONE, NONE, 5, NULL, &histogram),
+            LUXEL_ERROR_ARGUMENT);
     }
     const struct {
-        luxel_scale scale;
+        luxel_histogram_scale scale;
         double low, high;
         size_t bins;
-    } bad[] = {{LUXEL_LINEAR, NONE, NONE, 0},  {LUXEL_LINEAR, NONE, NONE, 65537}, {LUXEL_LINEAR, 2, 2, 5},
-               {LUXEL_LINEAR, 3, 2, 5},        {LUXEL_LINEAR, NONE, 2, 5},        {LUXEL_LINEAR, 2, NONE, 5},
-               {LUXEL_LINEAR, 0, HUGE_VAL, 5}, {LUXEL_LOGARITHMIC, 0, 2, 5}};
+    } bad[] = {{LUXEL_HISTOGRAM_LINEAR, NONE, NONE, 0},  {LUXEL_HISTOGRAM_LINEAR, NONE, NONE, 65537},
+               {LUXEL_HISTOGRAM_LINEAR, 2, 2, 5},        {LUXEL_HISTOGRAM_LINEAR, 3, 2, 5},
+               {LUXEL_HISTOGRAM_LINEAR, NONE, 2, 5},     {LUXEL_HISTOGRAM_LINEAR, 2, NONE, 5},
+               {LUXEL_HISTOGRAM_LINEAR, 0, HUGE_VAL, 5}, {LUXEL_HISTOGRAM_LOGARITHMIC, 0, 2, 5}};
     for (size_t i = 0; i < sizeof bad / sizeof bad[0]; i++) {
         luxel_diagnostics *diagnostics = luxel_diagnostics_new();
         assert_int_equal(luxel_field_histogram(field, NULL, bad[i].scale, bad[i].low, bad[i].high, bad[i].bins,

@@ -97,7 +97,7 @@ static void test_taken_for(void **state)
     luxel_extrema extrema;
     luxel_isophotes *isophotes = NULL;
     luxel_profile *profile = NULL;
-    const luxel_path path = {.type = LUXEL_PATH_LINE, .from_mm = {-250, 0}, .to_mm = {250, 0}, .samples = 121};
+    const luxel_profile_path path = {.type = LUXEL_PATH_LINE, .from_mm = {-250, 0}, .to_mm = {250, 0}, .samples = 121};
 
     assert_null(luxel_field_scene(quick));
     assert_string_equal(luxel_field_unit(quick), "W/sr");

@@ -156,7 +156,8 @@ static void geometry(void **state)
     assert_int_equal(luxel_scene_set(scene, "screen.resolution=[5, 5]", NULL), LUXEL_OK);
     assert_int_equal(luxel_scene_commit(scene, NULL), LUXEL_OK);
     double depth[25], normals[25][3];
-    assert_int_equal(luxel_scene_geometry(scene, NULL, depth, normals), LUXEL_OK);
+    assert_int_equal(luxel_find_geometry(scene, NULL, NULL, &(luxel_geometry){.depth_mm = depth, .normals = normals}),
+                     LUXEL_OK);
     for (int row = 0; row < 5; row++)
         for (int column = 0; column < 5; column++) {
             const double x = -250 + 125 * column, y = 250 - 125 * row, left = 300 * 300 - x * x - y * y;

@@ -19,7 +19,7 @@
 enum { THREADS = 6, LEVELS = 1 };
 
 static const double place[] = {40, -30};
-static const luxel_path path = {.to_mm = {120, 80}, .samples = 20};
+static const luxel_profile_path path = {.to_mm = {120, 80}, .samples = 20};
 
 /* What all threads use, and what each piece of work gave when it was done alone. */
 struct shared {
@@ -95,7 +95,7 @@ static bool cancel(const struct shared *shared, unsigned threads)
     settings.progress_data = &asked;
     bool cancelled = luxel_render(shared->scene, &settings, NULL, &field) == LUXEL_CANCELLED;
     if (shared->grid)
-        cancelled = cancelled && luxel_measure(shared->scene, &settings, 0, NULL, &grid) == LUXEL_CANCELLED;
+        cancelled = cancelled && luxel_find_grid(shared->scene, &settings, 0, NULL, &grid) == LUXEL_CANCELLED;
     return cancelled && !field && !grid && asked == (shared->grid ? 2 : 1);
 }
 
@@ -105,7 +105,7 @@ static bool measure(const struct shared *shared, unsigned threads)
     luxel_grid *grid;
     if (!shared->grid)
         return true;
-    if (luxel_measure(shared->scene, &settings, 0, NULL, &grid) != LUXEL_OK)
+    if (luxel_find_grid(shared->scene, &settings, 0, NULL, &grid) != LUXEL_OK)
         return false;
     size_t bytes = (size_t)grid->columns * grid->rows * sizeof *grid->values;
     bool same = memcmp(grid->values, shared->grid->values, bytes) == 0 &&
@@ -129,7 +129,8 @@ static bool probe(const struct shared *shared, unsigned threads)
 static bool evaluate(const struct shared *shared, unsigned threads)
 {
     (void)threads;
-    luxel_value value = luxel_evaluate(shared->evaluator, place[0], place[1], NULL);
+    luxel_value value;
+    luxel_evaluate_screen(shared->evaluator, place[0], place[1], &value, NULL);
     return value.value == shared->value.value && value.error == shared->value.error;
 }
 
@@ -232,9 +233,9 @@ static void do_alone(struct shared *shared)
     assert_int_equal(luxel_evaluator_new(scene, &settings, NULL, &shared->evaluator), LUXEL_OK);
     assert_int_equal(luxel_probe_screen(scene, &settings, place[0], place[1], NULL, &shared->probe), LUXEL_OK);
     assert_true(shared->probe->has_value);
-    shared->value = luxel_evaluate(shared->evaluator, place[0], place[1], NULL);
+    luxel_evaluate_screen(shared->evaluator, place[0], place[1], &shared->value, NULL);
     if (luxel_scene_grid_count(scene) > 0)
-        assert_int_equal(luxel_measure(scene, &settings, 0, NULL, &shared->grid), LUXEL_OK);
+        assert_int_equal(luxel_find_grid(scene, &settings, 0, NULL, &shared->grid), LUXEL_OK);
     assert_int_equal(luxel_find_extrema(shared->evaluator, shared->field, NULL, NULL, &shared->extrema), LUXEL_OK);
     for (int i = 0; i < LEVELS; i++)
         shared->levels[i] = shared->extrema.maximum.value * (i + 1) / (LEVELS + 1);

@@ -56,7 +56,7 @@ static const char *const words[2][2] = {{"brightness", "irradiance"}, {"luminanc
 static void check_profiles(const luxel_scene *scene, const luxel_field *field, const luxel_settings *settings,
                            const char *word)
 {
-    const luxel_path path = {.type = LUXEL_PATH_LINE, .from_mm = {-10, 0}, .to_mm = {10, 0}, .samples = 2};
+    const luxel_profile_path path = {.type = LUXEL_PATH_LINE, .from_mm = {-10, 0}, .to_mm = {10, 0}, .samples = 2};
     luxel_evaluator *evaluator;
     luxel_profile *profile;
     assert_int_equal(luxel_evaluator_new(scene, settings, NULL, &evaluator), LUXEL_OK);

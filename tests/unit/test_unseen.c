@@ -124,7 +124,8 @@ static void backs_are_not_drawn(void **state)
                 const int front = first_front(plates, from, way, &margin);
                 if (margin < 1e-6)
                     continue;
-                const luxel_value value = luxel_evaluate(evaluator, x, y, NULL);
+                luxel_value value;
+                luxel_evaluate_screen(evaluator, x, y, &value, NULL);
                 assert_int_equal(value.on_surface, front >= 0);
                 assert_int_equal(luxel_field_mask(field)[row * SIDE + column], front >= 0);
                 if (front < 0)
@@ -204,23 +205,25 @@ static void numbers_without_pictures(void **state)
         luxel_diagnostics *diagnostics = luxel_diagnostics_new();
         luxel_field *field;
         luxel_probe *probe;
+        luxel_probes *probes;
         luxel_profile *profile;
         luxel_evaluator *evaluator;
         luxel_grid *grid;
         luxel_glare *glare;
-        luxel_reach reach;
+        luxel_light_reach reach;
         double depth[6];
-        const luxel_path path = {.type = LUXEL_PATH_LINE, .to_mm = {10, 10}, .samples = 3};
+        const luxel_profile_path path = {.type = LUXEL_PATH_LINE, .to_mm = {10, 10}, .samples = 3};
         const luxel_place places[2] = {{.screen_mm = {0, 0}},
                                        {.is_element = true, .position_mm = {0, 0, 1300}, .normal = {0, 0, 1}}};
         luxel_value values[2];
         assert_int_equal(luxel_evaluator_new(scene, NULL, diagnostics, &evaluator), LUXEL_OK);
         assert_int_equal(luxel_render(scene, NULL, diagnostics, &field), LUXEL_ERROR_SCENE);
         assert_int_equal(luxel_probe_screen(scene, NULL, 0, 0, diagnostics, &probe), LUXEL_ERROR_SCENE);
-        assert_int_equal(luxel_probe_many(scene, NULL, places, 2, diagnostics, &probe), LUXEL_ERROR_SCENE);
+        assert_int_equal(luxel_probe_places(scene, NULL, places, 2, diagnostics, &probes), LUXEL_ERROR_SCENE);
         assert_int_equal(luxel_find_profile(evaluator, &path, diagnostics, &profile), LUXEL_ERROR_SCENE);
-        assert_int_equal(luxel_find_reach(scene, NULL, diagnostics, &reach), LUXEL_ERROR_SCENE);
-        assert_int_equal(luxel_scene_geometry(scene, diagnostics, depth, NULL), LUXEL_ERROR_SCENE);
+        assert_int_equal(luxel_find_light_reach(scene, NULL, diagnostics, &reach), LUXEL_ERROR_SCENE);
+        assert_int_equal(luxel_find_geometry(scene, NULL, diagnostics, &(luxel_geometry){.depth_mm = depth}),
+                         LUXEL_ERROR_SCENE);
         assert_int_equal(luxel_diagnostics_count(diagnostics), 6);
         for (size_t k = 0; k < 6; k++)
             expect_entry(diagnostics, k, WANTED(.id = cases[i].id));
@@ -232,10 +235,11 @@ static void numbers_without_pictures(void **state)
         luxel_probe_free(probe);
         assert_int_equal(luxel_evaluate_places(evaluator, places, 2, values, NULL), LUXEL_OK);
         assert_true(!values[0].on_surface && values[1].has_value && values[1].value > 0);
-        assert_false(luxel_trace(evaluator, 0, 0).on_surface);
-        assert_int_equal(luxel_measure(scene, NULL, 0, diagnostics, &grid), LUXEL_OK);
-        assert_true(grid->average > 0);
-        assert_int_equal(luxel_rate_glare(scene, NULL, &(luxel_sight){.eye_mm = {0, 0, 2000}, .view = {0, 1, 0}},
+        luxel_trace_screen(evaluator, 0, 0, &values[0]);
+        assert_false(values[0].on_surface);
+        assert_int_equal(luxel_find_grid(scene, NULL, 0, diagnostics, &grid), LUXEL_OK);
+        assert_true(grid->average.value > 0);
+        assert_int_equal(luxel_find_glare(scene, NULL, &(luxel_glare_sight){.eye_mm = {0, 0, 2000}, .view = {0, 1, 0}},
                                           diagnostics, &glare),
                          LUXEL_OK);
         assert_int_equal(luxel_diagnostics_count(diagnostics), 0);
@@ -277,8 +281,8 @@ static void no_surfaces(void **state)
         assert_int_equal(luxel_evaluate_places(evaluator, &asked, 1, &value, NULL), LUXEL_OK);
         assert_true(fabs(value.value - brightness) <= 1e-12 * brightness);
         luxel_evaluator_free(evaluator);
-        assert_int_equal(luxel_measure(scene, NULL, 0, diagnostics, &grid), LUXEL_OK);
-        assert_true(fabs(grid->average - truth) <= 1e-12);
+        assert_int_equal(luxel_find_grid(scene, NULL, 0, diagnostics, &grid), LUXEL_OK);
+        assert_true(fabs(grid->average.value - truth) <= 1e-12);
         luxel_grid_free(grid);
         assert_int_equal(luxel_diagnostics_count(diagnostics), 0);
         assert_int_equal(luxel_render(scene, NULL, diagnostics, &field), LUXEL_ERROR_SCENE);

@@ -159,7 +159,8 @@ static void have_five_points(void **state)
         for (size_t i = 0; i < 5; i++) {
             double x, y;
             luxel_scene_point(scene, i, &x, &y);
-            luxel_value value = luxel_evaluate(evaluator, x, y, NULL);
+            luxel_value value;
+            luxel_evaluate_screen(evaluator, x, y, &value, NULL);
             assert_true(value.on_surface && value.normal[2] > 0.6);
             assert_true(i > 0 || value.value > 0);
         }

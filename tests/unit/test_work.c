@@ -38,10 +38,11 @@ WRAPPED(bool, lx_element_seen, const struct lx_prepared *prepared, double x_mm, 
     return REAL(lx_element_seen)(prepared, x_mm, y_mm, element);
 }
 
-WRAPPED(luxel_value, luxel_evaluate, const luxel_evaluator *evaluator, double x_mm, double y_mm, double *shares)
+WRAPPED(void, luxel_evaluate_screen, const luxel_evaluator *evaluator, double x_mm, double y_mm, luxel_value *value,
+        double *shares)
 {
     counts[VALUES]++;
-    return REAL(luxel_evaluate)(evaluator, x_mm, y_mm, shares);
+    REAL(luxel_evaluate_screen)(evaluator, x_mm, y_mm, value, shares);
 }
 
 WRAPPED(double, lx_piece_value, struct lx_extremum_search *search, const struct lx_spot *spot, double *error)

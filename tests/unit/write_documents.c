@@ -19,7 +19,7 @@ static int write_all(const char *folder, const char *name, struct luxel_document
 
 int main(int count, char **arguments)
 {
-    const luxel_language russian = {documents_translate, NULL, "ru"};
+    const luxel_language russian = {.translate = documents_translate, .code = "ru"};
     if (count != 2) {
         fputs("usage: write_documents FOLDER\n", stderr);
         return 2;

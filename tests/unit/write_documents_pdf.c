@@ -89,7 +89,7 @@ static int tells_what_failed(void)
 
 int main(int count, char **arguments)
 {
-    const luxel_language russian = {documents_translate, NULL, "ru"};
+    const luxel_language russian = {.translate = documents_translate, .code = "ru"};
     int drawn = 0, failed = 0;
     if (count != 2) {
         fputs("usage: write_documents_pdf FOLDER\n", stderr);

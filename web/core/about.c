@@ -9,7 +9,7 @@
 /* A choice of a key, or the name of a kind, as people read it. */
 static void answer_label(const char *choice)
 {
-    const char *label = luxel_choice_label(choice);
+    const char *label = luxel_parameter_choice_label(choice);
     answer_string(label ? page_translate(label, NULL) : choice);
 }
 
@@ -121,7 +121,7 @@ PAGE_CALLS(page_unproject) const char *page_unproject(double x, double y, double
     return answer_text();
 }
 
-static void answer_interval(const char *key, const luxel_interval *interval)
+static void answer_interval(const char *key, const luxel_parameter_range *interval)
 {
     answer_key(key);
     if (!interval->given) {
@@ -177,7 +177,7 @@ static void answer_parameter(const luxel_parameter *parameter)
     answer_close('}');
 }
 
-static void answer_kind(const luxel_kind *kind)
+static void answer_kind(const luxel_parameter_kind *kind)
 {
     answer_open('{');
     answer_key("list");

@@ -3,7 +3,7 @@
 #include "answer.h"
 #include "core.h"
 
-static void answer_amount(const char *key, const luxel_amount *amount)
+static void answer_amount(const char *key, const luxel_bounded *amount)
 {
     answer_key(key);
     answer_open('[');
@@ -12,7 +12,7 @@ static void answer_amount(const char *key, const luxel_amount *amount)
     answer_close(']');
 }
 
-static void answer_side(const luxel_lit_side *side)
+static void answer_side(const luxel_balance_side *side)
 {
     answer_open('{');
     answer_key("surface");
@@ -22,8 +22,9 @@ static void answer_side(const luxel_lit_side *side)
     answer_key("part");
     answer_string(side->part_name ? page_translate(side->part_name, NULL) : NULL);
     answer_key("side"); /* walls face the room with their front, which goes without saying */
-    answer_string(side->part_name && side->side == LUXEL_FRONT ? NULL
-                                                               : page_translate(luxel_side_name(side->side), NULL));
+    answer_string(side->part_name && side->side == LUXEL_SIDE_FRONT
+                      ? NULL
+                      : page_translate(luxel_surface_side_name(side->side), NULL));
     answer_amount("irradiance", &side->irradiance);
     answer_close('}');
 }

@@ -105,7 +105,7 @@ static void answer_value(const luxel_value *value, const double *shares, size_t 
     else
         answer_string(NULL);
     answer_key("part");
-    answer_string(value->on_surface ? luxel_part_name(core.scene, value->surface, value->part) : NULL);
+    answer_string(value->on_surface ? luxel_scene_part_name(core.scene, value->surface, value->part) : NULL);
     answer_key("value");
     if (value->has_value)
         answer_number(value->value);
@@ -132,7 +132,8 @@ PAGE_CALLS(page_probe) const char *page_probe(double x_mm, double y_mm)
         free(shares);
         return NULL;
     }
-    const luxel_value value = luxel_evaluate(evaluator, x_mm, y_mm, shares);
+    luxel_value value;
+    luxel_evaluate_screen(evaluator, x_mm, y_mm, &value, shares);
     answer_begin();
     answer_value(&value, shares, lights);
     free(shares);
@@ -229,7 +230,7 @@ PAGE_CALLS(page_line) const char *page_line(double x_mm, double y_mm, double deg
     const double through_mm[2] = {x_mm, y_mm};
     double from_mm[2], to_mm[2];
     if (!core.scene ||
-        luxel_line_across_screen(core.scene, through_mm, degrees, fresh_diagnostics(), from_mm, to_mm) != LUXEL_OK)
+        luxel_profile_line(core.scene, through_mm, degrees, fresh_diagnostics(), from_mm, to_mm) != LUXEL_OK)
         return NULL;
     answer_begin();
     answer_open('[');

@@ -80,8 +80,9 @@ const uint8_t *page_relief(unsigned surface, double eye_x, double eye_y, double 
     double *depth = calloc(count, sizeof *depth);
     double(*normals)[3] = calloc(count, sizeof *normals);
     uint8_t *made = malloc(count);
+    const luxel_geometry wanted = {.depth_mm = depth, .normals = normals};
     if (scene && depth && normals && made &&
-        luxel_scene_geometry(scene, fresh_diagnostics(), depth, normals) == LUXEL_OK) {
+        luxel_find_geometry(scene, NULL, fresh_diagnostics(), &wanted) == LUXEL_OK) {
         for (size_t i = 0; i < count; i++)
             made[i] = shade(depth[i], normals[i], eye);
         shades = made;

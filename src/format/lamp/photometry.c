@@ -68,7 +68,7 @@ void lx_luminaire_add_text(struct lx_luminaire_file *file, char *keyword, char *
     made->shown.text_count++;
 }
 
-struct luxel_lamp_set *lx_luminaire_add_lamps(struct lx_luminaire_file *file)
+struct luxel_photometry_lamp_set *lx_luminaire_add_lamps(struct lx_luminaire_file *file)
 {
     struct lx_photometry *made = file->made;
     size_t count = made->shown.lamp_set_count;
@@ -76,7 +76,7 @@ struct luxel_lamp_set *lx_luminaire_add_lamps(struct lx_luminaire_file *file)
         file->no_memory = true;
         return NULL;
     }
-    made->lamp_sets[count] = (luxel_lamp_set){.type = NULL};
+    made->lamp_sets[count] = (luxel_photometry_lamp_set){.type = NULL};
     made->shown.lamp_set_count++;
     return &made->lamp_sets[count];
 }
@@ -295,7 +295,7 @@ static luxel_status finish(struct lx_luminaire_file *file)
     made->shown.tilt_angles = made->tilt_angles;
     made->shown.tilt_factors = made->tilt_factors;
     made->shown.stored_planes = file->table.plane_count;
-    if (luxel_photometry_measure(&made->shown, &figures) != LUXEL_OK)
+    if (luxel_photometry_find_figures(&made->shown, &figures) != LUXEL_OK)
         return lx_out_of_memory(file->diagnostics);
     compare_flux(file, &figures);
     compare_dff(file, &figures);

@@ -17,7 +17,7 @@ struct lx_photometry {
     luxel_photometry shown;
     double *planes, *angles, *intensities, *tilt_angles, *tilt_factors;
     char *version;
-    luxel_lamp_set *lamp_sets;
+    luxel_photometry_lamp_set *lamp_sets;
     size_t lamp_set_capacity;
     luxel_photometry_text *texts;
     size_t text_capacity;
@@ -67,7 +67,7 @@ bool lx_luminaire_number(const char *text, size_t length, bool has_comma, double
 char *lx_luminaire_text(struct lx_luminaire_file *file, size_t start, size_t end);
 /* Adds a text, which it takes over, under a constant keyword or one that it takes over. */
 void lx_luminaire_add_text(struct lx_luminaire_file *file, char *keyword, char *text);
-struct luxel_lamp_set *lx_luminaire_add_lamps(struct lx_luminaire_file *file);
+struct luxel_photometry_lamp_set *lx_luminaire_add_lamps(struct lx_luminaire_file *file);
 
 /* Checks angles that must rise within a range; their places in the file are `starts` to `ends`. */
 struct lx_token {
@@ -85,7 +85,8 @@ void lx_read_lm63(struct lx_luminaire_file *file);
 void lx_read_eulumdat(struct lx_luminaire_file *file);
 
 /* The opening that an LM-63 file of a year means by width, length and height; false: an odd one, taken as a box. */
-bool lx_lm63_opening(unsigned year, double width_mm, double length_mm, double height_mm, luxel_opening *opening);
+bool lx_lm63_opening(unsigned year, double width_mm, double length_mm, double height_mm,
+                     luxel_photometry_opening *opening);
 
 /* Completes the stored table by its symmetry; false: no memory. */
 bool lx_complete_table(const struct lx_stored_table *table, struct lx_photometry *made);
@@ -99,6 +100,7 @@ struct lx_polar_curve {
 bool lx_polar_curve_of(const luxel_photometry *photometry, struct lx_polar_curve *curve);
 void lx_polar_curve_clear(struct lx_polar_curve *curve);
 /* Its flux between two polar angles in degrees. */
-double lx_polar_flux(const struct lx_polar_curve *curve, luxel_interpolation rule, double from_deg, double to_deg);
+double lx_polar_flux(const struct lx_polar_curve *curve, luxel_photometry_interpolation rule, double from_deg,
+                     double to_deg);
 
 #endif

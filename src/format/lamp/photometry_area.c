@@ -12,7 +12,7 @@ static double silhouette(double a, double b, double x, double y)
     return 2 * hypot(a * y, b * x);
 }
 
-double lx_opening_seen_area(const luxel_opening *opening, const double direction[3])
+double lx_opening_seen_area(const luxel_photometry_opening *opening, const double direction[3])
 {
     double along = fabs(direction[0]), x = fabs(direction[1]), y = fabs(direction[2]);
     double length = opening->length_mm / 1000, width = opening->width_mm / 1000, height = opening->height_mm / 1000;

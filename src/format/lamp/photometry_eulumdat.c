@@ -178,7 +178,7 @@ static bool read_lamp_set(struct eulumdat *read, bool is_first)
 {
     static const char count_name[] = LX_N("the number of lamps"), flux_name[] = LX_N("the flux of the lamps");
     struct lx_token token;
-    luxel_lamp_set *lamps = lx_luminaire_add_lamps(read->file);
+    luxel_photometry_lamp_set *lamps = lx_luminaire_add_lamps(read->file);
     if (!lamps || !next_number(read, count_name, &lamps->count, &token) ||
         !lamp_text(read, LX_N("the type of lamp"), &lamps->type) ||
         !next_number(read, flux_name, &lamps->lumens, &read->lumens_token) ||
@@ -212,7 +212,7 @@ static void take_opening(struct eulumdat *read)
     const double *numbers = read->opening;
     double height = fmax(fmax(numbers[2], numbers[3]), fmax(numbers[4], numbers[5]));
     bool is_round = numbers[1] == 0;
-    luxel_opening opening = {
+    luxel_photometry_opening opening = {
         .width_mm = numbers[0], .length_mm = is_round ? numbers[0] : numbers[1], .height_mm = height};
     if (!(numbers[0] > 0) && is_round)
         opening.shape = LUXEL_OPENING_POINT;
@@ -226,12 +226,12 @@ static void take_opening(struct eulumdat *read)
 static void take_head(struct eulumdat *read)
 {
     luxel_photometry *shown = &read->file->made->shown;
-    const luxel_lamp_set *lamps = &read->file->made->lamp_sets[0];
+    const luxel_photometry_lamp_set *lamps = &read->file->made->lamp_sets[0];
     static const luxel_photometry_symmetry symmetries[] = {LUXEL_SYMMETRY_NONE, LUXEL_SYMMETRY_AXIAL,
                                                            LUXEL_SYMMETRY_BILATERAL_0, LUXEL_SYMMETRY_BILATERAL_90,
                                                            LUXEL_SYMMETRY_QUADRANT};
-    shown->format = LUXEL_EULUMDAT;
-    shown->type = LUXEL_TYPE_C;
+    shown->format = LUXEL_PHOTOMETRY_EULUMDAT;
+    shown->type = LUXEL_PHOTOMETRY_TYPE_C;
     shown->symmetry = symmetries[is_count(read->symmetry, 0, 4) ? (int)read->symmetry : 0];
     shown->declared_planes = is_count(read->planes, 1, 1e9) ? (size_t)read->planes : 0;
     shown->is_absolute = lamps->count < 0;

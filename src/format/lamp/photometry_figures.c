@@ -11,7 +11,7 @@
 static const double DEGREE = 0.017453292519943295;
 static const double NONE = (double)NAN;
 
-double luxel_room_index(size_t i)
+double luxel_photometry_room_index(size_t i)
 {
     static const double indices[LUXEL_ROOM_INDICES] = {0.6, 0.8, 1, 1.25, 1.5, 2, 2.5, 3, 4, 5};
     return i < LUXEL_ROOM_INDICES ? indices[i] : NONE;
@@ -56,7 +56,7 @@ static luxel_status find_flux(const luxel_photometry *photometry, luxel_photomet
     figures->linear_lumens = lx_polar_flux(&curve, LUXEL_INTERPOLATE_ANGLE, 0, 180);
     if (photometry->declared_lumens > 0)
         figures->lorl = 100 * figures->zone_lumens / photometry->declared_lumens;
-    if (photometry->type == LUXEL_TYPE_C)
+    if (photometry->type == LUXEL_PHOTOMETRY_TYPE_C)
         find_ratios(photometry, &curve, figures);
     lx_polar_curve_clear(&curve);
     return LUXEL_OK;
@@ -76,7 +76,7 @@ static void find_greatest(const luxel_photometry *photometry, luxel_photometry_f
     figures->greatest_angle_deg = photometry->angles[best % angles];
     figures->greatest_c_deg = figures->greatest_plane_deg;
     figures->greatest_gamma_deg = figures->greatest_angle_deg;
-    if (photometry->type == LUXEL_TYPE_C)
+    if (photometry->type == LUXEL_PHOTOMETRY_TYPE_C)
         return;
     luxel_photometry_direction(photometry, figures->greatest_plane_deg, figures->greatest_angle_deg, direction);
     double across = hypot(direction[1], direction[2]);
@@ -88,7 +88,7 @@ static void find_greatest(const luxel_photometry *photometry, luxel_photometry_f
 static luxel_status find_widths(const luxel_photometry *photometry, luxel_photometry_figures *figures)
 {
     struct lx_section section;
-    bool is_turn = photometry->type == LUXEL_TYPE_C;
+    bool is_turn = photometry->type == LUXEL_PHOTOMETRY_TYPE_C;
     for (int i = 0; i < (is_turn ? 3 : 2); i++) {
         if (!lx_section_of(photometry, i == 2 ? figures->greatest_c_deg : 90.0 * i, &section))
             return LUXEL_ERROR_MEMORY;
@@ -157,7 +157,7 @@ static void find_spacing(const luxel_photometry *photometry, luxel_photometry_fi
     figures->spacing[2] = sqrt(2) * farthest_tangent(photometry, across, 4, below / 4);
 }
 
-luxel_status luxel_photometry_measure(const luxel_photometry *photometry, luxel_photometry_figures *figures)
+luxel_status luxel_photometry_find_figures(const luxel_photometry *photometry, luxel_photometry_figures *figures)
 {
     if (!photometry || !figures)
         return LUXEL_ERROR_ARGUMENT;
@@ -175,7 +175,7 @@ luxel_status luxel_photometry_measure(const luxel_photometry *photometry, luxel_
     luxel_status status = find_flux(photometry, figures);
     if (status == LUXEL_OK && figures->greatest_cd > 0)
         status = find_widths(photometry, figures);
-    if (status == LUXEL_OK && photometry->type == LUXEL_TYPE_C)
+    if (status == LUXEL_OK && photometry->type == LUXEL_PHOTOMETRY_TYPE_C)
         find_spacing(photometry, figures);
     return status;
 }

@@ -21,7 +21,7 @@ static double trapezoid(const double *numbers, size_t count, size_t i)
 bool lx_polar_curve_of(const luxel_photometry *photometry, struct lx_polar_curve *curve)
 {
     size_t planes = photometry->plane_count, angles = photometry->angle_count;
-    bool is_sideways = photometry->type == LUXEL_TYPE_B; /* the polar angle is the horizontal one */
+    bool is_sideways = photometry->type == LUXEL_PHOTOMETRY_TYPE_B; /* the polar angle is the horizontal one */
     const double *polar = is_sideways ? photometry->planes : photometry->angles;
     const double *other = is_sideways ? photometry->angles : photometry->planes;
     size_t others = is_sideways ? angles : planes;
@@ -33,7 +33,7 @@ bool lx_polar_curve_of(const luxel_photometry *photometry, struct lx_polar_curve
         return false;
     }
     for (size_t j = 0; j < curve->count; j++)
-        curve->angles_deg[j] = polar[j] + (photometry->type == LUXEL_TYPE_C ? 0 : 90);
+        curve->angles_deg[j] = polar[j] + (photometry->type == LUXEL_PHOTOMETRY_TYPE_C ? 0 : 90);
     for (size_t i = 0; i < others; i++) {
         double weight = trapezoid(other, others, i);
         const double *row = photometry->intensities + i * (is_sideways ? 1 : angles);
@@ -60,7 +60,7 @@ static double moment(double d)
 }
 
 /* The integral of a value times the sine between two polar angles. */
-static double step_flux(luxel_interpolation rule, double from_deg, double to_deg, double low, double high)
+static double step_flux(luxel_photometry_interpolation rule, double from_deg, double to_deg, double low, double high)
 {
     double middle = 0.5 * (from_deg + to_deg) * DEGREE, half = 0.5 * (to_deg - from_deg) * DEGREE;
     double zone = (low + high) * sin(middle) * sin(half);
@@ -70,7 +70,8 @@ static double step_flux(luxel_interpolation rule, double from_deg, double to_deg
 }
 
 /* A value between two polar angles, as the rule has it. */
-static double step_value(luxel_interpolation rule, const struct lx_polar_curve *curve, size_t i, double at_deg)
+static double step_value(luxel_photometry_interpolation rule, const struct lx_polar_curve *curve, size_t i,
+                         double at_deg)
 {
     double from = curve->angles_deg[i], to = curve->angles_deg[i + 1], half = 0.5 * DEGREE;
     double share = rule == LUXEL_INTERPOLATE_ANGLE ? (at_deg - from) / (to - from)
@@ -79,7 +80,8 @@ static double step_value(luxel_interpolation rule, const struct lx_polar_curve *
     return curve->values[i] + share * (curve->values[i + 1] - curve->values[i]);
 }
 
-double lx_polar_flux(const struct lx_polar_curve *curve, luxel_interpolation rule, double from_deg, double to_deg)
+double lx_polar_flux(const struct lx_polar_curve *curve, luxel_photometry_interpolation rule, double from_deg,
+                     double to_deg)
 {
     double sum = 0;
     for (size_t i = 0; i + 1 < curve->count; i++) {

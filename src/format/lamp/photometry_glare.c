@@ -157,14 +157,14 @@ static bool rate_room(const luxel_photometry *photometry, const struct lx_polar_
     return true;
 }
 
-luxel_status luxel_photometry_rate_glare(const luxel_photometry *photometry, double spacing, luxel_ugr_table *table)
+luxel_status luxel_photometry_find_ugr_table(const luxel_photometry *photometry, double spacing, luxel_ugr_table *table)
 {
     double parts = round(1 / spacing);
     struct lx_polar_curve curve;
     if (!photometry || !table || !(parts >= 1 && parts <= 8) || fabs(parts * spacing - 1) > 1e-9)
         return LUXEL_ERROR_ARGUMENT;
     *table = (luxel_ugr_table){.spacing = 1 / parts};
-    if (photometry->type != LUXEL_TYPE_C || photometry->opening.shape == LUXEL_OPENING_POINT)
+    if (photometry->type != LUXEL_PHOTOMETRY_TYPE_C || photometry->opening.shape == LUXEL_OPENING_POINT)
         return LUXEL_OK;
     if (!lx_polar_curve_of(photometry, &curve))
         return LUXEL_ERROR_MEMORY;

@@ -283,8 +283,9 @@ static void take_header(struct lx_lm63 *lm63)
     luxel_photometry *shown = &file->made->shown;
     const double *numbers = lm63->numbers;
     bool has_lumens = numbers[LX_LM63_LAMPS] > 0 && numbers[LX_LM63_LUMENS] > 0;
-    static const luxel_photometry_type types[] = {LUXEL_TYPE_C, LUXEL_TYPE_B, LUXEL_TYPE_A};
-    shown->format = LUXEL_LM_63;
+    static const luxel_photometry_type types[] = {LUXEL_PHOTOMETRY_TYPE_C, LUXEL_PHOTOMETRY_TYPE_B,
+                                                  LUXEL_PHOTOMETRY_TYPE_A};
+    shown->format = LUXEL_PHOTOMETRY_LM_63;
     shown->year = lm63->year;
     shown->type = types[(int)numbers[LX_LM63_TYPE] - 1];
     shown->is_absolute = numbers[LX_LM63_LUMENS] < 0;
@@ -294,7 +295,7 @@ static void take_header(struct lx_lm63 *lm63)
                         (lm63->year < 1995 ? numbers[LX_LM63_LAMP_BALLAST] : 1);
     shown->watts = numbers[LX_LM63_WATTS];
     take_opening(lm63);
-    luxel_lamp_set *lamps = lx_luminaire_add_lamps(file);
+    luxel_photometry_lamp_set *lamps = lx_luminaire_add_lamps(file);
     if (!lamps)
         return;
     shown->texts = file->made->texts;
@@ -365,12 +366,12 @@ static void judge_planes(struct lx_lm63 *lm63, const struct lx_token *tokens, si
     for (size_t i = 0; i < count; i++)
         if (isnan(planes[i]))
             return;
-    if (shown->type == LUXEL_TYPE_C) {
+    if (shown->type == LUXEL_PHOTOMETRY_TYPE_C) {
         if (lx_check_angles(lm63->file, horizontal, planes, tokens, count, -360, 720))
             judge_turn(lm63, tokens, count);
         return;
     }
-    double most = shown->type == LUXEL_TYPE_B ? 90 : 180;
+    double most = shown->type == LUXEL_PHOTOMETRY_TYPE_B ? 90 : 180;
     if (!lx_check_angles(lm63->file, horizontal, planes, tokens, count, -most, most))
         return;
     shown->symmetry = planes[0] == 0 ? LUXEL_SYMMETRY_LATERAL : LUXEL_SYMMETRY_NONE;
@@ -386,13 +387,13 @@ static void judge_angles(struct lx_lm63 *lm63, const struct lx_token *tokens, si
 {
     luxel_photometry_type type = lm63->file->made->shown.type;
     const double *angles = lm63->file->table.angles;
-    double low = type == LUXEL_TYPE_C ? 0 : type == LUXEL_TYPE_A ? -90 : -180;
-    double high = type == LUXEL_TYPE_A ? 90 : 180;
+    double low = type == LUXEL_PHOTOMETRY_TYPE_C ? 0 : type == LUXEL_PHOTOMETRY_TYPE_A ? -90 : -180;
+    double high = type == LUXEL_PHOTOMETRY_TYPE_A ? 90 : 180;
     char first[LX_SHOWN_SIZE], last[LX_SHOWN_SIZE];
     if (!lx_check_angles(lm63->file, vertical, angles, tokens, count, low, high))
         return;
     double from = angles[0], to = angles[count - 1];
-    bool is_usual = type == LUXEL_TYPE_C
+    bool is_usual = type == LUXEL_PHOTOMETRY_TYPE_C
                         ? (is_near(from, 0) || is_near(from, 90)) && (is_near(to, 90) || is_near(to, 180))
                         : is_near(from, -90) && is_near(to, 90);
     if (!is_usual && !isnan(from) && !isnan(to))

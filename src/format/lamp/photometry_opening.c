@@ -40,7 +40,8 @@ static int shape_of(unsigned year, int width, int length, int height)
     return -1;
 }
 
-bool lx_lm63_opening(unsigned year, double width_mm, double length_mm, double height_mm, luxel_opening *opening)
+bool lx_lm63_opening(unsigned year, double width_mm, double length_mm, double height_mm,
+                     luxel_photometry_opening *opening)
 {
     int shape = shape_of(year, sign_of(width_mm), sign_of(length_mm), sign_of(height_mm));
     double width = fabs(width_mm), length = fabs(length_mm), height = fabs(height_mm);
@@ -56,11 +57,12 @@ bool lx_lm63_opening(unsigned year, double width_mm, double length_mm, double he
     case LUXEL_OPENING_CYLINDER_WIDTH: length = length > 0 ? length : height; break;
     default: break;
     }
-    *opening = (luxel_opening){is_known ? (luxel_opening_shape)shape : LUXEL_OPENING_BOX, width, length, height};
+    *opening = (luxel_photometry_opening){is_known ? (luxel_photometry_opening_shape)shape : LUXEL_OPENING_BOX, width,
+                                          length, height};
     return is_known;
 }
 
-const char *luxel_opening_name(const luxel_opening *opening)
+const char *luxel_photometry_opening_name(const luxel_photometry_opening *opening)
 {
     bool is_round = opening->width_mm == opening->length_mm;
     switch (opening->shape) {

@@ -60,7 +60,7 @@ bool lx_section_of(const luxel_photometry *photometry, double plane_deg, struct 
         lx_section_clear(section);
         return false;
     }
-    if (photometry->type == LUXEL_TYPE_C)
+    if (photometry->type == LUXEL_PHOTOMETRY_TYPE_C)
         take_planes(photometry, plane_deg, section);
     else
         take_cross(photometry, plane_deg >= 90, section);

@@ -88,7 +88,7 @@ bool lx_complete_table(const struct lx_stored_table *table, struct lx_photometry
     if (!images)
         return false;
     bool is_whole = table->is_turn && table->planes[0] == 0; /* with its own last plane, should that differ */
-    bool is_turn = shown->type == LUXEL_TYPE_C && !is_whole;
+    bool is_turn = shown->type == LUXEL_PHOTOMETRY_TYPE_C && !is_whole;
     size_t planes = is_turn                                     ? turn_images(table, shown->symmetry, images)
                     : shown->symmetry == LUXEL_SYMMETRY_LATERAL ? side_images(table, images)
                                                                 : plain_images(table, images);

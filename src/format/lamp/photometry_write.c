@@ -105,7 +105,7 @@ luxel_status luxel_photometry_write(const luxel_photometry *photometry, const ch
         return status;
     if (format == 0)
         lx_write_lm63(photometry, &text, &has_memory);
-    else if (photometry->type == LUXEL_TYPE_C)
+    else if (photometry->type == LUXEL_PHOTOMETRY_TYPE_C)
         lx_write_eulumdat(photometry, &text, &has_memory);
     else
         has_memory = write_turned(photometry, path, diagnostics, &text);

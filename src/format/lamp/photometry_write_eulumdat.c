@@ -95,7 +95,7 @@ static double find_step(const double *angles, size_t count)
 
 static void add_sizes(struct writing *writing)
 {
-    const luxel_opening *opening = &writing->photometry->opening;
+    const luxel_photometry_opening *opening = &writing->photometry->opening;
     const double *housing = writing->photometry->housing_mm;
     bool has_housing = housing[0] > 0;
     bool is_round = opening->width_mm == opening->length_mm &&
@@ -114,10 +114,10 @@ static void add_sizes(struct writing *writing)
 static void add_lamps(struct writing *writing)
 {
     const luxel_photometry *photometry = writing->photometry;
-    bool is_other = photometry->format != LUXEL_EULUMDAT;
+    bool is_other = photometry->format != LUXEL_PHOTOMETRY_EULUMDAT;
     add_number(writing, (double)photometry->lamp_set_count);
     for (size_t i = 0; i < photometry->lamp_set_count; i++) {
-        const luxel_lamp_set *lamps = &photometry->lamp_sets[i];
+        const luxel_photometry_lamp_set *lamps = &photometry->lamp_sets[i];
         bool is_absolute = is_other && (photometry->is_absolute || !(photometry->declared_lumens > 0));
         double count = lamps->count != 0 ? lamps->count : 1;
         add_number(writing, is_absolute ? -fabs(count) : count);
@@ -207,7 +207,7 @@ void lx_write_eulumdat(const luxel_photometry *photometry, struct lx_text *text,
     struct writing writing = {.photometry = photometry, .text = text};
     int symmetry = find_symmetry(photometry);
     size_t planes = symmetry == 1 ? 1 : photometry->plane_count - !has_seam(photometry);
-    *has_memory = luxel_photometry_measure(photometry, &writing.figures) == LUXEL_OK;
+    *has_memory = luxel_photometry_find_figures(photometry, &writing.figures) == LUXEL_OK;
     if (!*has_memory)
         return;
     writing.lumens = photometry->declared_lumens > 0   ? photometry->declared_lumens

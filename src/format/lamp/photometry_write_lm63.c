@@ -50,7 +50,7 @@ static void add_texts(const luxel_photometry *photometry, struct lx_text *text)
         if (!is_written)
             add_text(text, is_keyword(keyword) ? keyword : "OTHER", photometry->texts[i].text);
     }
-    if (photometry->format == LUXEL_EULUMDAT && photometry->lamp_sets[0].type[0])
+    if (photometry->format == LUXEL_PHOTOMETRY_EULUMDAT && photometry->lamp_sets[0].type[0])
         add_text(text, "LAMP", photometry->lamp_sets[0].type);
 }
 
@@ -81,7 +81,7 @@ static void add_tilt(const luxel_photometry *photometry, struct lx_text *text)
 }
 
 /* Width, length and height in metres with the signs of 2002. */
-static void sign_opening(const luxel_opening *opening, double sizes[3])
+static void sign_opening(const luxel_photometry_opening *opening, double sizes[3])
 {
     static const signed char signs[][3] = {
         [LUXEL_OPENING_POINT] = {0, 0, 0},
@@ -102,7 +102,8 @@ static void sign_opening(const luxel_opening *opening, double sizes[3])
 
 static void add_header(const luxel_photometry *photometry, size_t planes, struct lx_text *text)
 {
-    static const double types[] = {[LUXEL_TYPE_A] = 3, [LUXEL_TYPE_B] = 2, [LUXEL_TYPE_C] = 1};
+    static const double types[] = {
+        [LUXEL_PHOTOMETRY_TYPE_A] = 3, [LUXEL_PHOTOMETRY_TYPE_B] = 2, [LUXEL_PHOTOMETRY_TYPE_C] = 1};
     double lamps = photometry->lamp_sets[0].count, sizes[3];
     lamps = lamps != 0 ? fabs(lamps) : 1;
     double lumens =
@@ -120,7 +121,7 @@ static void find_range(const luxel_photometry *photometry, double *from_deg, dou
 {
     *from_deg = 0;
     *to_deg = photometry->planes[photometry->plane_count - 1];
-    if (photometry->type != LUXEL_TYPE_C)
+    if (photometry->type != LUXEL_PHOTOMETRY_TYPE_C)
         *from_deg = photometry->symmetry == LUXEL_SYMMETRY_LATERAL ? 0 : photometry->planes[0];
     else
         *to_deg = photometry->symmetry == LUXEL_SYMMETRY_AXIAL         ? 0
