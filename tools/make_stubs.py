@@ -10,8 +10,8 @@ import sys
 
 ALIASES = {
     "_Field": '_Field = TypeVar("_Field", bound="FieldHandle")',
-    "_Settings": "_Settings = Tuple[int, int, int, Optional[str], float, float, float, int, bool, Optional[bytes],\n"
-                 "                  Optional[Callable[[float], Any]]]",
+    "_Settings": "_Settings = Tuple[int, int, int, Optional[str], float, float, float, int, bool, bool,\n"
+                 "                  Optional[bytes], Optional[Callable[[float], Any]]]",
 }
 TYPING = ("Any", "Callable", "List", "Optional", "Tuple", "Type", "TypeVar")
 TEXT = r'"(?:[^"\\]|\\.)*"'

@@ -195,7 +195,7 @@ class Field(Arithmetic, _luxel.FieldHandle):
     def _settings(self, threads: int, tolerance: Optional[float], progress: Optional[Progress]) -> Settings:
         made = getattr(self, "_made", None)
         return settings(None, quantity=self.quantity, threads=threads, tolerance=tolerance, progress=progress,
-                        lights=made[9] if made else None)
+                        lights=made[10] if made else None)
 
     def _exact(self) -> "_luxel.SceneHandle":
         handle = _luxel.field_scene(self)

@@ -337,28 +337,29 @@ class Scene:
     @overload
     def probe(self, points: Pair, *, quantity: Optional[str] = ..., tolerance: Optional[float] = ...,
               reflected_error: Optional[float] = ..., threads: int = ..., lights: Optional[Lights] = ...,
-              progress: Optional[Progress] = ...) -> Probe: ...
+              skip_reflected_pixels: bool = ..., progress: Optional[Progress] = ...) -> Probe: ...
 
     @overload
     def probe(self, points: "Union[None, Iterable[Pair], npt.NDArray[Any]]" = ..., *, quantity: Optional[str] = ...,
               tolerance: Optional[float] = ..., reflected_error: Optional[float] = ..., threads: int = ...,
-              lights: Optional[Lights] = ..., progress: Optional[Progress] = ...) -> Probes: ...
+              lights: Optional[Lights] = ..., skip_reflected_pixels: bool = ..., progress: Optional[Progress] = ...
+              ) -> Probes: ...
 
     def probe(self, points: Any = None, *, quantity: Optional[str] = None, tolerance: Optional[float] = None,
               reflected_error: Optional[float] = None, threads: int = 0, lights: Optional[Lights] = None,
-              progress: Optional[Progress] = None) -> Union[Probe, Probes]:
+              skip_reflected_pixels: bool = False, progress: Optional[Progress] = None) -> Union[Probe, Probes]:
         """The exact values at points of the screen, x and y in mm, light by light, with bounds of their errors.
 
         One pair gives a Probe; a list of pairs or an array of two columns gives Probes; None takes the scene's points.
-        Thousands at once are fastest.  `reflected_error` is the bound wanted of reflected light, relative to
-        the value, 0.001 unless it is given.  For arrays of surface elements there is evaluate().
+        Thousands at once are fastest, elements by evaluate(). `reflected_error` is the bound wanted of reflected light,
+        relative to the value (0.001); `skip_reflected_pixels`: no pixel values that take such light of their own.
         """
         points = self.points if points is None else points
         shape = getattr(points, "shape", None)
         is_one = len(shape) == 1 if shape is not None else (
             isinstance(points, (tuple, list)) and len(points) == 2 and not hasattr(points[0], "__len__"))
         found = self._probe(_flow.pairs([points] if is_one else points), quantity, tolerance, reflected_error, threads,
-                            self._group(lights), progress)
+                            self._group(lights), progress, skip_reflected_pixels)
         return found[0] if is_one else Probes(found)
 
     def probe_element(self, position_mm: Sequence[float], normal: Sequence[float], *,
@@ -379,16 +380,15 @@ class Scene:
                            self._group(lights), None)[0]
 
     def _probe(self, places: List[Any], quantity: Optional[str], tolerance: Optional[float],
-               reflected_error: Optional[float], threads: int, lights: Optional[bytes],
-               progress: Optional[Progress]) -> List[Probe]:
+               reflected_error: Optional[float], threads: int, lights: Optional[bytes], progress: Optional[Progress],
+               skips_pixels: bool = False) -> List[Probe]:
         how = settings(self._carried, quantity, None, threads, None, tolerance, progress=progress,
-                       reflected_error=reflected_error, lights=lights)
+                       reflected_error=reflected_error, lights=lights, skip_reflected_pixels=skips_pixels)
         return probes(_luxel.probe(self._handle, places, how), _luxel.scene_unit(self._handle, how[0], lights)[0])
 
     def _surface(self, surface: Union[str, int]) -> int:
-        names = range(self.size("surfaces"))
         return index_of("surface", surface, [self["surfaces[%d].name" % i] if isinstance(surface, str) else None
-                                             for i in names])
+                                             for i in range(self.size("surfaces"))])
 
     def evaluate(self, places: "npt.ArrayLike", normals: "npt.ArrayLike", view: "Optional[npt.ArrayLike]" = None, *,
                  surface: Union[str, int] = 0, per_light: bool = False, quantity: Optional[str] = None,

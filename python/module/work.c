@@ -55,7 +55,7 @@ static bool ask(double done, void *data)
 
 bool work_begin(struct work *work, PyObject *settings)
 {
-    int quantity, precision, reached;
+    int quantity, precision, reached, skips;
     const char *lights;
     Py_ssize_t size;
     PyObject *progress;
@@ -63,13 +63,15 @@ bool work_begin(struct work *work, PyObject *settings)
     *work = (struct work){.share = 1};
     luxel_settings_init(&work->settings);
     if (!is_tuple(settings) ||
-        !PyArg_ParseTuple(settings, "iiIzdddIpz#O", &quantity, &precision, &work->settings.threads,
+        !PyArg_ParseTuple(settings, "iiIzdddIppz#O", &quantity, &precision, &work->settings.threads,
                           &work->settings.instruction_set, &work->settings.tolerance, &work->settings.light_error,
-                          &work->settings.reflected_error, &work->settings.stride, &reached, &lights, &size, &progress))
+                          &work->settings.reflected_error, &work->settings.stride, &reached, &skips, &lights, &size,
+                          &progress))
         return false;
     work->settings.quantity = (luxel_quantity)quantity;
     work->settings.precision = (luxel_precision)precision;
     work->settings.minimum_reached = reached != 0;
+    work->settings.skip_reflected_pixels = skips != 0;
     work->settings.lights = (const size_t *)(const void *)lights; /* bytes begin where numbers may */
     work->settings.light_count = (size_t)size / sizeof(size_t);
     work->settings.progress = ask;

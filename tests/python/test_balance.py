@@ -35,6 +35,22 @@ def told_amount(told):
     return told and (told["value"], told["error"])
 
 
+def test_skipped_pixels(tap, tool):
+    scene = luxel.Scene(ROOM).changed(QUICK)
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", luxel.LuxelWarning)
+        whole, bare = (scene.probe((100, 200), reflected_error=0.1, skip_reflected_pixels=skips)
+                       for skips in (False, True))
+        many = scene.probe([(100, 200), (0, 0)], reflected_error=0.1, skip_reflected_pixels=True)
+    tap.ok(whole.pixel_value is not None and whole.pixel == bare.pixel, "a probe tells the picture's value", whole)
+    tap.ok(bare.pixel_value is None, "unless it takes a solution of its own and is not wanted", bare)
+    tap.equal((bare.value, bare.error, many[0].value), (whole.value, whole.error, whole.value), "the exact one stays")
+    tap.ok(all(probe.pixel_value is None for probe in many), "nor do many probes tell it")
+    plain = luxel.Scene("report")
+    tap.equal(plain.probe((0, 0), skip_reflected_pixels=True).pixel_value, plain.probe((0, 0)).pixel_value,
+              "without reflected light it takes none, and is told")
+
+
 def test_tool(tap, tool):
     for name, text in (("a room", ROOM), ("a ball", BALL)):
         scene = luxel.Scene(text)
@@ -102,4 +118,4 @@ def test_ways(tap, tool):
         luxel.set_language("en")
 
 
-run_tests(Tap(), test_tool, test_truth, test_ways)
+run_tests(Tap(), test_tool, test_truth, test_ways, test_skipped_pixels)

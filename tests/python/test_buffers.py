@@ -70,7 +70,7 @@ def test_handles(tap, tool):
     for call in (lambda: raw.scene_text(5), lambda: raw.render(5, luxel.Field, ()), lambda: raw.document_text(5, 1),
                  lambda: raw.grid_write(luxel.Scene(SCENE)._handle, b"x"), lambda: raw.field_about(None),
                  lambda: raw.render(luxel.Scene(SCENE)._handle, int,
-                                    (0, 0, 0, None, 0.0, 0.0, 0.0, 1, False, None, None)),
+                                    (0, 0, 0, None, 0.0, 0.0, 0.0, 1, False, False, None, None)),
                  lambda: raw.render(luxel.Scene(SCENE)._handle, luxel.Field, (0, 0)),
                  lambda: raw.scene_change(luxel.Scene(SCENE)._handle, ["set"]),
                  lambda: raw.scene_change(luxel.Scene(SCENE)._handle, None)):

@@ -10,7 +10,7 @@ import numpy
 from package import Tap, luxel, raises, run_tests
 from tool import PATIENCE, SCENE
 
-SETTINGS = (0, 0, 0, None, 0.0, 0.0, 0.0, 1, False, None, None)
+SETTINGS = (0, 0, 0, None, 0.0, 0.0, 0.0, 1, False, False, None, None)
 LIMIT = 20 * PATIENCE  # seconds, after which a loop ends early on a slow machine
 
 BALL = """luxel: 1
