@@ -9,7 +9,6 @@
 
 #include "../base/memory.h"
 #include "../base/vector.h"
-#include "../light/distribution.h"
 #include "../light/solid/extended.h"
 #include "../world/integral/cubature.h"
 #include "opening_light.h"
