@@ -24,13 +24,6 @@ double lx_reported_error(lx_bounded number)
     return number.error >= 0 ? number.error : HUGE_VAL;
 }
 
-static void copy3(double to[3], lx_bounded3 from)
-{
-    to[0] = from.x.value;
-    to[1] = from.y.value;
-    to[2] = from.z.value;
-}
-
 /* The place of an element, without its value. */
 static luxel_value place_of(const struct lx_element *element)
 {
@@ -39,8 +32,8 @@ static luxel_value place_of(const struct lx_element *element)
         place.surface = element->own->authored;
         place.part = element->own->part;
     }
-    copy3(place.position_mm, element->place_mm);
-    copy3(place.normal, element->normal);
+    lx_values3(element->place_mm, place.position_mm);
+    lx_values3(element->normal, place.normal);
     return place;
 }
 
@@ -121,14 +114,20 @@ luxel_value luxel_trace(const luxel_evaluator *evaluator, double x_mm, double y_
     return lx_evaluator_sees(evaluator, x_mm, y_mm, &element) ? place_of(&element) : (luxel_value){0};
 }
 
+/* Where there is no element. */
+static luxel_value nothing_at(const luxel_evaluator *evaluator, double *shares)
+{
+    if (shares)
+        memset(shares, 0, luxel_evaluator_light_count(evaluator) * sizeof *shares);
+    return (luxel_value){.on_surface = false};
+}
+
 luxel_value luxel_evaluate(const luxel_evaluator *evaluator, double x_mm, double y_mm, double *shares)
 {
     struct lx_element element;
     if (lx_evaluator_sees(evaluator, x_mm, y_mm, &element))
         return lx_evaluate_element(evaluator, &element, shares);
-    if (shares)
-        memset(shares, 0, luxel_evaluator_light_count(evaluator) * sizeof *shares);
-    return (luxel_value){.on_surface = false};
+    return nothing_at(evaluator, shares);
 }
 
 static bool is_direction(const double way[3])
@@ -145,20 +144,11 @@ bool lx_is_place(const luxel_place *place)
            (!place->has_view || is_direction(place->view));
 }
 
-struct lx_element lx_free_element_at(const struct lx_prepared *prepared, const luxel_place *place)
-{
-    struct lx_free_element asked = {.surface = place->surface};
-    memcpy(asked.place_mm, place->position_mm, sizeof asked.place_mm);
-    memcpy(asked.normal, place->normal, sizeof asked.normal);
-    asked.view = place->has_view ? place->view : NULL;
-    return lx_element_at(prepared, &asked);
-}
-
 luxel_value luxel_evaluate_place(const luxel_evaluator *evaluator, const luxel_place *place, double *shares)
 {
     const struct lx_prepared *prepared = &evaluator->prepared;
     if (place->is_element && lx_is_place(place) && place->surface < lx_material_count(prepared->scene)) {
-        const struct lx_element element = lx_free_element_at(prepared, place);
+        const struct lx_element element = lx_element_at(prepared, place);
         luxel_value value = lx_evaluate_element(evaluator, &element, shares);
         if (!element.own)
             value.surface = place->surface;
@@ -166,9 +156,7 @@ luxel_value luxel_evaluate_place(const luxel_evaluator *evaluator, const luxel_p
     }
     if (!place->is_element && lx_is_place(place))
         return luxel_evaluate(evaluator, place->screen_mm[0], place->screen_mm[1], shares);
-    if (shares)
-        memset(shares, 0, luxel_evaluator_light_count(evaluator) * sizeof *shares);
-    return (luxel_value){.on_surface = false};
+    return nothing_at(evaluator, shares);
 }
 
 luxel_value luxel_evaluate_sphere(const luxel_evaluator *evaluator, size_t surface, const double normal[3],
@@ -180,9 +168,7 @@ luxel_value luxel_evaluate_sphere(const luxel_evaluator *evaluator, size_t surfa
         const struct lx_element element = lx_element_on(prepared, lx_prepared_index(prepared, surface, 0), normal);
         return lx_evaluate_element(evaluator, &element, shares);
     }
-    if (shares)
-        memset(shares, 0, luxel_evaluator_light_count(evaluator) * sizeof *shares);
-    return (luxel_value){.on_surface = false};
+    return nothing_at(evaluator, shares);
 }
 
 bool luxel_evaluator_integrates(const luxel_evaluator *evaluator)

@@ -57,8 +57,8 @@ static size_t compare(const char *text, struct dice *dice, size_t many)
     assert_int_equal(lx_prepare(lx_scene_parameters(scene), NULL, NULL, &prepared), 0);
     const struct lx_emitter *emitter = &prepared.emitters.items[0];
     for (int i = 0; i < ELEMENTS; i++) {
-        const struct lx_free_element asked = {.place_mm = {dice_uniform(dice, -60, 60), dice_uniform(dice, -60, 60), 0},
-                                              .normal = {0, 0, 1}};
+        const luxel_place asked = {.position_mm = {dice_uniform(dice, -60, 60), dice_uniform(dice, -60, 60), 0},
+                                   .normal = {0, 0, 1}};
         const struct lx_element element = lx_element_at(&prepared, &asked);
         struct lx_occlusion occlusion = {.place_mm = {0}};
         double found;
