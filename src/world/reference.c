@@ -127,7 +127,7 @@ static struct lx_lighting light_around(const struct lx_prepared *prepared, const
     if (!closed || lx_lobe_shines(lobe)) {
         double known = lobe->diffuse.value * lighting.irradiance.value;
         struct lx_cubature integral =
-            lx_integrate_seen(emitter, element, occlusion, !closed, known, prepared->tolerance, NULL);
+            lx_integrate(emitter, element, occlusion, !closed, known, prepared->tolerance, NULL);
         if (!closed)
             lighting.irradiance = integral.irradiance;
         lighting.specular = integral.specular;

@@ -141,8 +141,7 @@ static struct lx_cubature by_triangles(const struct lx_prepared *prepared, const
         lx_occlusion_settle(emitter, element->place_mm.x.error + element->place_mm.y.error + element->place_mm.z.error,
                             &occlusion),
         0);
-    const struct lx_cubature result =
-        lx_integrate_seen(emitter, element, &occlusion, true, 0, prepared->tolerance, NULL);
+    const struct lx_cubature result = lx_integrate(emitter, element, &occlusion, true, 0, prepared->tolerance, NULL);
     lx_occlusion_clear(&occlusion);
     return result;
 }

@@ -68,7 +68,7 @@ static size_t compare(const char *text, struct dice *dice, size_t many)
             fail_msg("%zu obstacles are too many:\n%s", occlusion.obstacles.count, text);
         found *= emitter->radiance.value;
         const lx_bounded seen =
-            lx_integrate_seen(emitter, &element, &occlusion, true, 0, prepared.tolerance, NULL).irradiance;
+            lx_integrate(emitter, &element, &occlusion, true, 0, prepared.tolerance, NULL).irradiance;
         if (!(fabs(found - seen.value) <= seen.error + 1e-12))
             fail_msg("%.17g by borders, %.17g +- %g by arcs, behind %zu obstacles:\n%s", found, seen.value, seen.error,
                      occlusion.obstacles.count, text);

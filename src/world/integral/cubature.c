@@ -454,21 +454,9 @@ static bool sum_outline(struct lx_problem *problem, lx_bounded *seen)
            seen->value + seen->error <= lx_outline_nothing(problem->occlusion->outline);
 }
 
-struct lx_cubature lx_integrate(const struct lx_emitter *emitter, const struct lx_element *element, bool diffuse,
-                                double known, double tolerance)
-{
-    return lx_integrate_asking(emitter, element, diffuse, known, tolerance, NULL);
-}
-
-struct lx_cubature lx_integrate_asking(const struct lx_emitter *emitter, const struct lx_element *element, bool diffuse,
-                                       double known, double tolerance, const struct lx_asking *asking)
-{
-    return lx_integrate_seen(emitter, element, NULL, diffuse, known, tolerance, asking);
-}
-
-struct lx_cubature lx_integrate_seen(const struct lx_emitter *emitter, const struct lx_element *element,
-                                     struct lx_occlusion *occlusion, bool diffuse, double known, double tolerance,
-                                     const struct lx_asking *asking)
+struct lx_cubature lx_integrate(const struct lx_emitter *emitter, const struct lx_element *element,
+                                struct lx_occlusion *occlusion, bool diffuse, double known, double tolerance,
+                                const struct lx_asking *asking)
 {
     struct lx_cubature result = {.irradiance = lx_exact(0), .specular = lx_exact(0)};
     const struct lx_lobe *lobe = element->lobe;
