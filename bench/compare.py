@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Times `luxel bench` and what else can make the exercise's picture on this machine, in turn; prints a page.
+"""Times the kernels and what else can make the exercise's picture on this machine, in turn; prints a page.
 
 Usage: compare.py BUILD, with the folder of a build.  Peers that are not there are left out.
 """
@@ -92,10 +92,11 @@ class Peers:
         return words
 
 
-def own_times(luxel, folder):
+def own_times(folder):
     """Whole luxel_render() calls of the best instruction set: by one thread and by all, for 1 and for 16 sources."""
     environment = dict(os.environ, LUXEL_ISA="", LC_ALL="C.UTF-8", LANGUAGE="")
-    result = subprocess.run([luxel, "bench", "--json"], capture_output=True, text=True, check=True, env=environment)
+    result = subprocess.run([build(folder, "time_kernels")], capture_output=True, text=True, check=True,
+                            env=environment)
     return json.loads(result.stdout)
 
 
@@ -118,7 +119,7 @@ def main():
     peers = Peers(folder)
     bench, times = None, {}
     for _ in range(ROUNDS):  # in turn, so that all meet the same moods of the machine
-        now = own_times(luxel, folder)
+        now = own_times(folder)
         rows = {(each["case"], each["instruction_set"]): each for each in now["timings"]}
         if bench:
             for each in bench["timings"]:

@@ -15,7 +15,7 @@
 #include <unistd.h>
 
 #include "cli.h"
-#include "machine.h"
+#include "clock.h"
 
 #define ERASE "\r\033[K"
 
@@ -52,7 +52,7 @@ static struct timespec after(double pause_s)
 /* What is left is told while the work tells how far it is; else how long it has been going on. */
 static void show(const struct progress *progress)
 {
-    const double fresh_s = 2.0, now = machine_seconds(), done = progress->done;
+    const double fresh_s = 2.0, now = clock_seconds(), done = progress->done;
 
     is_shown = 1;
     fputc('\r', stderr);
@@ -73,7 +73,7 @@ static void *show_until_the_end(void *data)
     pthread_mutex_lock(&progress->lock);
     while (!progress->has_ended)
         if (pthread_cond_timedwait(&progress->ends, &progress->lock, &moment) == ETIMEDOUT) {
-            if (machine_seconds() - progress->start_s >= patience_s)
+            if (clock_seconds() - progress->start_s >= patience_s)
                 show(progress);
             moment = after(pause_s);
         }
@@ -85,7 +85,7 @@ void progress_begin(struct progress *progress, bool quiet)
 {
     const char *terminal = getenv("TERM");
     const bool erases = terminal && strcmp(terminal, "dumb") != 0;
-    const double now = machine_seconds();
+    const double now = clock_seconds();
     pthread_condattr_t by_clock;
 
     *progress = (struct progress){.wanted = !quiet && erases && isatty(STDERR_FILENO), .start_s = now, .part_s = now};
@@ -106,7 +106,7 @@ bool progress_report(double done, void *data)
     if (!progress->wanted)
         return true;
     pthread_mutex_lock(&progress->lock);
-    progress->told_s = machine_seconds();
+    progress->told_s = clock_seconds();
     if (done < progress->done) /* another part has begun */
         progress->part_s = progress->told_s;
     progress->done = done;

@@ -164,7 +164,7 @@ ARGUMENTS = [
     "render --threads 1025", "render --threads=4 --bits 16 -o a.png -o -", "render --out a.png", "render --s x",
     "rendr", "report report --author A --group 1 --date today", "--version", "--help", "-s a=b", "-x", "--",
     "-- render",
-    "render -s", "render --quantity brightnes", "render --quiet=1", "bench -q --light-error 0.1", "render report more",
+    "render -s", "render --quantity brightnes", "render --quiet=1", "stats -q --light-error 0.1", "render report more",
 ]
 
 

@@ -10,7 +10,7 @@
 
 #include "../../front/language.h"
 #include "../cli.h"
-#include "../machine.h"
+#include "../clock.h"
 #include "../message.h"
 #include "sweep.h"
 
@@ -437,7 +437,7 @@ bool sweep_has(const struct sweep *sweep, uint64_t shard)
 double sweep_time_of_scene(struct sweep_worker *worker, double seconds)
 {
     const struct sweep *sweep = worker->sweep;
-    const double start = machine_seconds();
+    const double start = clock_seconds();
     const uint64_t step = sweep->scenes > 997 ? sweep->scenes / 997 : 1;
     struct making making = {.worker = worker, .folder = -1};
     luxel_status status = LUXEL_OK;
@@ -451,7 +451,7 @@ double sweep_time_of_scene(struct sweep_worker *worker, double seconds)
             break;
         i = (i + step) % sweep->scenes;
         scenes++;
-        now = machine_seconds();
+        now = clock_seconds();
     }
     close_arrays(&making, false);
     if (failed == 0 && status == LUXEL_OK)

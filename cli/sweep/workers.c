@@ -12,8 +12,8 @@
 #include <unistd.h>
 
 #include "../cli.h"
+#include "../clock.h"
 #include "../json.h"
-#include "../machine.h"
 #include "../message.h"
 #include "../text.h"
 #include "sweep.h"
@@ -47,7 +47,7 @@ static void on_interrupt(int signal_number)
 
 static double rate_of(const struct crew *crew)
 {
-    const double seconds = machine_seconds() - crew->start_s;
+    const double seconds = clock_seconds() - crew->start_s;
 
     return seconds > 0.0 ? (double)atomic_load(&crew->sweep->done) / seconds : 0.0;
 }
@@ -135,7 +135,7 @@ static void watch(struct crew *crew)
         pthread_cond_timedwait(&crew->ended, &crew->sweep->mutex, &until);
         if (is_interrupted)
             atomic_store(&crew->sweep->stop, true);
-        if (tells && machine_seconds() - crew->start_s > 1.0) {
+        if (tells && clock_seconds() - crew->start_s > 1.0) {
             tell_terminal(crew);
             has_told = true;
         }
@@ -182,7 +182,7 @@ static void start(struct crew *crew)
     pthread_t *threads = message_allocate(most, sizeof *threads);
     unsigned started = 0;
 
-    crew->start_s = machine_seconds();
+    crew->start_s = clock_seconds();
     for (; started < most; started++) {
         atomic_fetch_add(&crew->busy, 1);
         if (pthread_create(&threads[started], NULL, work, crew) != 0) {

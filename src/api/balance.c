@@ -163,10 +163,8 @@ luxel_status luxel_find_balance(const luxel_scene *scene, const luxel_settings *
 {
     struct lx_session session;
     luxel_balance *made = NULL;
-    if (!balance) {
-        lx_report(diagnostics, LUXEL_SEVERITY_ERROR, NULL, LX_MSG_MISSING_ARGUMENT, LX_ARGS("balance"));
-        return LUXEL_ERROR_ARGUMENT;
-    }
+    if (!balance)
+        return lx_refuse(diagnostics, LX_MSG_MISSING_ARGUMENT, LX_ARGS("balance"));
     luxel_status status = lx_session_open_world(scene, settings, diagnostics, &session);
     if (status == LUXEL_OK && lx_wants_reflections(session.prepared.scene))
         status = find(scene, &session, diagnostics, &made);

@@ -21,10 +21,8 @@ void luxel_evaluator_free(luxel_evaluator *evaluator)
 luxel_status luxel_evaluator_new(const luxel_scene *scene, const luxel_settings *settings,
                                  luxel_diagnostics *diagnostics, luxel_evaluator **evaluator)
 {
-    if (!evaluator) {
-        lx_report(diagnostics, LUXEL_SEVERITY_ERROR, NULL, LX_MSG_MISSING_ARGUMENT, LX_ARGS("evaluator"));
-        return LUXEL_ERROR_ARGUMENT;
-    }
+    if (!evaluator)
+        return lx_refuse(diagnostics, LX_MSG_MISSING_ARGUMENT, LX_ARGS("evaluator"));
     struct luxel_evaluator *made = lx_new_array(1, sizeof *made);
     if (!made)
         return lx_out_of_memory(diagnostics);

@@ -143,10 +143,8 @@ static luxel_status look_by_threads(struct looking *work, luxel_diagnostics *dia
 luxel_status luxel_find_geometry(const luxel_scene *scene, const luxel_settings *settings,
                                  luxel_diagnostics *diagnostics, const luxel_geometry *geometry)
 {
-    if (!geometry) {
-        lx_report(diagnostics, LUXEL_SEVERITY_ERROR, NULL, LX_MSG_MISSING_ARGUMENT, LX_ARGS("geometry"));
-        return LUXEL_ERROR_ARGUMENT;
-    }
+    if (!geometry)
+        return lx_refuse(diagnostics, LX_MSG_MISSING_ARGUMENT, LX_ARGS("geometry"));
     luxel_status status = LX_CHECK_RESERVE(geometry, diagnostics);
     if (status != LUXEL_OK)
         return status;

@@ -117,7 +117,7 @@ static struct lx_element element_at(const struct lx_prepared *prepared, const st
     luxel_place place = {.is_element = true};
     memcpy(place.position_mm, eye->place_mm, sizeof place.position_mm);
     memcpy(place.normal, normal, sizeof place.normal);
-    return lx_free_element_at(prepared, &place);
+    return lx_element_at(prepared, &place);
 }
 
 /* The irradiance of an element at the eye by one light, 0 where that lies on the eye; moves `next`. */
@@ -267,10 +267,8 @@ luxel_status luxel_find_glare(const luxel_scene *scene, const luxel_settings *se
 {
     struct lx_session session;
     struct rating rating = {.session = &session, .sum = lx_exact(0), .ambient = lx_exact(0), .reflected = lx_exact(0)};
-    if (!sight || !glare) {
-        lx_report(diagnostics, LUXEL_SEVERITY_ERROR, NULL, LX_MSG_MISSING_ARGUMENT, LX_ARGS(glare ? "sight" : "glare"));
-        return LUXEL_ERROR_ARGUMENT;
-    }
+    if (!sight || !glare)
+        return lx_refuse(diagnostics, LX_MSG_MISSING_ARGUMENT, LX_ARGS(glare ? "sight" : "glare"));
     luxel_status status = LX_CHECK_RESERVE(sight, diagnostics);
     if (status != LUXEL_OK)
         return status;

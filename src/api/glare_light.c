@@ -2,8 +2,6 @@
 /* Areas that lights show: those of their emitters, and of a luminaire that shines as a point, of its file's opening. */
 #include "glare_light.h"
 
-#include <math.h>
-
 #include "../base/pose.h"
 #include "../base/vector.h"
 #include "../format/lamp/photometry_area.h"

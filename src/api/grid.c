@@ -256,11 +256,6 @@ static void judge(const struct lx_measuring *measuring, bool is_tolerance_asked_
     grid->tolerance_reached = reaches(measuring, is_tolerance_asked_for);
 }
 
-static void value_of(lx_bounded3 a, double value[3])
-{
-    value[0] = a.x.value, value[1] = a.y.value, value[2] = a.z.value;
-}
-
 static void describe(const struct lx_grid *from, struct lx_measured *made)
 {
     luxel_grid *grid = &made->grid;
@@ -269,9 +264,9 @@ static void describe(const struct lx_grid *from, struct lx_measured *made)
     grid->rows = from->n[1];
     memcpy(grid->center_mm, from->center_mm, sizeof grid->center_mm);
     memcpy(grid->size_mm, from->size_mm, sizeof grid->size_mm);
-    value_of(lx_wide3_direction(made->cells.pose.axis), grid->axis);
-    value_of(lx_wide3_direction(made->cells.pose.upward), grid->up);
-    value_of(lx_wide3_direction(made->cells.pose.across), grid->across);
+    lx_values3(lx_wide3_direction(made->cells.pose.axis), grid->axis);
+    lx_values3(lx_wide3_direction(made->cells.pose.upward), grid->up);
+    lx_values3(lx_wide3_direction(made->cells.pose.across), grid->across);
 }
 
 static luxel_status too_large(const struct lx_grid *grid, double needed, double available,
@@ -451,5 +446,5 @@ luxel_status lx_measure_cells(const luxel_scene *scene, const luxel_settings *se
 
 void luxel_grid_position(const luxel_grid *grid, unsigned column, unsigned row, double position_mm[3])
 {
-    value_of(lx_cell_place(&((const struct lx_measured *)grid)->cells, column, row), position_mm);
+    lx_values3(lx_cell_place(&((const struct lx_measured *)grid)->cells, column, row), position_mm);
 }

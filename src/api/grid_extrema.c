@@ -5,7 +5,6 @@
  * that; and refined from the best places by steps of ever half the length to the best of eight around, which jumps and
  * kinks do not mislead.
  */
-#include <float.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>

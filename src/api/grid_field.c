@@ -3,7 +3,6 @@
  * The values of a measuring plane alone: of its own cells, and as a field of as many as are wanted, with places on the
  * plane.
  */
-#include <limits.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -64,16 +63,12 @@ luxel_status luxel_find_grid_field(const luxel_scene *scene, const luxel_setting
     const unsigned n[2] = {columns, rows};
     luxel_grid *grid = NULL;
     char number[LX_NUMBER_SIZE];
-    if (!field) {
-        lx_report(diagnostics, LUXEL_SEVERITY_ERROR, NULL, LX_MSG_MISSING_ARGUMENT, LX_ARGS("field"));
-        return LUXEL_ERROR_ARGUMENT;
-    }
+    if (!field)
+        return lx_refuse(diagnostics, LX_MSG_MISSING_ARGUMENT, LX_ARGS("field"));
     for (int k = 0; k < 2; k++)
-        if (n[k] < 1 || n[k] > 65536) {
-            lx_report(diagnostics, LUXEL_SEVERITY_ERROR, NULL, LX_MSG_SETTING_OUT_OF_RANGE,
-                      LX_ARGS(k == 0 ? "columns" : "rows", lx_write_number(n[k], number), "1–65536"));
-            return LUXEL_ERROR_ARGUMENT;
-        }
+        if (n[k] < 1 || n[k] > 65536)
+            return lx_refuse(diagnostics, LX_MSG_SETTING_OUT_OF_RANGE,
+                             LX_ARGS(k == 0 ? "columns" : "rows", lx_write_number(n[k], number), "1–65536"));
     luxel_status status = lx_measure_cells(scene, settings, i, n, diagnostics, &grid);
     if (status != LUXEL_OK)
         return status;

@@ -17,8 +17,7 @@ luxel_status luxel_check_grid_output_name(const char *path, luxel_diagnostics *d
     const char *slash = strrchr(path, '/'), *name = slash ? slash + 1 : path, *dot = strrchr(name, '.');
     if (dot && dot != name && strcasecmp(dot, ENDING) == 0)
         return LUXEL_OK;
-    lx_report(diagnostics, LUXEL_SEVERITY_ERROR, NULL, LX_MSG_GRID_ENDING, LX_ARGS(path, ENDING));
-    return LUXEL_ERROR_ARGUMENT;
+    return lx_refuse(diagnostics, LX_MSG_GRID_ENDING, LX_ARGS(path, ENDING));
 }
 
 static void add_heading(struct lx_text *lines, const char *unit)
@@ -88,10 +87,8 @@ luxel_status luxel_grids_write(const luxel_grid *const *grids, size_t count, con
     luxel_status status = luxel_check_grid_output_name(path, diagnostics);
     if (status != LUXEL_OK)
         return status;
-    if (count == 0) {
-        lx_report(diagnostics, LUXEL_SEVERITY_ERROR, NULL, LX_MSG_MISSING_ARGUMENT, LX_ARGS("grids"));
-        return LUXEL_ERROR_ARGUMENT;
-    }
+    if (count == 0)
+        return lx_refuse(diagnostics, LX_MSG_MISSING_ARGUMENT, LX_ARGS("grids"));
     status = lx_sink_open(path, NULL, diagnostics, &sink);
     if (status != LUXEL_OK)
         return status;

@@ -135,17 +135,11 @@ static luxel_status finish(struct lx_loaded *loaded, const char *path, luxel_sta
     return status;
 }
 
-static luxel_status missing(luxel_diagnostics *diagnostics, const char *argument)
-{
-    lx_report(diagnostics, LUXEL_SEVERITY_ERROR, NULL, LX_MSG_MISSING_ARGUMENT, LX_ARGS(argument));
-    return LUXEL_ERROR_ARGUMENT;
-}
-
 luxel_status luxel_field_read(const char *path, luxel_diagnostics *diagnostics, luxel_field **field)
 {
     struct lx_loaded loaded = {0};
     if (!path || !field)
-        return missing(diagnostics, path ? "field" : "path");
+        return lx_refuse(diagnostics, LX_MSG_MISSING_ARGUMENT, LX_ARGS(path ? "field" : "path"));
     luxel_status status = lx_read_image(path, diagnostics, &loaded);
     return finish(&loaded, path, status, diagnostics, field);
 }
@@ -156,7 +150,7 @@ luxel_status luxel_field_read_memory(const void *bytes, size_t length, const cha
     struct lx_loaded loaded = {0};
     struct lx_source *source = NULL;
     if (!bytes || !name || !field)
-        return missing(diagnostics, !bytes ? "bytes" : !name ? "name" : "field");
+        return lx_refuse(diagnostics, LX_MSG_MISSING_ARGUMENT, LX_ARGS(!bytes ? "bytes" : !name ? "name" : "field"));
     luxel_status status = lx_source_of_bytes(name, bytes, length, diagnostics, &source);
     if (status == LUXEL_OK)
         status = lx_read_image_of(source, &loaded);
@@ -214,7 +208,10 @@ static luxel_status check_content(const luxel_field_content *content, luxel_diag
 {
     static const char size[] = LX_N("1 to 65536");
     if (!content->values || !content->x_mm != !content->y_mm)
-        return missing(diagnostics, !content->values ? "values" : content->x_mm ? "y_mm" : "x_mm");
+        return lx_refuse(diagnostics, LX_MSG_MISSING_ARGUMENT,
+                         LX_ARGS(!content->values ? "values"
+                                 : content->x_mm  ? "y_mm"
+                                                  : "x_mm"));
     if (content->columns - 1 >= LX_MOST_PIXELS)
         return lx_setting_out_of_range(diagnostics, "columns", content->columns, size);
     if (content->rows - 1 >= LX_MOST_PIXELS)
@@ -231,7 +228,7 @@ luxel_status luxel_field_of_values(const luxel_field_content *content, luxel_dia
                                    luxel_field **field)
 {
     if (!content || !field)
-        return missing(diagnostics, content ? "field" : "content");
+        return lx_refuse(diagnostics, LX_MSG_MISSING_ARGUMENT, LX_ARGS(content ? "field" : "content"));
     luxel_status status = check_content(content, diagnostics);
     if (status != LUXEL_OK)
         return status;

@@ -231,7 +231,7 @@ static void probe_element(const struct probing *probing, const luxel_place *plac
 static void probe_free_element(const struct probing *probing, const luxel_place *place, luxel_probe *probe)
 {
     const struct lx_prepared *prepared = &probing->session->prepared;
-    const struct lx_element element = lx_free_element_at(prepared, place);
+    const struct lx_element element = lx_element_at(prepared, place);
     const struct lx_prepared_surface *around = lx_surface_around(prepared, place->position_mm);
     probe_element(probing, place, &element, probe);
     probe->is_enclosed = around != NULL;
@@ -287,7 +287,7 @@ static bool element_of(const void *data, size_t i, struct lx_element *element, d
     if (!probe->has_value)
         return false;
     if (place->is_element)
-        *element = lx_free_element_at(&session->prepared, place);
+        *element = lx_element_at(&session->prepared, place);
     else
         lx_element_seen(&session->prepared, place->screen_mm[0], place->screen_mm[1], element);
     const double share = lx_reflected_value(element->lobe, session->settings.quantity, lx_exact(1)).value;
@@ -361,16 +361,12 @@ static luxel_status check_places(const struct lx_scene_parameters *scene, const 
     for (size_t i = 0; i < count; i++) {
         if (LX_CHECK_RESERVE(&places[i], diagnostics) != LUXEL_OK)
             return LUXEL_ERROR_ARGUMENT;
-        if (!lx_is_place(&places[i])) {
-            lx_report(diagnostics, LUXEL_SEVERITY_ERROR, NULL, LX_MSG_BAD_PLACE, NULL);
-            return LUXEL_ERROR_ARGUMENT;
-        }
-        if (places[i].is_element && places[i].surface >= lx_material_count(scene)) {
-            lx_report(diagnostics, LUXEL_SEVERITY_ERROR, NULL, LX_MSG_NO_SUCH_SURFACE,
-                      LX_ARGS(lx_write_number((double)places[i].surface, index),
-                              lx_write_number((double)scene->surfaces.count - 1, most)));
-            return LUXEL_ERROR_ARGUMENT;
-        }
+        if (!lx_is_place(&places[i]))
+            return lx_refuse(diagnostics, LX_MSG_BAD_PLACE, NULL);
+        if (places[i].is_element && places[i].surface >= lx_material_count(scene))
+            return lx_refuse(diagnostics, LX_MSG_NO_SUCH_SURFACE,
+                             LX_ARGS(lx_write_number((double)places[i].surface, index),
+                                     lx_write_number((double)scene->surfaces.count - 1, most)));
     }
     return LUXEL_OK;
 }
@@ -411,11 +407,8 @@ luxel_status luxel_probe_places(const luxel_scene *scene, const luxel_settings *
     struct lx_session session;
     struct lx_control control = {.rows = count < UINT_MAX / 2 ? 2 * (unsigned)count : UINT_MAX};
     struct probing probing = {.scene = scene, .session = &session, .places = places, .control = &control};
-    if (!probes || (!places && count > 0)) {
-        lx_report(diagnostics, LUXEL_SEVERITY_ERROR, NULL, LX_MSG_MISSING_ARGUMENT,
-                  LX_ARGS(probes ? "places" : "probes"));
-        return LUXEL_ERROR_ARGUMENT;
-    }
+    if (!probes || (!places && count > 0))
+        return lx_refuse(diagnostics, LX_MSG_MISSING_ARGUMENT, LX_ARGS(probes ? "places" : "probes"));
     luxel_status status = open(&probing, settings, count, diagnostics);
     if (status == LUXEL_OK)
         status = check_places(lx_scene_parameters(scene), places, count, diagnostics);

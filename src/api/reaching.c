@@ -56,34 +56,6 @@ void lx_reaching_clear(struct lx_reaching *reaching)
         lx_reach_clear(&reaching->reach);
 }
 
-/* Columns of a row. */
-struct stretch {
-    unsigned first, end;
-};
-
-/* How many of the places are below x; they rise. */
-static unsigned count_below(const double *places_mm, unsigned count, double x_mm)
-{
-    unsigned low = 0, high = count;
-    while (low < high) {
-        const unsigned middle = low + (high - low) / 2;
-        if (places_mm[middle] < x_mm)
-            low = middle + 1;
-        else
-            high = middle;
-    }
-    return low;
-}
-
-/* Those where light may arrive. */
-static struct stretch find_stretch(const struct lx_reach *reach, const struct luxel_field *field, unsigned row)
-{
-    const struct lx_reach_stretch light = lx_reach_stretch(reach, field->y_mm[row]);
-    struct stretch stretch = {.first = count_below(field->x_mm, field->columns, light.low_mm)};
-    stretch.end = count_below(field->x_mm, field->columns, nextafter(light.high_mm, HUGE_VAL));
-    return stretch;
-}
-
 static bool counts(double value, double least)
 {
     return value >= LX_LEAST_LIT && value <= least;
@@ -107,13 +79,12 @@ void lx_reaching_row(struct lx_reaching *reaching, unsigned worker, const struct
         return;
     struct lx_reaching_worker *own = &reaching->workers[worker];
     const size_t begin = (size_t)(row - strip->first) * field->columns;
-    const struct stretch all = find_stretch(&reaching->reach, field, row);
-    uint8_t arrives[LX_BLOCK];
-    for (unsigned first = all.first, count; first < all.end; first += count) {
-        count = all.end - first < LX_BLOCK ? all.end - first : LX_BLOCK;
+    uint8_t mask[LX_BLOCK], arrives[LX_BLOCK];
+    for (unsigned first = 0, count; first < field->columns; first += count) {
+        count = field->columns - first < LX_BLOCK ? field->columns - first : LX_BLOCK;
         if (!may_count(reaching, field, strip, begin + first, count, own->least))
             continue;
-        lx_reach_row(&reaching->reach, own->memory, field->y_mm[row], field->x_mm + first, count, arrives);
+        lx_reach_row(&reaching->reach, own->memory, field->y_mm[row], field->x_mm + first, count, mask, arrives);
         for (unsigned i = first; i < first + count; i++) {
             const double value = lx_strip_value(field, strip, begin + i);
             if (!arrives[i - first] || !counts(value, own->least) || value >= gathered->reached)

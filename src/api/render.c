@@ -7,10 +7,8 @@
 luxel_status luxel_render(const luxel_scene *scene, const luxel_settings *settings, luxel_diagnostics *diagnostics,
                           luxel_field **field)
 {
-    if (!field) {
-        lx_report(diagnostics, LUXEL_SEVERITY_ERROR, NULL, LX_MSG_MISSING_ARGUMENT, LX_ARGS("field"));
-        return LUXEL_ERROR_ARGUMENT;
-    }
+    if (!field)
+        return lx_refuse(diagnostics, LX_MSG_MISSING_ARGUMENT, LX_ARGS("field"));
     struct lx_session session;
     struct lx_rendering rendering = {0};
     struct luxel_field *made = NULL;

@@ -24,10 +24,8 @@ static luxel_status check_arguments(const char *const *paths, size_t count, cons
                                     luxel_diagnostics *diagnostics)
 {
     luxel_status status = LUXEL_OK;
-    if (count > 0 && !paths) {
-        lx_report(diagnostics, LUXEL_SEVERITY_ERROR, NULL, LX_MSG_MISSING_ARGUMENT, LX_ARGS("paths"));
-        return LUXEL_ERROR_ARGUMENT;
-    }
+    if (count > 0 && !paths)
+        return lx_refuse(diagnostics, LX_MSG_MISSING_ARGUMENT, LX_ARGS("paths"));
     for (size_t i = 0; i < count && status == LUXEL_OK; i++)
         status = lx_output_check(paths[i], how, diagnostics);
     return status;

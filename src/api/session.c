@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: MIT */
 /* Settings: their defaults and checks, the choice of kernels, and preparing the scene by them. */
-#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -109,10 +108,8 @@ static luxel_status choose_kernels(struct lx_session *session, luxel_diagnostics
 luxel_status lx_settings_check(const luxel_scene *scene, const luxel_settings *settings, luxel_diagnostics *diagnostics,
                                luxel_settings *checked)
 {
-    if (!scene || !luxel_scene_is_committed(scene)) {
-        lx_report(diagnostics, LUXEL_SEVERITY_ERROR, NULL, LX_MSG_NOT_COMMITTED, NULL);
-        return LUXEL_ERROR_ARGUMENT;
-    }
+    if (!scene || !luxel_scene_is_committed(scene))
+        return lx_refuse(diagnostics, LX_MSG_NOT_COMMITTED, NULL);
     luxel_settings_init(checked);
     if (settings)
         *checked = *settings;

@@ -190,6 +190,11 @@ static inline lx_bounded3 lx_exact3(const double v[3])
     return (lx_bounded3){lx_exact(v[0]), lx_exact(v[1]), lx_exact(v[2])};
 }
 
+static inline void lx_values3(lx_bounded3 a, double values[3])
+{
+    values[0] = a.x.value, values[1] = a.y.value, values[2] = a.z.value;
+}
+
 static inline lx_bounded3 lx_negate3(lx_bounded3 a)
 {
     return (lx_bounded3){lx_negate(a.x), lx_negate(a.y), lx_negate(a.z)};

@@ -272,6 +272,12 @@ void lx_hint(luxel_diagnostics *diagnostics, enum lx_message message, const char
     }
 }
 
+luxel_status lx_refuse(luxel_diagnostics *diagnostics, enum lx_message message, const char *const *arguments)
+{
+    lx_report(diagnostics, LUXEL_SEVERITY_ERROR, NULL, message, arguments);
+    return LUXEL_ERROR_ARGUMENT;
+}
+
 luxel_status lx_out_of_memory(luxel_diagnostics *diagnostics)
 {
     lx_report(diagnostics, LUXEL_SEVERITY_ERROR, NULL, LX_MSG_OUT_OF_MEMORY, NULL);
@@ -368,9 +374,8 @@ luxel_status lx_setting_out_of_range(luxel_diagnostics *diagnostics, const char 
                                      const char *range)
 {
     char number[LX_NUMBER_SIZE];
-    lx_report(diagnostics, LUXEL_SEVERITY_ERROR, NULL, LX_MSG_SETTING_OUT_OF_RANGE,
-              LX_ARGS(setting, lx_write_number(value, number), LX_TERM(range)));
-    return LUXEL_ERROR_ARGUMENT;
+    return lx_refuse(diagnostics, LX_MSG_SETTING_OUT_OF_RANGE,
+                     LX_ARGS(setting, lx_write_number(value, number), LX_TERM(range)));
 }
 
 luxel_status lx_check_reserve(void *const *reserved, size_t count, luxel_diagnostics *diagnostics)

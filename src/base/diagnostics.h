@@ -60,6 +60,9 @@ void lx_settle_hints(luxel_diagnostics *diagnostics);
  */
 void lx_hand_over(luxel_diagnostics *to, luxel_diagnostics *from, const char *source, const struct lx_place *place);
 
+/* Reports an error that has no place and returns LUXEL_ERROR_ARGUMENT. */
+luxel_status lx_refuse(luxel_diagnostics *diagnostics, enum lx_message message, const char *const *arguments);
+
 /* Reports that memory ran out and returns LUXEL_ERROR_MEMORY. */
 luxel_status lx_out_of_memory(luxel_diagnostics *diagnostics);
 

@@ -90,6 +90,16 @@ char *lx_text_of_utf16(const char *text, size_t *length, size_t mark, enum lx_en
     return decoded;
 }
 
+char *lx_text_of_bytes(char *text, size_t *length)
+{
+    size_t mark;
+    const enum lx_encoding encoding = lx_find_encoding(text, *length, &mark);
+    if (encoding != LX_UTF8)
+        return lx_text_of_utf16(text, length, mark, encoding);
+    memset(text, ' ', mark);
+    return text;
+}
+
 /* The characters from 0x80 to 0xBF; those from 0xC0 on are the Russian alphabet in order. */
 static const uint16_t code_page_1251[64] = {
     0x0402, 0x0403, 0x201A, 0x0453, 0x201E, 0x2026, 0x2020, 0x2021, 0x20AC, 0x2030, 0x0409, 0x2039, 0x040A,

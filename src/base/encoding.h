@@ -33,6 +33,9 @@ size_t lx_decode_utf16(const unsigned char *units, size_t count, enum lx_encodin
  */
 char *lx_text_of_utf16(const char *text, size_t *length, size_t mark, enum lx_encoding encoding);
 
+/* A text as UTF-8 without a mark: itself, with blanks in place of its mark, or another one as above. */
+char *lx_text_of_bytes(char *text, size_t *length);
+
 /* Adds a text as UTF-8: as it is where it is UTF-8, else read as code page 1251. */
 void lx_add_decoded(struct lx_text *text, const char *bytes, size_t length);
 

@@ -29,3 +29,9 @@ luxel_status lx_find_ending(const char *path, const char *const *endings, size_t
     lx_text_clear(&known);
     return LUXEL_ERROR_ARGUMENT;
 }
+
+bool lx_has_ending(const char *path, const char *ending)
+{
+    const size_t length = strlen(path), wanted = strlen(ending);
+    return length >= wanted && strcasecmp(path + length - wanted, ending) == 0;
+}

@@ -36,11 +36,6 @@ struct lx_frame lx_frame_towards(const double origin_mm[3], const double towards
     return frame.is_own ? lx_frame_own() : frame;
 }
 
-static void values_of(lx_wide3 from, double to[3])
-{
-    to[0] = lx_wide_value(from.x), to[1] = lx_wide_value(from.y), to[2] = lx_wide_value(from.z);
-}
-
 lx_wide3 lx_frame_turn_wide(const struct lx_frame *frame, lx_wide3 direction)
 {
     if (frame->is_own)
@@ -69,7 +64,7 @@ void lx_frame_carry(const struct lx_frame *frame, const double place_mm[3], doub
     if (frame->is_own)
         memmove(carried_mm, place_mm, 3 * sizeof *carried_mm);
     else
-        values_of(lx_frame_carry_wide(frame, lx_wide3_of(place_mm)), carried_mm);
+        lx_wide3_values(lx_frame_carry_wide(frame, lx_wide3_of(place_mm)), carried_mm);
 }
 
 void lx_frame_bring(const struct lx_frame *frame, const double carried_mm[3], double place_mm[3])
@@ -77,7 +72,7 @@ void lx_frame_bring(const struct lx_frame *frame, const double carried_mm[3], do
     if (frame->is_own)
         memmove(place_mm, carried_mm, 3 * sizeof *place_mm);
     else
-        values_of(lx_wide3_add(lx_wide3_of(frame->origin_mm), along_axes(frame, carried_mm)), place_mm);
+        lx_wide3_values(lx_wide3_add(lx_wide3_of(frame->origin_mm), along_axes(frame, carried_mm)), place_mm);
 }
 
 void lx_frame_turn(const struct lx_frame *frame, const double direction[3], double turned[3])
@@ -85,7 +80,7 @@ void lx_frame_turn(const struct lx_frame *frame, const double direction[3], doub
     if (frame->is_own)
         memmove(turned, direction, 3 * sizeof *turned);
     else
-        values_of(lx_frame_turn_wide(frame, lx_wide3_of(direction)), turned);
+        lx_wide3_values(lx_frame_turn_wide(frame, lx_wide3_of(direction)), turned);
 }
 
 void lx_frame_turn_back(const struct lx_frame *frame, const double turned[3], double direction[3])
@@ -93,7 +88,7 @@ void lx_frame_turn_back(const struct lx_frame *frame, const double turned[3], do
     if (frame->is_own)
         memmove(direction, turned, 3 * sizeof *direction);
     else
-        values_of(along_axes(frame, turned), direction);
+        lx_wide3_values(along_axes(frame, turned), direction);
 }
 
 /* The error of a component is no more than those of the direction's, and what a wide number is rounded by. */

@@ -60,7 +60,7 @@ void lx_json_open_line(struct lx_json *json, const char *key, char bracket)
         json->line = json->depth;
 }
 
-void lx_json_close(struct lx_json *json, char bracket)
+static void close_one(struct lx_json *json, char bracket)
 {
     bool line = on_one_line(json);
     if (json->line == json->depth)
@@ -72,6 +72,12 @@ void lx_json_close(struct lx_json *json, char bracket)
     json->comma = true;
     if (!json->depth)
         lx_text_puts(json->text, "\n");
+}
+
+void lx_json_close(struct lx_json *json, const char *brackets)
+{
+    for (; *brackets; brackets++)
+        close_one(json, *brackets);
 }
 
 void lx_json_text(struct lx_json *json, const char *key, const char *value)

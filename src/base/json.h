@@ -19,8 +19,8 @@ struct lx_json {
 void lx_json_open(struct lx_json *json, const char *key, char bracket);
 /* Opens one that stands on one line with all that it holds. */
 void lx_json_open_line(struct lx_json *json, const char *key, char bracket);
-/* Closes it: '}' or ']'.  The outermost ends its line. */
-void lx_json_close(struct lx_json *json, char bracket);
+/* Closes what was opened last and what is around it: "}]}".  The outermost ends its line. */
+void lx_json_close(struct lx_json *json, const char *brackets);
 
 /* The text must be UTF-8. */
 void lx_json_text(struct lx_json *json, const char *key, const char *value);

@@ -196,6 +196,11 @@ lx_wide3 lx_wide3_of(const double v[3])
     return (lx_wide3){lx_wide_of(v[0]), lx_wide_of(v[1]), lx_wide_of(v[2])};
 }
 
+void lx_wide3_values(lx_wide3 a, double values[3])
+{
+    values[0] = lx_wide_value(a.x), values[1] = lx_wide_value(a.y), values[2] = lx_wide_value(a.z);
+}
+
 lx_wide3 lx_wide3_add(lx_wide3 a, lx_wide3 b)
 {
     return (lx_wide3){lx_wide_add(a.x, b.x), lx_wide_add(a.y, b.y), lx_wide_add(a.z, b.z)};

@@ -38,6 +38,7 @@ lx_wide lx_wide_pi(void);
 int lx_wide_compare(lx_wide a, lx_wide b); /* < 0, 0, > 0 */
 
 lx_wide3 lx_wide3_of(const double v[3]);
+void lx_wide3_values(lx_wide3 a, double values[3]); /* rounded to float64 */
 lx_wide3 lx_wide3_add(lx_wide3 a, lx_wide3 b);
 lx_wide3 lx_wide3_sub(lx_wide3 a, lx_wide3 b);
 lx_wide3 lx_wide3_mul(lx_wide3 a, lx_wide factor);

@@ -11,10 +11,8 @@
 
 luxel_status lx_adviser_begin(struct lx_adviser *adviser, const luxel_scene *scene, luxel_diagnostics *diagnostics)
 {
-    if (!scene || !luxel_scene_is_committed(scene)) {
-        lx_report(diagnostics, LUXEL_SEVERITY_ERROR, NULL, LX_MSG_NOT_COMMITTED, NULL);
-        return LUXEL_ERROR_ARGUMENT;
-    }
+    if (!scene || !luxel_scene_is_committed(scene))
+        return lx_refuse(diagnostics, LX_MSG_NOT_COMMITTED, NULL);
     *adviser = (struct lx_adviser){
         .scene = scene,
         .parameters = lx_scene_parameters(scene),

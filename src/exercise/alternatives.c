@@ -2,7 +2,6 @@
 /* Finding the choices that a scene has, and evaluating copies of it in which they are made. */
 #include "alternatives.h"
 
-#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -245,10 +244,8 @@ luxel_status lx_choices_find(const luxel_scene *scene, const luxel_settings *set
                              luxel_diagnostics *diagnostics, struct lx_choices *choices)
 {
     *choices = (struct lx_choices){.scene = scene, .x_mm = x_mm, .y_mm = y_mm};
-    if (!scene || !luxel_scene_is_committed(scene)) {
-        lx_report(diagnostics, LUXEL_SEVERITY_ERROR, NULL, LX_MSG_NOT_COMMITTED, NULL);
-        return LUXEL_ERROR_ARGUMENT;
-    }
+    if (!scene || !luxel_scene_is_committed(scene))
+        return lx_refuse(diagnostics, LX_MSG_NOT_COMMITTED, NULL);
     const luxel_status status = lx_scene_lit(scene, settings, diagnostics, &choices->lit);
     if (status != LUXEL_OK)
         return status;

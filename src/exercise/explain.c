@@ -2,7 +2,6 @@
 /* luxel_explain(): the document about one value. */
 #include "explain.h"
 
-#include <math.h>
 #include <stdlib.h>
 
 #include "../base/diagnostics.h"
@@ -111,19 +110,14 @@ static void add_sum(const struct explaining *explaining)
     struct lx_text line = {0};
     char number[LX_NUMBER_SIZE];
     lx_document_heading(explaining->document, 1, LX_N("The sum"), NULL);
-    lx_text_puts(&line, explaining->quantity == LUXEL_IRRADIANCE ? "E = " : "B = ");
+    lx_add_notation(&line, explaining->quantity == LUXEL_IRRADIANCE ? "E = " : "B = ");
     const size_t terms = probe->share_count + probe->has_reflected;
     const bool shows_terms = terms > 1 && probe->share_count <= MOST_LIGHTS;
-    for (size_t i = 0; i < terms && shows_terms; i++) {
-        lx_text_puts(&line, i > 0 ? " + " : "");
-        lx_add_math_number(&line, i < probe->share_count ? share_value(explaining, &probe->shares[i])
-                                                         : probe->reflected.value);
-    }
-    lx_text_puts(&line, shows_terms ? " = " : "");
-    lx_add_math_number(&line, probe->value);
-    if (line.bytes)
-        lx_document_formula(explaining->document, line.bytes);
-    lx_text_clear(&line);
+    for (size_t i = 0; i < terms && shows_terms; i++)
+        lx_add_notation(&line, i > 0 ? " + #" : "#",
+                        i < probe->share_count ? share_value(explaining, &probe->shares[i]) : probe->reflected.value);
+    lx_add_notation(&line, shows_terms ? " = #" : "#", probe->value);
+    lx_end_formula(explaining->document, &line);
     lx_document_paragraph(explaining->document, LX_N("To all its digits: {0} {1}."),
                           LX_SPANS(LX_PLAIN(lx_write_number(probe->value, number)), LX_PLAIN(explaining->unit)));
 }
@@ -142,12 +136,7 @@ static void add_bounces(const struct explaining *explaining, const luxel_alterna
                                "of at most {2}."),
                           LX_SPANS(LX_MATH("E_r"), LX_PLAIN(digits(probe->reflected.value, 7, adds)),
                                    LX_PLAIN(digits(probe->reflected.error, 2, bound))));
-    struct lx_text line = {0};
-    lx_text_puts(&line, "E_r = ");
-    lx_add_math_number(&line, probe->reflected_irradiance);
-    if (line.bytes)
-        lx_document_formula(document, line.bytes);
-    lx_text_clear(&line);
+    lx_show_formula(document, "E_r = #", probe->reflected_irradiance);
     lx_document_table(document, "llrr");
     lx_document_row(document,
                     LX_SPANS(LX_TERM_SPAN(LX_N("reflections")), LX_TERM_SPAN(LX_N("meaning")),

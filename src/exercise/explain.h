@@ -11,9 +11,14 @@
 /* The formulas of just the conventions that a scene uses, without numbers: place, normal, view, lights, material. */
 void lx_explain_model(struct luxel_document *document, const struct lx_prepared *prepared, luxel_quantity quantity);
 
-/* Texts of numbers in the notation of formulas: 7 digits, 1.2e-7 as 1.2\cdot 10^{-7}. */
-void lx_add_math_number(struct lx_text *text, double value);
-void lx_add_math_vector(struct lx_text *text, const lx_bounded3 *vector);
+/*
+ * Adds notation with what its marks stand for, one argument each: # for a number (7 digits, 1.2e-7 as
+ * 1.2\cdot 10^{-7}), ! for one that stands in brackets where it is negative, as factors do, @ for a vector (const
+ * lx_bounded3 *), $ for further notation without marks.  A formula is made in parts and then ended, or shown at once.
+ */
+void lx_add_notation(struct lx_text *text, const char *notation, ...);
+void lx_end_formula(struct luxel_document *document, struct lx_text *text);
+void lx_show_formula(struct luxel_document *document, const char *notation, ...);
 
 /* One point, step by step. */
 struct lx_steps {

@@ -84,12 +84,7 @@ static const struct lx_surface_words *words_of(const struct lx_prepared *prepare
 static void explain_kind(struct luxel_document *document, const struct lx_surface_words *words, bool heights)
 {
     if (heights && words->height) {
-        struct lx_text formula = {0};
-        lx_text_puts(&formula, "\\mathbf{P} = (x,\\, y,\\, z), \\qquad ");
-        lx_text_puts(&formula, words->height);
-        if (formula.bytes)
-            lx_document_formula(document, formula.bytes);
-        lx_text_clear(&formula);
+        lx_show_formula(document, "\\mathbf{P} = (x,\\, y,\\, z), \\qquad $", words->height);
     } else if (!heights && words->sentence) {
         struct lx_span spans[LX_COUNT(words->formulas) + 1] = {{LX_SPAN_END, NULL}};
         for (size_t i = 0; i < LX_COUNT(words->formulas) && words->formulas[i]; i++) {
@@ -116,28 +111,16 @@ static void explain_carried(struct luxel_document *document, const struct lx_cam
 {
     static const char *const names[] = {"\\mathbf{X}", "\\mathbf{Y}", "\\mathbf{Z}"};
     const lx_bounded3 target = lx_exact3(camera->frame.origin_mm), position = lx_exact3(camera->position_mm);
-    struct lx_text formula = {0};
     lx_document_paragraph(document,
                           LX_N("The observer stands at {0} and looks at {1}, the middle of the screen. The screen is "
                                "carried there as a whole; its axes are {2} to the right, {3} upwards and {4} towards "
                                "the observer:"),
                           LX_SPANS(LX_MATH("\\mathbf{O}"), LX_MATH("\\mathbf{T}"), LX_MATH(names[0]), LX_MATH(names[1]),
                                    LX_MATH(names[2])));
-    lx_text_puts(&formula, "\\mathbf{O} = ");
-    lx_add_math_vector(&formula, &position);
-    lx_text_puts(&formula, "\\;\\mathrm{mm}, \\qquad \\mathbf{T} = ");
-    lx_add_math_vector(&formula, &target);
-    lx_text_puts(&formula, "\\;\\mathrm{mm}");
-    if (formula.bytes)
-        lx_document_formula(document, formula.bytes);
-    lx_text_clear(&formula);
-    for (int i = 0; i < 3; i++) {
-        lx_text_printf(&formula, "%s = ", names[i]);
-        lx_add_math_vector(&formula, &camera->frame.rounded[i]);
-        if (formula.bytes)
-            lx_document_formula(document, formula.bytes);
-        lx_text_clear(&formula);
-    }
+    lx_show_formula(document, "\\mathbf{O} = @\\;\\mathrm{mm}, \\qquad \\mathbf{T} = @\\;\\mathrm{mm}", &position,
+                    &target);
+    for (int i = 0; i < 3; i++)
+        lx_show_formula(document, "$ = @", names[i], &camera->frame.rounded[i]);
     lx_document_paragraph(document,
                           LX_N("The line of sight through the point (x, y) of the screen meets a surface in the point "
                                "{0}, the nearest to the observer:"),
@@ -350,13 +333,10 @@ static void explain_material(struct luxel_document *document, const struct lx_ma
 {
     const struct lx_lobe_kind *kind = lx_lobe_kinds[material->model];
     const bool is_normalized = material->normalized && kind->words.normalized;
-    struct lx_text formula = {0};
     if (kind->words.definition)
         lx_document_formula(document, kind->words.definition);
-    lx_text_printf(&formula, "B = %sE_{\\perp} %s", material->over_pi ? "\\frac{1}{\\pi}\\, " : "",
-                   is_normalized ? kind->words.normalized : kind->words.brightness);
-    lx_document_formula(document, formula.bytes ? formula.bytes : "");
-    lx_text_clear(&formula);
+    lx_show_formula(document, "B = $E_{\\perp} $", material->over_pi ? "\\frac{1}{\\pi}\\, " : "",
+                    is_normalized ? kind->words.normalized : kind->words.brightness);
     if (kind->power)
         explain_weight(document, material);
     if (is_normalized)
@@ -388,7 +368,6 @@ static void explain_reflections(struct luxel_document *document, const struct lx
                                 luxel_quantity quantity)
 {
     const struct lx_choice_or_whole *bounces = &scene->reflections;
-    struct lx_text sum = {0};
     char last[LX_NUMBER_SIZE] = "\\infty";
     if (bounces->choice == LX_REFLECTIONS_NONE)
         return;
@@ -407,12 +386,8 @@ static void explain_reflections(struct luxel_document *document, const struct lx
     lx_document_formula(document, "dE_{n+1} = \\frac{1}{\\pi}\\, k_d' E_n'\\, \\frac{\\max(0, \\cos \\theta) "
                                   "\\max(0, \\cos \\theta')}{r^2}\\, dA',");
     lx_document_paragraph(document, LX_N("and all of that together adds to the value:"), NULL);
-    lx_text_printf(&sum, "E_r = \\sum_{n=1}^{%s} E_n", last);
-    if (quantity == LUXEL_BRIGHTNESS)
-        lx_text_puts(&sum, ", \\qquad B_r = \\frac{1}{\\pi}\\, k_d E_r");
-    if (sum.bytes)
-        lx_document_formula(document, sum.bytes);
-    lx_text_clear(&sum);
+    lx_show_formula(document, "E_r = \\sum_{n=1}^{$} E_n$", last,
+                    quantity == LUXEL_BRIGHTNESS ? ", \\qquad B_r = \\frac{1}{\\pi}\\, k_d E_r" : "");
 }
 
 void lx_explain_model(struct luxel_document *document, const struct lx_prepared *prepared, luxel_quantity quantity)

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* One point step by step: each formula with the numbers of the library's own reference put in. */
 #include <math.h>
+#include <stdarg.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -17,7 +18,7 @@
 
 enum { DIGITS = 7 };
 
-void lx_add_math_number(struct lx_text *text, double value)
+static void add_number(struct lx_text *text, double value)
 {
     char number[LX_NUMBER_SIZE];
     char *power = strchr(lx_write_digits(value == 0 ? 0 : value, DIGITS, number), 'e');
@@ -30,7 +31,7 @@ void lx_add_math_number(struct lx_text *text, double value)
     lx_text_printf(text, " \\cdot 10^{%ld}", strtol(power + 1, NULL, 10));
 }
 
-void lx_add_math_vector(struct lx_text *text, const lx_bounded3 *vector)
+static void add_vector(struct lx_text *text, const lx_bounded3 *vector)
 {
     const double values[3] = {vector->x.value, vector->y.value, vector->z.value};
     double largest = fmax(fabs(values[0]), fmax(fabs(values[1]), fabs(values[2])));
@@ -38,77 +39,90 @@ void lx_add_math_vector(struct lx_text *text, const lx_bounded3 *vector)
     for (int i = 0; i < 3; i++) {
         lx_text_puts(text, i > 0 ? ",\\, " : "");
         /* rounding beside the others is 0 */
-        lx_add_math_number(text, fabs(values[i]) < 1e-14 * largest ? 0 : values[i]);
+        add_number(text, fabs(values[i]) < 1e-14 * largest ? 0 : values[i]);
     }
     lx_text_puts(text, ")");
 }
 
-/* A formula in the making: text and numbers one after the other; the last part is NULL. */
-struct line {
-    struct lx_text text;
-};
-
-static void say(struct line *line, const char *notation)
+static void add_marked(struct lx_text *text, const char *notation, va_list values)
 {
-    lx_text_puts(&line->text, notation);
+    for (; *notation; notation++) {
+        const size_t plain = strcspn(notation, "#!@$");
+        lx_text_add(text, notation, plain);
+        notation += plain;
+        const char mark = *notation;
+        if (mark == '\0')
+            return;
+        if (mark == '@') {
+            add_vector(text, va_arg(values, const lx_bounded3 *));
+        } else if (mark == '$') {
+            lx_text_puts(text, va_arg(values, const char *));
+        } else {
+            const double number = va_arg(values, double);
+            const bool in_brackets = mark == '!' && number < 0;
+            lx_text_puts(text, in_brackets ? "(" : "");
+            add_number(text, number);
+            lx_text_puts(text, in_brackets ? ")" : "");
+        }
+    }
 }
 
-static void number(struct line *line, double value)
+void lx_add_notation(struct lx_text *text, const char *notation, ...)
 {
-    lx_add_math_number(&line->text, value);
+    va_list values;
+    va_start(values, notation);
+    add_marked(text, notation, values);
+    va_end(values);
 }
 
-/* In a product a negative factor stands in brackets. */
-static void factor(struct line *line, double value)
+void lx_end_formula(struct luxel_document *document, struct lx_text *text)
 {
-    say(line, value < 0 ? "(" : "");
-    number(line, value);
-    say(line, value < 0 ? ")" : "");
+    if (text->bytes)
+        lx_document_formula(document, text->bytes);
+    lx_text_clear(text);
 }
 
-static void vector(struct line *line, const lx_bounded3 *value)
+void lx_show_formula(struct luxel_document *document, const char *notation, ...)
 {
-    lx_add_math_vector(&line->text, value);
-}
-
-static void end(const struct lx_steps *steps, struct line *line)
-{
-    if (line->text.bytes)
-        lx_document_formula(steps->document, line->text.bytes);
-    lx_text_clear(&line->text);
+    struct lx_text text = {0};
+    va_list values;
+    va_start(values, notation);
+    add_marked(&text, notation, values);
+    va_end(values);
+    lx_end_formula(document, &text);
 }
 
 /* ---- the place ---- */
 
 /* The numbers that a formula of the kind names by @ and a letter. */
-static void say_numbers(const struct lx_steps *steps, const char *formula, double x_mm, double y_mm, struct line *line)
+static void add_numbers(const struct lx_steps *steps, const char *formula, double x_mm, double y_mm,
+                        struct lx_text *text)
 {
     const struct lx_shape *shape = &steps->element->own->shape;
     for (; *formula; formula++) {
         if (*formula != '@') {
-            say(line, (const char[]){*formula, '\0'});
+            lx_text_add(text, formula, 1);
             continue;
         }
         switch (*++formula) {
-        case 'R': number(line, shape->radius_mm); break;
-        case 'x': number(line, x_mm); break;
-        case 'y': number(line, y_mm); break;
-        case 'z': number(line, steps->element->place_mm.z.value); break;
-        case 'X': factor(line, shape->anchor_mm[0]); break;
-        case 'Y': factor(line, shape->anchor_mm[1]); break;
-        default: number(line, shape->anchor_mm[2]); break;
+        case 'R': lx_add_notation(text, "#", shape->radius_mm); break;
+        case 'x': lx_add_notation(text, "#", x_mm); break;
+        case 'y': lx_add_notation(text, "#", y_mm); break;
+        case 'z': lx_add_notation(text, "#", steps->element->place_mm.z.value); break;
+        case 'X': lx_add_notation(text, "!", shape->anchor_mm[0]); break;
+        case 'Y': lx_add_notation(text, "!", shape->anchor_mm[1]); break;
+        default: lx_add_notation(text, "#", shape->anchor_mm[2]); break;
         }
     }
 }
 
 static void explain_height(const struct lx_steps *steps, const struct lx_surface_words *words, double x_mm, double y_mm)
 {
-    struct line line = {{0}};
-    say(&line, words->height);
-    say(&line, " = ");
-    say_numbers(steps, words->height_in_numbers, x_mm, y_mm, &line);
-    say(&line, "\\;\\mathrm{mm}");
-    end(steps, &line);
+    struct lx_text text = {0};
+    lx_add_notation(&text, "$ = ", words->height);
+    add_numbers(steps, words->height_in_numbers, x_mm, y_mm, &text);
+    lx_add_notation(&text, "\\;\\mathrm{mm}");
+    lx_end_formula(steps->document, &text);
 }
 
 void lx_explain_place(const struct lx_steps *steps, double x_mm, double y_mm)
@@ -117,7 +131,6 @@ void lx_explain_place(const struct lx_steps *steps, double x_mm, double y_mm)
     const struct lx_element *element = steps->element;
     const struct lx_surface_words *words = element->own->kind->words;
     const bool parallel = !camera->is_perspective, is_own = camera->frame.is_own;
-    struct line line = {{0}};
     lx_document_heading(steps->document, 1, LX_N("The point of the surface"), NULL);
     lx_document_paragraph(steps->document,
                           parallel && is_own ? LX_N("The line of sight runs along −z through the point of the screen "
@@ -129,22 +142,15 @@ void lx_explain_place(const struct lx_steps *steps, double x_mm, double y_mm)
                           NULL);
     if (words && words->height && parallel && is_own)
         explain_height(steps, words, x_mm, y_mm);
-    say(&line, "\\mathbf{P} = ");
-    vector(&line, &element->place_mm);
-    say(&line, "\\;\\mathrm{mm}");
-    end(steps, &line);
+    lx_show_formula(steps->document, "\\mathbf{P} = @\\;\\mathrm{mm}", &element->place_mm);
     lx_document_paragraph(steps->document, LX_N("The normal there and the view vector:"), NULL);
-    say(&line, "\\mathbf{N} = ");
-    if (words && words->normal) {
-        say(&line, words->normal);
-        say(&line, " = ");
-    }
-    vector(&line, &element->normal);
-    end(steps, &line);
-    say(&line, camera->is_parallel ? "\\mathbf{V} = "
-                                   : "\\mathbf{V} = \\frac{\\mathbf{O} - \\mathbf{P}}{|\\mathbf{O} - \\mathbf{P}|} = ");
-    vector(&line, &element->view);
-    end(steps, &line);
+    const char *normal = words ? words->normal : NULL;
+    lx_show_formula(steps->document, "\\mathbf{N} = $$@", normal ? normal : "", normal ? " = " : "", &element->normal);
+    lx_show_formula(steps->document,
+                    camera->is_parallel
+                        ? "\\mathbf{V} = @"
+                        : "\\mathbf{V} = \\frac{\\mathbf{O} - \\mathbf{P}}{|\\mathbf{O} - \\mathbf{P}|} = @",
+                    &element->view);
 }
 
 /* ---- a point-like light ---- */
@@ -171,55 +177,33 @@ static double attenuation_at(const struct lx_emitter *emitter, double r_m)
     return 1;
 }
 
-static void explain_distance(const struct lx_steps *steps, const struct lx_emitter *emitter, double *r_m)
+static double explain_distance(const struct lx_steps *steps, const struct lx_emitter *emitter)
 {
-    lx_bounded3 source = lx_exact3(emitter->position_mm), way = lx_sub3(source, steps->element->place_mm);
-    struct line line = {{0}};
-    *r_m = length_of(&way) / 1000;
-    say(&line, "r = |\\mathbf{S} - \\mathbf{P}| = |");
-    vector(&line, &source);
-    say(&line, " - ");
-    vector(&line, &steps->element->place_mm);
-    say(&line, "| = ");
-    number(&line, 1000 * *r_m);
-    say(&line, "\\;\\mathrm{mm} = ");
-    number(&line, *r_m);
-    say(&line, "\\;\\mathrm{m}");
-    end(steps, &line);
+    const lx_bounded3 source = lx_exact3(emitter->position_mm), way = lx_sub3(source, steps->element->place_mm);
+    const double r_m = length_of(&way) / 1000;
+    lx_show_formula(steps->document, "r = |\\mathbf{S} - \\mathbf{P}| = |@ - @| = #\\;\\mathrm{mm} = #\\;\\mathrm{m}",
+                    &source, &steps->element->place_mm, 1000 * r_m, r_m);
+    return r_m;
 }
 
 static void explain_attenuation(const struct lx_steps *steps, const struct lx_emitter *emitter, double r_m)
 {
-    struct line line = {{0}};
-    if (emitter->attenuation == LX_NO_ATTENUATION) {
-        say(&line, "a(r) = 1");
-    } else if (emitter->attenuation == LX_INVERSE_SQUARE) {
-        say(&line, "a(r) = \\frac{1}{r^2} = \\frac{1}{");
-        number(&line, r_m);
-        say(&line, "^2} = ");
-        number(&line, attenuation_at(emitter, r_m));
-    } else if (emitter->attenuation == LX_POLYNOMIAL) {
-        say(&line, "a(r) = \\frac{1}{k_c + k_l r + k_q r^2} = \\frac{1}{");
-        number(&line, emitter->coefficients[0]);
-        say(&line, " + ");
-        number(&line, emitter->coefficients[1]);
-        say(&line, " \\cdot ");
-        number(&line, r_m);
-        say(&line, " + ");
-        number(&line, emitter->coefficients[2]);
-        say(&line, " \\cdot ");
-        number(&line, r_m);
-        say(&line, "^2} = ");
-        number(&line, attenuation_at(emitter, r_m));
-    } else {
-        say(&line, "a(r) = \\frac{1}{k + r} = \\frac{1}{");
-        number(&line, emitter->k_mm / 1000);
-        say(&line, " + ");
-        number(&line, r_m);
-        say(&line, "} = ");
-        number(&line, attenuation_at(emitter, r_m));
+    const double *k = emitter->coefficients, value = attenuation_at(emitter, r_m);
+    switch (emitter->attenuation) {
+    case LX_NO_ATTENUATION: lx_show_formula(steps->document, "a(r) = 1"); break;
+    case LX_INVERSE_SQUARE:
+        lx_show_formula(steps->document, "a(r) = \\frac{1}{r^2} = \\frac{1}{#^2} = #", r_m, value);
+        break;
+    case LX_POLYNOMIAL:
+        lx_show_formula(steps->document,
+                        "a(r) = \\frac{1}{k_c + k_l r + k_q r^2} = \\frac{1}{# + # \\cdot # + # \\cdot #^2} = #", k[0],
+                        k[1], r_m, k[2], r_m, value);
+        break;
+    case LX_PRACTICAL:
+        lx_show_formula(steps->document, "a(r) = \\frac{1}{k + r} = \\frac{1}{# + #} = #", emitter->k_mm / 1000, r_m,
+                        value);
+        break;
     }
-    end(steps, &line);
 }
 
 /* The direction as angles of the luminaire's table, and the intensity there. */
@@ -228,21 +212,14 @@ static void explain_luminaire(const struct lx_steps *steps, const struct lx_emit
 {
     const struct lx_pointed *luminaire = emitter->profile.luminaire;
     const luxel_photometry_type type = luminaire->distribution->photometry->shown.type;
-    static const char *const first[] = {"X = ", "H = ", "C = "};
-    static const char *const second[] = {
-        "\\degree, \\qquad Y = ", "\\degree, \\qquad V = ", "\\degree, \\qquad \\gamma = "};
-    static const char *const third[] = {
-        "\\degree, \\qquad I(X,\\, Y) = ", "\\degree, \\qquad I(H,\\, V) = ", "\\degree, \\qquad I(C,\\, \\gamma) = "};
-    struct line line = {{0}};
+    static const char *const notations[] = {
+        "X = #\\degree, \\qquad Y = #\\degree, \\qquad I(X,\\, Y) = #",
+        "H = #\\degree, \\qquad V = #\\degree, \\qquad I(H,\\, V) = #",
+        "C = #\\degree, \\qquad \\gamma = #\\degree, \\qquad I(C,\\, \\gamma) = #",
+    };
     double plane, angle;
     lx_pointed_angles(luminaire, (double[]){towards.x.value, towards.y.value, towards.z.value}, &plane, &angle);
-    say(&line, first[type]);
-    number(&line, plane);
-    say(&line, second[type]);
-    number(&line, angle);
-    say(&line, third[type]);
-    number(&line, emitter->strength * left);
-    end(steps, &line);
+    lx_show_formula(steps->document, notations[type], plane, angle, emitter->strength * left);
     lx_document_paragraph(steps->document,
                           luminaire->distribution->interpolation == LUXEL_INTERPOLATE_ANGLE
                               ? LX_N("This intensity is read off the table of the file, linear in both angles.")
@@ -256,71 +233,54 @@ static void explain_profile(const struct lx_steps *steps, const struct lx_emitte
                             double left)
 {
     const struct lx_profile *profile = &emitter->profile;
-    struct line line = {{0}};
     if (profile->luminaire) {
         explain_luminaire(steps, emitter, towards, left);
         return;
     }
     if (lx_profile_is_isotropic(profile))
         return;
-    double cosine = -dot(&profile->axis, &towards);
-    say(&line, "\\cos \\theta = -\\mathbf{L} \\cdot \\mathbf{A} = ");
-    number(&line, cosine);
-    say(&line, ", \\qquad \\theta = ");
-    number(&line, acos(fmax(-1, fmin(1, cosine))) * (180 / M_PI));
-    say(&line, "\\degree, \\qquad ");
-    say(&line, profile->falloff == LX_NO_CONE ? "g = " : profile->exponent > 0 ? "f\\, g = " : "f = ");
-    number(&line, left);
-    end(steps, &line);
+    const double cosine = -dot(&profile->axis, &towards);
+    lx_show_formula(steps->document,
+                    "\\cos \\theta = -\\mathbf{L} \\cdot \\mathbf{A} = #, \\qquad \\theta = #\\degree, \\qquad $#",
+                    cosine, acos(fmax(-1, fmin(1, cosine))) * (180 / M_PI),
+                    profile->falloff == LX_NO_CONE ? "g = "
+                    : profile->exponent > 0        ? "f\\, g = "
+                                                   : "f = ",
+                    left);
 }
 
-/* The irradiance as intensity, f and g, as far as there are these. */
-static void explain_factors(struct line *line, const struct lx_emitter *emitter, double left)
+/* The irradiance as intensity, f and g, as far as there are these, and the law of the distance. */
+static void explain_product(const struct lx_steps *steps, const struct lx_emitter *emitter, double left, double law,
+                            double e_perp)
 {
     const bool has_cone = emitter->profile.falloff != LX_NO_CONE, has_pattern = emitter->profile.exponent > 0;
-    say(line, has_cone && has_pattern ? "E_{\\perp} = I\\, f\\, g\\, a(r) = "
-              : has_cone              ? "E_{\\perp} = I\\, f\\, a(r) = "
-              : has_pattern           ? "E_{\\perp} = I\\, g\\, a(r) = "
-                                      : "E_{\\perp} = I\\, a(r) = ");
-    number(line, emitter->strength);
-    if (!has_cone && !has_pattern)
-        return;
-    say(line, " \\cdot ");
-    factor(line, left);
+    if (emitter->profile.luminaire)
+        lx_show_formula(steps->document, "E_{\\perp} = I\\, a(r) = # \\cdot # = #", emitter->strength * left, law,
+                        e_perp);
+    else if (!has_cone && !has_pattern)
+        lx_show_formula(steps->document, "E_{\\perp} = I\\, a(r) = # \\cdot # = #", emitter->strength, law, e_perp);
+    else
+        lx_show_formula(steps->document, "E_{\\perp} = I\\, $a(r) = # \\cdot ! \\cdot # = #",
+                        has_cone && has_pattern ? "f\\, g\\, "
+                        : has_cone              ? "f\\, "
+                                                : "g\\, ",
+                        emitter->strength, left, law, e_perp);
 }
 
 static void explain_irradiance(const struct lx_steps *steps, const struct lx_emitter *emitter,
                                const struct lx_sample *sample)
 {
-    struct line line = {{0}};
-    double r_m = 0, left = 1;
+    const double e_perp = sample->e_perp.value;
     if (lx_is_endless(emitter)) {
-        say(&line, "\\mathbf{L} = ");
-        vector(&line, &sample->towards);
-        say(&line, ", \\qquad E_{\\perp} = ");
-        number(&line, sample->e_perp.value);
-        end(steps, &line);
+        lx_show_formula(steps->document, "\\mathbf{L} = @, \\qquad E_{\\perp} = #", &sample->towards, e_perp);
         return;
     }
-    explain_distance(steps, emitter, &r_m);
-    say(&line, "\\mathbf{L} = \\frac{\\mathbf{S} - \\mathbf{P}}{r} = ");
-    vector(&line, &sample->towards);
-    end(steps, &line);
+    const double r_m = explain_distance(steps, emitter), law = attenuation_at(emitter, r_m);
+    const double left = emitter->strength > 0 ? e_perp / (emitter->strength * law) : 1;
+    lx_show_formula(steps->document, "\\mathbf{L} = \\frac{\\mathbf{S} - \\mathbf{P}}{r} = @", &sample->towards);
     explain_attenuation(steps, emitter, r_m);
-    if (emitter->strength > 0)
-        left = sample->e_perp.value / (emitter->strength * attenuation_at(emitter, r_m));
     explain_profile(steps, emitter, sample->towards, left);
-    if (emitter->profile.luminaire) {
-        say(&line, "E_{\\perp} = I\\, a(r) = ");
-        number(&line, emitter->strength * left);
-    } else {
-        explain_factors(&line, emitter, left);
-    }
-    say(&line, " \\cdot ");
-    number(&line, attenuation_at(emitter, r_m));
-    say(&line, " = ");
-    number(&line, sample->e_perp.value);
-    end(steps, &line);
+    explain_product(steps, emitter, left, law, e_perp);
 }
 
 /* What is reflected of a sample that nothing hides. */
@@ -328,33 +288,19 @@ static void explain_diffuse(const struct lx_steps *steps, const struct lx_sample
                             const luxel_light_share *share)
 {
     const struct lx_lobe *lobe = steps->element->lobe;
-    double cosine = dot(&steps->element->normal, &sample->towards);
-    struct line line = {{0}};
-    say(&line, "\\mathbf{N} \\cdot \\mathbf{L} = ");
-    number(&line, cosine);
-    end(steps, &line);
+    const double cosine = dot(&steps->element->normal, &sample->towards);
+    lx_show_formula(steps->document, "\\mathbf{N} \\cdot \\mathbf{L} = #", cosine);
     if (hidden < 1) {
         lx_document_paragraph(steps->document,
                               LX_N("Another surface stands between them and takes this light away: it gives nothing."),
                               NULL);
         return;
     }
-    say(&line, "E = E_{\\perp} \\max(0, \\mathbf{N} \\cdot \\mathbf{L}) = ");
-    number(&line, sample->e_perp.value);
-    say(&line, " \\cdot ");
-    number(&line, fmax(0, cosine));
-    say(&line, " = ");
-    number(&line, share->irradiance);
-    end(steps, &line);
-    if (steps->quantity == LUXEL_IRRADIANCE)
-        return;
-    say(&line, "B_d = p\\, k_d E = ");
-    number(&line, lobe->diffuse.value);
-    say(&line, " \\cdot ");
-    number(&line, share->irradiance);
-    say(&line, " = ");
-    number(&line, share->diffuse);
-    end(steps, &line);
+    lx_show_formula(steps->document, "E = E_{\\perp} \\max(0, \\mathbf{N} \\cdot \\mathbf{L}) = # \\cdot # = #",
+                    sample->e_perp.value, fmax(0, cosine), share->irradiance);
+    if (steps->quantity == LUXEL_BRIGHTNESS)
+        lx_show_formula(steps->document, "B_d = p\\, k_d E = # \\cdot # = #", lobe->diffuse.value, share->irradiance,
+                        share->diffuse);
 }
 
 /* S of a power, with the vector that it depends on; returns the lobe's f. */
@@ -363,24 +309,13 @@ static double explain_power(const struct lx_steps *steps, const struct lx_sample
     const struct lx_element *element = steps->element;
     const struct lx_lobe *lobe = element->lobe;
     const struct lx_lobe_kind *kind = lx_lobe_kind_of(lobe);
-    struct line line = {{0}};
     lx_bounded3 pair[2];
     kind->power->pair(element->normal, element->view, sample->towards, pair);
     const double base = fmax(0, dot(&pair[0], &pair[1]));
-    say(&line, kind->words.vector);
-    say(&line, " = ");
-    vector(&line, &pair[kind->power->moving]);
-    end(steps, &line);
-    say(&line, kind->words.cosine);
-    say(&line, " = ");
-    number(&line, base);
-    say(&line, ", \\qquad S^n = S^{");
-    number(&line, lobe->exponent);
-    say(&line, "} = ");
-    number(&line, pow(base, lobe->exponent));
-    say(&line, ", \\qquad w = ");
-    number(&line, lx_lobe_weight(lobe, dot(&element->normal, &sample->towards)));
-    end(steps, &line);
+    lx_show_formula(steps->document, "$ = @", kind->words.vector, &pair[kind->power->moving]);
+    lx_show_formula(steps->document, "$ = #, \\qquad S^n = S^{#} = #, \\qquad w = #", kind->words.cosine, base,
+                    lobe->exponent, pow(base, lobe->exponent),
+                    lx_lobe_weight(lobe, dot(&element->normal, &sample->towards)));
     return pow(base, lobe->exponent);
 }
 
@@ -391,45 +326,29 @@ static void explain_highlight(const struct lx_steps *steps, const struct lx_samp
     const struct lx_lobe *lobe = element->lobe;
     const struct lx_lobe_kind *kind = lx_lobe_kind_of(lobe);
     const double weight = lx_lobe_weight(lobe, dot(&element->normal, &sample->towards));
-    struct line line = {{0}};
     const double shape = kind->power ? explain_power(steps, sample)
                                      : kind->value(lobe, element->normal, element->view, sample->towards).value;
-    say(&line, kind->power ? "B_s = E_{\\perp}\\, p\\, k_s\\, c\\, w\\, S^n = " : kind->words.step);
-    number(&line, sample->e_perp.value);
-    say(&line, " \\cdot ");
-    number(&line, lobe->specular.value);
-    say(&line, " \\cdot ");
-    number(&line, weight);
-    say(&line, " \\cdot ");
-    number(&line, shape);
-    say(&line, " = ");
-    number(&line, share->specular);
-    end(steps, &line);
+    lx_show_formula(steps->document, "$# \\cdot # \\cdot # \\cdot # = #",
+                    kind->power ? "B_s = E_{\\perp}\\, p\\, k_s\\, c\\, w\\, S^n = " : kind->words.step,
+                    sample->e_perp.value, lobe->specular.value, weight, shape, share->specular);
 }
 
 /* ---- the other lights ---- */
 
 static void explain_ambient(const struct lx_steps *steps, const luxel_light_share *share)
 {
-    struct line line = {{0}};
-    say(&line, "E_a = ");
-    number(&line, share->irradiance);
-    if (steps->quantity == LUXEL_BRIGHTNESS) {
-        say(&line, ", \\qquad B = p\\, k_a E_a = ");
-        number(&line, steps->element->lobe->ambient.value);
-        say(&line, " \\cdot ");
-        number(&line, share->irradiance);
-        say(&line, " = ");
-        number(&line, share->diffuse);
-    }
-    end(steps, &line);
+    if (steps->quantity == LUXEL_BRIGHTNESS)
+        lx_show_formula(steps->document, "E_a = #, \\qquad B = p\\, k_a E_a = # \\cdot # = #", share->irradiance,
+                        steps->element->lobe->ambient.value, share->irradiance, share->diffuse);
+    else
+        lx_show_formula(steps->document, "E_a = #", share->irradiance);
 }
 
 static void explain_sum(const struct lx_steps *steps, const luxel_light_share *share, size_t emitters,
                         const struct lx_emitter *first)
 {
     const bool are_parts = lx_is_extended(first) || first->is_part;
-    struct line line = {{0}};
+    struct lx_text text = {0};
     char parts[LX_NUMBER_SIZE];
     if (emitters > 1)
         lx_document_paragraph(steps->document,
@@ -447,31 +366,19 @@ static void explain_sum(const struct lx_steps *steps, const luxel_light_share *s
                               LX_SPANS(LX_PLAIN(lx_write_number((double)share->parts, parts))));
     else if (are_parts && emitters == 1 && !lx_is_opening(first))
         lx_document_paragraph(steps->document, LX_N("The integral over the source has a closed form."), NULL);
-    say(&line, "E = ");
-    number(&line, share->irradiance);
-    if (steps->quantity == LUXEL_BRIGHTNESS) {
-        say(&line, ", \\qquad B_d = p\\, k_d E = ");
-        number(&line, share->diffuse);
-        if (lx_lobe_kind_of(steps->element->lobe)->value) {
-            say(&line, ", \\qquad B_s = ");
-            number(&line, share->specular);
-        }
-    }
-    end(steps, &line);
+    lx_add_notation(&text, "E = #", share->irradiance);
+    if (steps->quantity == LUXEL_BRIGHTNESS)
+        lx_add_notation(&text, ", \\qquad B_d = p\\, k_d E = #", share->diffuse);
+    if (steps->quantity == LUXEL_BRIGHTNESS && lx_lobe_kind_of(steps->element->lobe)->value)
+        lx_add_notation(&text, ", \\qquad B_s = #", share->specular);
+    lx_end_formula(steps->document, &text);
 }
 
 static void sum_parts(const struct lx_steps *steps, const luxel_light_share *share)
 {
-    struct line line = {{0}};
-    if (steps->quantity == LUXEL_IRRADIANCE || !lx_lobe_kind_of(steps->element->lobe)->value)
-        return;
-    say(&line, "B = B_d + B_s = ");
-    number(&line, share->diffuse);
-    say(&line, " + ");
-    number(&line, share->specular);
-    say(&line, " = ");
-    number(&line, share->diffuse + share->specular);
-    end(steps, &line);
+    if (steps->quantity == LUXEL_BRIGHTNESS && lx_lobe_kind_of(steps->element->lobe)->value)
+        lx_show_formula(steps->document, "B = B_d + B_s = # + # = #", share->diffuse, share->specular,
+                        share->diffuse + share->specular);
 }
 
 /* Intensity and flux, as far as there are such: the pattern integrated over all directions, whatever the law. */

@@ -307,9 +307,8 @@ static luxel_status check(const char *name, double value, luxel_diagnostics *dia
     char number[LX_NUMBER_SIZE];
     if (value >= 0 && isfinite(value))
         return LUXEL_OK;
-    lx_report(diagnostics, LUXEL_SEVERITY_ERROR, NULL, LX_MSG_SETTING_OUT_OF_RANGE,
-              LX_ARGS(name, lx_write_number(value, number), LX_TERM(LX_N("0 or a positive number"))));
-    return LUXEL_ERROR_ARGUMENT;
+    return lx_refuse(diagnostics, LX_MSG_SETTING_OUT_OF_RANGE,
+                     LX_ARGS(name, lx_write_number(value, number), LX_TERM(LX_N("0 or a positive number"))));
 }
 
 luxel_status luxel_judge_answer(const luxel_scene *scene, const luxel_settings *settings, double x_mm, double y_mm,

@@ -9,7 +9,6 @@
  */
 #include <math.h>
 #include <stdint.h>
-#include <string.h>
 
 #include <luxel/exercise.h>
 
@@ -319,9 +318,8 @@ luxel_status luxel_variant_text(unsigned number, luxel_diagnostics *diagnostics,
 {
     if (number < 1 || number > LUXEL_LAST_VARIANT) {
         char given[LX_NUMBER_SIZE], last[LX_NUMBER_SIZE];
-        lx_report(diagnostics, LUXEL_SEVERITY_ERROR, NULL, LX_MSG_NO_VARIANT,
-                  LX_ARGS(lx_write_number(number, given), lx_write_number(LUXEL_LAST_VARIANT, last)));
-        return LUXEL_ERROR_ARGUMENT;
+        return lx_refuse(diagnostics, LX_MSG_NO_VARIANT,
+                         LX_ARGS(lx_write_number(number, given), lx_write_number(LUXEL_LAST_VARIANT, last)));
     }
     struct variant v = find_variant(number);
     struct lx_text written = {0};

@@ -30,15 +30,12 @@ static luxel_status check(const struct luxel_field *a, const struct luxel_field 
 {
     if (a->columns != b->columns || a->rows != b->rows) {
         char sizes[4][LX_NUMBER_SIZE];
-        lx_report(diagnostics, LUXEL_SEVERITY_ERROR, NULL, LX_MSG_OTHER_RESOLUTION,
-                  LX_ARGS(lx_write_number(a->columns, sizes[0]), lx_write_number(a->rows, sizes[1]),
-                          lx_write_number(b->columns, sizes[2]), lx_write_number(b->rows, sizes[3])));
-        return LUXEL_ERROR_ARGUMENT;
+        return lx_refuse(diagnostics, LX_MSG_OTHER_RESOLUTION,
+                         LX_ARGS(lx_write_number(a->columns, sizes[0]), lx_write_number(a->rows, sizes[1]),
+                                 lx_write_number(b->columns, sizes[2]), lx_write_number(b->rows, sizes[3])));
     }
-    if (!same_places(a->x_mm, b->x_mm, a->columns) || !same_places(a->y_mm, b->y_mm, a->rows)) {
-        lx_report(diagnostics, LUXEL_SEVERITY_ERROR, NULL, LX_MSG_OTHER_PLACES, NULL);
-        return LUXEL_ERROR_ARGUMENT;
-    }
+    if (!same_places(a->x_mm, b->x_mm, a->columns) || !same_places(a->y_mm, b->y_mm, a->rows))
+        return lx_refuse(diagnostics, LX_MSG_OTHER_PLACES, NULL);
     return LUXEL_OK;
 }
 

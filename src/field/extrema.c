@@ -404,10 +404,8 @@ static luxel_status check(const luxel_evaluator *evaluator, const luxel_field *f
                           const luxel_extrema *extrema, luxel_diagnostics *diagnostics)
 {
     const char *missing = !evaluator ? "evaluator" : !field ? "field" : !extrema ? "extrema" : NULL;
-    if (missing) {
-        lx_report(diagnostics, LUXEL_SEVERITY_ERROR, NULL, LX_MSG_MISSING_ARGUMENT, LX_ARGS(missing));
-        return LUXEL_ERROR_ARGUMENT;
-    }
+    if (missing)
+        return lx_refuse(diagnostics, LX_MSG_MISSING_ARGUMENT, LX_ARGS(missing));
     const struct lx_screen *screen = &evaluator->prepared.scene->screen;
     unsigned columns = screen->resolution[0], rows = screen->resolution[1];
     bool fits = field->columns == columns && field->rows == rows && field->x_mm && field->y_mm &&
@@ -416,10 +414,8 @@ static luxel_status check(const luxel_evaluator *evaluator, const luxel_field *f
         fits = field->x_mm[i] == lx_column_x_mm(screen, i);
     for (unsigned i = 0; fits && i < rows; i++)
         fits = field->y_mm[i] == lx_row_y_mm(screen, i);
-    if (!fits) {
-        lx_report(diagnostics, LUXEL_SEVERITY_ERROR, NULL, LX_MSG_FOREIGN_FIELD, NULL);
-        return LUXEL_ERROR_ARGUMENT;
-    }
+    if (!fits)
+        return lx_refuse(diagnostics, LX_MSG_FOREIGN_FIELD, NULL);
     return lx_region_check(region, diagnostics);
 }
 

@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: MIT */
 /* Edges: where what is seen of a surface ends, and where what it gives jumps or has a kink. */
-#include <string.h>
 
 #include "../base/memory.h"
 #include "../light/solid/extended.h"
@@ -144,11 +143,6 @@ static double wall_distance(const struct lx_extremum_search *search, const struc
     return from_side(edge->side, seen, region->center_mm, (double[]){region->size_mm[0] / 2, region->size_mm[1] / 2});
 }
 
-static void values_of(const lx_bounded3 *from, double to[3])
-{
-    to[0] = from->x.value, to[1] = from->y.value, to[2] = from->z.value;
-}
-
 /* How far inside of a break of a profile, along its distance from the light. */
 static double inside_break(const struct lx_search_edge *edge, const struct lx_emitter *emitter, const double way[3],
                            double size_mm)
@@ -188,7 +182,7 @@ static double light_distance(const struct lx_extremum_search *search, const stru
     const struct lx_element element = lx_spot_element(search, spot);
     struct lx_lobe_at at;
     double limit;
-    values_of(&element.view, view);
+    lx_values3(element.view, view);
     lx_lobe_at_set(normal, view, &at);
     const double *end = lx_lobe_kind_of(element.lobe)->end(&at, &limit);
     return size_mm * (lx_dot(end, way) - limit);

@@ -196,11 +196,6 @@ static void add_pixels(struct lx_gathering *gathering, const luxel_field *field)
 
 /* -- lights -- */
 
-static void values_of(const lx_bounded3 *from, double to[3])
-{
-    to[0] = from->x.value, to[1] = from->y.value, to[2] = from->z.value;
-}
-
 /* A light's direction, or its middle. */
 static struct lx_origin origin_of(const struct lx_emitter *emitter)
 {
@@ -257,14 +252,14 @@ static void add_beam(struct lx_gathering *gathering, const struct lx_emitter *em
 {
     const struct lx_prepared *prepared = gathering->search->prepared;
     struct lx_ray ray = {.origin_error = {0}};
-    values_of(&emitter->profile.axis, ray.direction);
+    lx_values3(emitter->profile.axis, ray.direction);
     memcpy(ray.origin_mm, emitter->position_mm, sizeof ray.origin_mm);
     for (size_t i = 0; i < prepared->surface_count; i++) {
         struct lx_hit hit = prepared->surfaces[i].kind->hit(&prepared->surfaces[i].shape, &ray);
         double place[3], screen[2];
         if (!hit.exists)
             continue;
-        values_of(&hit.place_mm, place);
+        lx_values3(hit.place_mm, place);
         if (lx_screen_of(gathering->search, place, screen))
             add_screen(gathering, screen);
     }

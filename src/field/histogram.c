@@ -7,7 +7,7 @@
 
 #include "../base/diagnostics.h"
 #include "../base/memory.h"
-#include "../base/number.h"
+#include "../base/search.h"
 #include "gather.h"
 
 enum { MOST_BINS = 65536 };
@@ -43,12 +43,6 @@ static bool find_range(const struct lx_gathered *gathered, luxel_histogram_scale
     return true;
 }
 
-static luxel_status bad_range(luxel_diagnostics *diagnostics, enum lx_message message)
-{
-    lx_report(diagnostics, LUXEL_SEVERITY_ERROR, NULL, message, NULL);
-    return LUXEL_ERROR_ARGUMENT;
-}
-
 static void make_edges(luxel_histogram_scale scale, double low, double high, size_t bins, double *edges)
 {
     for (size_t i = 0; i <= bins; i++) {
@@ -58,20 +52,6 @@ static void make_edges(luxel_histogram_scale scale, double low, double high, siz
     }
     edges[0] = low;
     edges[bins] = high;
-}
-
-/* The bin of a value within the range: by halving, so that the edges as they are given decide. */
-static size_t find_bin(const double *edges, size_t bins, double value)
-{
-    size_t low = 0, high = bins;
-    while (high - low > 1) {
-        size_t half = low + (high - low) / 2;
-        if (value >= edges[half])
-            low = half;
-        else
-            high = half;
-    }
-    return low;
 }
 
 static luxel_status count(const struct lx_gathered *gathered, luxel_histogram_scale scale, double low, double high,
@@ -96,7 +76,7 @@ static luxel_status count(const struct lx_gathered *gathered, luxel_histogram_sc
         else if (value > high)
             made->above++;
         else
-            counts[find_bin(edges, bins, value)]++;
+            counts[lx_cell_among(edges, bins + 1, value)]++;
     }
     *histogram = made;
     return LUXEL_OK;
@@ -109,16 +89,16 @@ luxel_status luxel_field_histogram(const luxel_field *field, const luxel_region 
     struct lx_gathered gathered;
     bool automatic = isnan(low) && isnan(high);
     if (bins < 1 || bins > MOST_BINS)
-        return bad_range(diagnostics, LX_MSG_BAD_BINS);
+        return lx_refuse(diagnostics, LX_MSG_BAD_BINS, NULL);
     if (!automatic && !(low < high && isfinite(low) && isfinite(high)))
-        return bad_range(diagnostics, LX_MSG_BAD_RANGE);
+        return lx_refuse(diagnostics, LX_MSG_BAD_RANGE, NULL);
     if (!automatic && scale == LUXEL_HISTOGRAM_LOGARITHMIC && !(low > 0))
-        return bad_range(diagnostics, LX_MSG_BAD_LOG_RANGE);
+        return lx_refuse(diagnostics, LX_MSG_BAD_LOG_RANGE, NULL);
     luxel_status status = lx_gather_region(field, region, diagnostics, &gathered);
     if (status != LUXEL_OK)
         return status;
     if (automatic && !find_range(&gathered, scale, &low, &high))
-        status = bad_range(diagnostics, LX_MSG_NO_RANGE);
+        status = lx_refuse(diagnostics, LX_MSG_NO_RANGE, NULL);
     else
         status = count(&gathered, scale, low, high, bins, diagnostics, histogram);
     free(gathered.values);

@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "../base/diagnostics.h"
+#include "../base/larger.h"
 #include "../base/memory.h"
 #include "../world/camera.h"
 #include "gather.h"
@@ -38,12 +39,6 @@ size_t lx_iso_first_level(const struct lx_iso_search *search, double value)
 }
 
 /* -- what is asked for -- */
-
-static luxel_status report(luxel_diagnostics *diagnostics, enum lx_message message)
-{
-    lx_report(diagnostics, LUXEL_SEVERITY_ERROR, NULL, message, NULL);
-    return LUXEL_ERROR_ARGUMENT;
-}
 
 static double picture_margin(const struct luxel_field *field)
 {
@@ -79,24 +74,16 @@ static luxel_status check(const struct luxel_field *field, const struct luxel_ev
                           luxel_diagnostics *diagnostics)
 {
     const char *missing = !field ? "field" : !isophotes ? "isophotes" : !levels && count > 0 ? "levels" : NULL;
-    if (missing) {
-        lx_report(diagnostics, LUXEL_SEVERITY_ERROR, NULL, LX_MSG_MISSING_ARGUMENT, LX_ARGS(missing));
-        return LUXEL_ERROR_ARGUMENT;
-    }
+    if (missing)
+        return lx_refuse(diagnostics, LX_MSG_MISSING_ARGUMENT, LX_ARGS(missing));
     for (size_t i = 0; i < count; i++)
         if (!isfinite(levels[i]))
-            return report(diagnostics, LX_MSG_BAD_LEVEL);
+            return lx_refuse(diagnostics, LX_MSG_BAD_LEVEL, NULL);
     if (!field->x_mm || !field->y_mm)
         return lx_no_places(diagnostics);
     if (evaluator && !is_of_scene(field, evaluator))
-        return report(diagnostics, LX_MSG_OTHER_SCENE);
+        return lx_refuse(diagnostics, LX_MSG_OTHER_SCENE, NULL);
     return LUXEL_OK;
-}
-
-static int compare_levels(const void *a, const void *b)
-{
-    double left = *(const double *)a, right = *(const double *)b;
-    return left < right ? -1 : left > right;
 }
 
 /* The levels in rising order, each once; NULL: memory is short. */
@@ -108,7 +95,7 @@ static double *sort_levels(const double *levels, size_t *count)
         return NULL;
     if (*count > 0)
         memcpy(sorted, levels, *count * sizeof *sorted);
-    qsort(sorted, *count, sizeof *sorted, compare_levels);
+    qsort(sorted, *count, sizeof *sorted, lx_by_value);
     for (size_t i = 0; i < *count; i++)
         if (kept == 0 || sorted[i] != sorted[kept - 1])
             sorted[kept++] = sorted[i];

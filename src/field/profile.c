@@ -10,7 +10,6 @@
 #include "../base/memory.h"
 #include "../base/number.h"
 #include "../base/rows.h"
-#include "../base/wide.h"
 #include "../world/camera.h"
 #include "../world/evaluate.h"
 #include "field.h"
@@ -27,12 +26,6 @@ void luxel_profile_free(luxel_profile *profile)
     free(profile);
 }
 
-static luxel_status report(luxel_diagnostics *diagnostics, enum lx_message message)
-{
-    lx_report(diagnostics, LUXEL_SEVERITY_ERROR, NULL, message, NULL);
-    return LUXEL_ERROR_ARGUMENT;
-}
-
 static luxel_status check_path(const luxel_profile_path *path, luxel_diagnostics *diagnostics)
 {
     bool finite = isfinite(path->from_mm[0]) && isfinite(path->from_mm[1]) && isfinite(path->to_mm[0]) &&
@@ -41,7 +34,7 @@ static luxel_status check_path(const luxel_profile_path *path, luxel_diagnostics
     bool counted = path->samples >= 2 && path->samples <= MOST_SAMPLES;
     bool known = path->type == LUXEL_PATH_LINE || path->type == LUXEL_PATH_ARC;
     return finite && differ && counted && known ? LX_CHECK_RESERVE(path, diagnostics)
-                                                : report(diagnostics, LX_MSG_BAD_PATH);
+                                                : lx_refuse(diagnostics, LX_MSG_BAD_PATH, NULL);
 }
 
 /* A profile with places along the line; NULL when memory is short. */
@@ -158,7 +151,7 @@ static luxel_status find_arc(const struct luxel_evaluator *evaluator, const luxe
             !lx_is_by_normal(prepared, lx_prepared_index(prepared, ends[i].surface, ends[i].part)))
             return no_sphere(i == 0 ? path->from_mm : path->to_mm, diagnostics);
     if (ends[0].surface != ends[1].surface)
-        return report(diagnostics, LX_MSG_PATH_TWO_SPHERES);
+        return lx_refuse(diagnostics, LX_MSG_PATH_TWO_SPHERES, NULL);
     arc->surface = lx_prepared_index(prepared, ends[0].surface, ends[0].part);
     memcpy(arc->begin, ends[0].normal, sizeof arc->begin);
     const double *a = ends[0].normal, *b = ends[1].normal;
@@ -167,7 +160,7 @@ static luxel_status find_arc(const struct luxel_evaluator *evaluator, const luxe
     double sine = sqrt(cross[0] * cross[0] + cross[1] * cross[1] + cross[2] * cross[2]);
     double cosine = a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
     if (!(sine > 1e-12))
-        return report(diagnostics, LX_MSG_PATH_OPPOSITE);
+        return lx_refuse(diagnostics, LX_MSG_PATH_OPPOSITE, NULL);
     arc->aside[0] = (cross[1] * a[2] - cross[2] * a[1]) / sine;
     arc->aside[1] = (cross[2] * a[0] - cross[0] * a[2]) / sine;
     arc->aside[2] = (cross[0] * a[1] - cross[1] * a[0]) / sine;
@@ -234,7 +227,7 @@ luxel_status luxel_field_profile(const luxel_field *field, const luxel_profile_p
 {
     luxel_status status = check_path(path, diagnostics);
     if (status == LUXEL_OK && path->type != LUXEL_PATH_LINE)
-        status = report(diagnostics, LX_MSG_PATH_ONLY_LINES);
+        status = lx_refuse(diagnostics, LX_MSG_PATH_ONLY_LINES, NULL);
     if (status == LUXEL_OK && (!field->x_mm || !field->y_mm))
         status = lx_no_places(diagnostics);
     if (status != LUXEL_OK)
@@ -267,7 +260,7 @@ luxel_status luxel_profile_line(const luxel_scene *scene, const double through_m
                                 luxel_diagnostics *diagnostics, double from_mm[2], double to_mm[2])
 {
     if (!scene || !luxel_scene_is_committed(scene))
-        return report(diagnostics, LX_MSG_NOT_COMMITTED);
+        return lx_refuse(diagnostics, LX_MSG_NOT_COMMITTED, NULL);
     const struct lx_screen *screen = &lx_scene_parameters(scene)->screen;
     double half[2] = {screen->width_mm / 2, screen->height_mm / 2};
     double turns = remainder(degrees, 360), quarter = remainder(turns, 180); /* at most 90 */
@@ -278,7 +271,7 @@ luxel_status luxel_profile_line(const luxel_scene *scene, const double through_m
     for (int i = 0; i < 2; i++) {
         if (along[i] == 0) {
             if (!(fabs(through_mm[i]) <= half[i]))
-                return report(diagnostics, LX_MSG_LINE_MISSES);
+                return lx_refuse(diagnostics, LX_MSG_LINE_MISSES, NULL);
             continue;
         }
         double a = (-half[i] - through_mm[i]) / along[i], b = (half[i] - through_mm[i]) / along[i];
@@ -286,7 +279,7 @@ luxel_status luxel_profile_line(const luxel_scene *scene, const double through_m
         last = fmin(last, fmax(a, b));
     }
     if (!(first < last) || !isfinite(first) || !isfinite(last))
-        return report(diagnostics, LX_MSG_LINE_MISSES);
+        return lx_refuse(diagnostics, LX_MSG_LINE_MISSES, NULL);
     for (int i = 0; i < 2; i++) {
         from_mm[i] = fmax(-half[i], fmin(half[i], through_mm[i] + first * along[i]));
         to_mm[i] = fmax(-half[i], fmin(half[i], through_mm[i] + last * along[i]));

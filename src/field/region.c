@@ -21,8 +21,7 @@ luxel_status lx_region_check(const luxel_region *region, luxel_diagnostics *diag
                              isfinite(region->size_mm[1]);
     if (known && placed && sized)
         return LUXEL_OK;
-    lx_report(diagnostics, LUXEL_SEVERITY_ERROR, NULL, LX_MSG_BAD_REGION, NULL);
-    return LUXEL_ERROR_ARGUMENT;
+    return lx_refuse(diagnostics, LX_MSG_BAD_REGION, NULL);
 }
 
 bool luxel_region_holds(const luxel_region *region, double x_mm, double y_mm)

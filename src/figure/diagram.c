@@ -3,7 +3,6 @@
 #include "diagram.h"
 
 #include <math.h>
-#include <string.h>
 
 #include "../base/diagnostics.h"
 #include "../base/phrase.h"

@@ -8,7 +8,6 @@
 #include <string.h>
 
 #include "../base/memory.h"
-#include "../base/phrase.h"
 
 static const double LETTERS = 0.9; /* size of labels in the map, of the letters elsewhere */
 static const double LINE = 0.1;    /* widths of lines, of the letters' size */

@@ -93,14 +93,10 @@ static luxel_status check_settings(const luxel_figure_settings *settings, luxel_
         return lx_setting_out_of_range(diagnostics, "level_list_count", (double)settings->level_list_count,
                                        LX_N("at most 64"));
     bool has_range = !isnan(settings->low) || !isnan(settings->high);
-    if (has_range && !(settings->low < settings->high && isfinite(settings->low) && isfinite(settings->high))) {
-        lx_report(diagnostics, LUXEL_SEVERITY_ERROR, NULL, LX_MSG_BAD_RANGE, NULL);
-        return LUXEL_ERROR_ARGUMENT;
-    }
-    if (has_range && settings->logarithmic && !(settings->low > 0)) {
-        lx_report(diagnostics, LUXEL_SEVERITY_ERROR, NULL, LX_MSG_BAD_LOG_RANGE, NULL);
-        return LUXEL_ERROR_ARGUMENT;
-    }
+    if (has_range && !(settings->low < settings->high && isfinite(settings->low) && isfinite(settings->high)))
+        return lx_refuse(diagnostics, LX_MSG_BAD_RANGE, NULL);
+    if (has_range && settings->logarithmic && !(settings->low > 0))
+        return lx_refuse(diagnostics, LX_MSG_BAD_LOG_RANGE, NULL);
     if (settings->language && LX_CHECK_RESERVE(settings->language, diagnostics) != LUXEL_OK)
         return LUXEL_ERROR_ARGUMENT;
     return LX_CHECK_RESERVE(settings, diagnostics);

@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* The map of a figure: the picture in its colours, outlines, isophotes, and their labels and marks over them. */
 #include <math.h>
-#include <string.h>
 
 #include "labels.h"
 #include "thin.h"

@@ -4,7 +4,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "../base/memory.h"
 #include "page_rows.h"
 
 static const struct lx_page_type title = {.size = 19, .leading = 1.25, .bold = true};

@@ -10,7 +10,6 @@
 
 #include "../base/diagnostics.h"
 #include "../base/ending.h"
-#include "../base/memory.h"
 #include "../base/number.h"
 #include "../base/phrase.h"
 #include "../base/sink.h"
@@ -118,9 +117,8 @@ static luxel_status check_dots(const struct lx_page_sheet *sheet, luxel_diagnost
     if (sheet->dots_per_inch <= most)
         return LUXEL_OK;
     strcat(bound, lx_write_number(most, number));
-    lx_report(diagnostics, LUXEL_SEVERITY_ERROR, NULL, LX_MSG_SETTING_OUT_OF_RANGE,
-              LX_ARGS("dots_per_inch", lx_write_number(sheet->dots_per_inch, given), bound));
-    return LUXEL_ERROR_ARGUMENT;
+    return lx_refuse(diagnostics, LX_MSG_SETTING_OUT_OF_RANGE,
+                     LX_ARGS("dots_per_inch", lx_write_number(sheet->dots_per_inch, given), bound));
 }
 
 luxel_status lx_sheet_png(const struct lx_page_sheet *sheet, luxel_diagnostics *diagnostics, unsigned char **bytes,

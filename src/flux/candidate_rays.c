@@ -7,7 +7,6 @@
 #include <string.h>
 
 #include "../base/memory.h"
-#include "../base/vector.h"
 #include "../light/distribution.h"
 #include "../light/solid/extended.h"
 
@@ -30,11 +29,6 @@ static void append(struct gathering *gathering, const double from_mm[3], const d
     struct lx_candidate_ray *ray = &rays->items[rays->count++];
     memcpy(ray->from_mm, from_mm, sizeof ray->from_mm);
     memcpy(ray->way, way, sizeof ray->way);
-}
-
-static void values_of(const lx_bounded3 *from, double to[3])
-{
-    to[0] = from->x.value, to[1] = from->y.value, to[2] = from->z.value;
 }
 
 /* ---- peaks of a table ---- */
@@ -103,7 +97,7 @@ static void append_own(struct gathering *gathering, const struct lx_emitter *emi
     const struct lx_profile *profile = &emitter->profile;
     const double *center = lx_emitter_center(emitter);
     double axis[3], end[3];
-    values_of(&profile->axis, axis);
+    lx_values3(profile->axis, axis);
     if (profile->luminaire)
         append_peaks(gathering, profile->luminaire, center);
     else if (!lx_is_extended(emitter) && !lx_profile_is_isotropic(profile))
@@ -126,7 +120,7 @@ static void append_shadow(struct gathering *gathering, const struct lx_emitter *
 {
     double middle[3], way[3];
     middle_of(surface, middle);
-    values_of(&emitter->towards, way);
+    lx_values3(emitter->towards, way);
     for (int i = 0; i < 3; i++)
         way[i] = lx_is_endless(emitter) ? -way[i] : middle[i] - lx_emitter_center(emitter)[i];
     append(gathering, middle, way);

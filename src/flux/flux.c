@@ -4,8 +4,8 @@
 
 #include <math.h>
 #include <stdlib.h>
-#include <string.h>
 
+#include "../base/larger.h"
 #include "../base/memory.h"
 #include "../light/solid/facets.h"
 #include "../world/blocking.h"
@@ -191,8 +191,9 @@ static struct lx_point_value light_at(struct task *task, double u, double v)
     struct search *search = task->search;
     const struct lx_cells *cells = search->plane.cells;
     const lx_bounded3 place = lx_edges_place(&task->edges, u, v);
-    struct lx_free_element asked = {.place_mm = {place.x.value, place.y.value, place.z.value},
-                                    .normal = {cells->normal.x.value, cells->normal.y.value, cells->normal.z.value}};
+    luxel_place asked = {.is_element = true};
+    lx_values3(place, asked.position_mm);
+    lx_values3(cells->normal, asked.normal);
     struct lx_element element = lx_element_at(&task->asked, &asked);
     element.lobe = &search->lobe;
     search->stopped = search->stopped || !lx_asking_goes_on(search->asking);
@@ -229,12 +230,6 @@ static struct lx_point_value at_point(void *data, size_t interval, double u)
     struct task *task = data;
     (void)interval;
     return light_at(task, u, task->v);
-}
-
-static int by_size(const void *left, const void *right)
-{
-    const double a = *(const double *)left, b = *(const double *)right;
-    return a < b ? -1 : a > b;
 }
 
 /* The panels of a lit range, which end where a source has its foot. */
@@ -311,7 +306,7 @@ static void note_feet(struct task *task, const struct lx_emitter *emitter)
         note_aim(task, emitter);
     for (int side = 0; side < 2; side++)
         if (task->foot_count[side] > 1)
-            qsort(task->feet[side], task->foot_count[side], sizeof(double), by_size);
+            qsort(task->feet[side], task->foot_count[side], sizeof(double), lx_by_value);
 }
 
 /* Where the lines change their shape, in order, the plane's ends among them; false: memory ran out. */
@@ -329,7 +324,7 @@ static bool find_ends(struct task *task)
         task->ends[task->end_count++] = task->feet[1][i];
     task->ends[task->end_count++] = -0.5;
     task->ends[task->end_count++] = 0.5;
-    qsort(task->ends, task->end_count, sizeof *task->ends, by_size);
+    qsort(task->ends, task->end_count, sizeof *task->ends, lx_by_value);
     return true;
 }
 

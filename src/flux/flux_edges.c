@@ -5,6 +5,7 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "../base/larger.h"
 #include "../base/memory.h"
 #include "../base/vector.h"
 #include "../light/solid/extended.h"
@@ -26,11 +27,6 @@ static void copy(const double from[3], double to[3])
 {
     for (int i = 0; i < 3; i++)
         to[i] = from[i];
-}
-
-static void value_of(lx_bounded3 a, double value[3])
-{
-    value[0] = a.x.value, value[1] = a.y.value, value[2] = a.z.value;
 }
 
 static double value_at(const void *data, const double place[3])
@@ -61,7 +57,7 @@ static bool add_conic(struct lx_edges *edges, size_t caster, quadratic *value, c
     double values[6], *c = edge.c, size = 0;
     for (int p = 0; p < 6; p++) {
         double place[3];
-        value_of(lx_edges_place(edges, places[p][0], places[p][1]), place);
+        lx_values3(lx_edges_place(edges, places[p][0], places[p][1]), place);
         values[p] = value(data, place);
         if (isnan(values[p]))
             return true;
@@ -132,7 +128,7 @@ bool lx_caster_hides(const struct lx_edges *edges, size_t caster, double u, doub
     struct lx_element element = {
         .place_mm = lx_edges_place(edges, u, v), .normal = edges->plane->normal, .is_free = true};
     double place[3];
-    value_of(element.place_mm, place);
+    lx_values3(element.place_mm, place);
     element.own = surface->kind->holds(&surface->shape, place) ? surface : NULL;
     return lx_hidden_by(surface, &element, emitter).value > 0.5;
 }
@@ -206,7 +202,7 @@ static bool add_faces(struct lx_edges *edges, const struct lx_emitter *emitter)
         const struct lx_face *face = &emitter->facets->faces[i];
         const lx_wide3 *corner = &emitter->facets->corners_mm[emitter->facets->loop[face->first]];
         const double at[3] = {lx_wide_value(corner->x), lx_wide_value(corner->y), lx_wide_value(corner->z)};
-        value_of(lx_wide3_direction(face->normal), normal);
+        lx_values3(lx_wide3_direction(face->normal), normal);
         is_whole = add_plane(edges, at, normal);
     }
     return is_whole;
@@ -267,21 +263,16 @@ int lx_edge_roots(double a, double b, double c, double roots[2])
     return count;
 }
 
-static int by_size(double a, double b)
-{
-    return a < b ? -1 : a > b;
-}
-
 static int by_place(const void *left, const void *right)
 {
     const struct lx_crossing *a = left, *b = right;
-    return by_size(a->at, b->at);
+    return lx_by_value(&a->at, &b->at);
 }
 
 static int by_begin(const void *left, const void *right)
 {
     const struct lx_line_part *a = left, *b = right;
-    return by_size(a->from, b->from);
+    return lx_by_value(&a->from, &b->from);
 }
 
 /* Where a + b x + c x^2 is 0, and where it all but touches 0: its two roots may be lost to rounding, and a place more

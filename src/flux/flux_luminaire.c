@@ -5,7 +5,9 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "../base/larger.h"
 #include "../base/memory.h"
+#include "../base/search.h"
 #include "../base/vector.h"
 #include "../light/distribution.h"
 #include "../world/integral/adaptive.h"
@@ -57,22 +59,12 @@ static double within(const struct lx_distribution *table, const double *row, siz
     return (row[j] + slope * (from - polars[j]) * DEGREE) * fall(from, to) + slope * (rise - length * cos(to * DEGREE));
 }
 
-static size_t cell_of(const double *lines, size_t count, double at)
-{
-    size_t low = 0, high = count - 1;
-    while (high - low > 1) {
-        const size_t middle = low + (high - low) / 2;
-        *(lines[middle] <= at ? &low : &high) = middle;
-    }
-    return low;
-}
-
 static double along_row(const struct fan *fan, size_t i, double from, double to)
 {
     const struct lx_distribution *table = fan->table;
     const double *row = table->values + i * table->polar_count, *sums = fan->sums + i * table->polar_count;
-    const size_t first = cell_of(table->polars, table->polar_count, from);
-    const size_t last = cell_of(table->polars, table->polar_count, to);
+    const size_t first = lx_cell_among(table->polars, table->polar_count, from);
+    const size_t last = lx_cell_among(table->polars, table->polar_count, to);
     if (first == last)
         return within(table, row, first, from, to);
     return within(table, row, first, from, table->polars[first + 1]) + sums[last] - sums[first + 1] +
@@ -303,12 +295,6 @@ static void note_touches(struct fan *fan, const struct lx_conic *edge)
     }
 }
 
-static int by_size(const void *left, const void *right)
-{
-    const double a = *(const double *)left, b = *(const double *)right;
-    return a < b ? -1 : a > b;
-}
-
 /*
  * Panels end where the table has a plane, at the corners of what is measured, where its sides leave an angle of the
  * table and where shadows turn or begin: else what falls on it within a few azimuths alone, seen all but edge-on, would
@@ -338,7 +324,7 @@ static bool find_ends(struct fan *fan)
         note_place(fan, turns.items[i].u, turns.items[i].v);
     free(turns.items);
     if (is_whole && !fan->stopped)
-        qsort(fan->ends, fan->end_count, sizeof *fan->ends, by_size);
+        qsort(fan->ends, fan->end_count, sizeof *fan->ends, lx_by_value);
     return is_whole && !fan->stopped;
 }
 
@@ -350,7 +336,7 @@ static size_t begin_panels(const struct fan *fan)
         const double from = fan->ends[i], to = fan->ends[i + 1];
         if (to > from)
             fan->panels[count++] = (struct lx_panel){
-                .interval = cell_of(table->azimuths, table->azimuth_count, from), .from = from, .to = to};
+                .interval = lx_cell_among(table->azimuths, table->azimuth_count, from), .from = from, .to = to};
     }
     return count;
 }
@@ -365,11 +351,6 @@ static lx_bounded integrate(struct fan *fan)
     const lx_bounded turned = {integral.value,
                                integral.error + integral.inherited + (edges + ROUNDINGS) * integral.value};
     return lx_mul(lx_mul(turned, lx_rounded(DEGREE, 0, 2)), lx_exact(fan->asked->emitter->strength));
-}
-
-static void value_of(lx_bounded3 a, double value[3])
-{
-    value[0] = a.x.value, value[1] = a.y.value, value[2] = a.z.value;
 }
 
 /* Its height above the plane, negative behind it; false: it may be in it. */
@@ -393,11 +374,11 @@ static bool begin(struct fan *fan)
         !find_height(fan))
         return false;
     fan->table = pointed->distribution;
-    value_of(lx_wide3_direction(asked->plane->pose.axis), fan->normal);
-    value_of(lx_wide3_direction(asked->plane->pose.across), fan->side[0]);
-    value_of(lx_wide3_direction(asked->plane->pose.upward), fan->side[1]);
+    lx_values3(lx_wide3_direction(asked->plane->pose.axis), fan->normal);
+    lx_values3(lx_wide3_direction(asked->plane->pose.across), fan->side[0]);
+    lx_values3(lx_wide3_direction(asked->plane->pose.upward), fan->side[1]);
     for (int i = 0; i < 3; i++)
-        value_of(pointed->frame[i], fan->frame[i]);
+        lx_values3(pointed->frame[i], fan->frame[i]);
     fan->isotropic = *asked->emitter;
     fan->isotropic.profile = lx_profile_isotropic();
     return true;

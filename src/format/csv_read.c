@@ -6,6 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "../base/larger.h"
 #include "../base/memory.h"
 #include "../base/number.h"
 #include "text_table.h"
@@ -90,12 +91,6 @@ struct axis {
     unsigned count;
 };
 
-static int compare(const void *a, const void *b)
-{
-    double first = *(const double *)a, second = *(const double *)b;
-    return (first > second) - (first < second);
-}
-
 /* The equal steps between sorted places; false where there are none. */
 static bool find_steps(const double *places, size_t count, bool down, struct axis *axis)
 {
@@ -124,7 +119,7 @@ static luxel_status find_axis(struct lx_source *source, const struct pixel *pixe
         return lx_source_out_of_memory(source);
     for (size_t i = 0; i < count; i++)
         places[i] = down ? pixels[i].y_mm : pixels[i].x_mm;
-    qsort(places, count, sizeof *places, compare);
+    qsort(places, count, sizeof *places, lx_by_value);
     size_t unique = 1;
     for (size_t i = 1; i < count; i++)
         if (places[i] != places[unique - 1])

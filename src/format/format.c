@@ -84,9 +84,7 @@ static luxel_status check_image(const char *path, const struct lx_format *format
     if (!no_places && (format->samples & (unsigned)image->sample) && image->channels == 1 && image->columns > 0 &&
         image->rows > 0)
         return LUXEL_OK;
-    lx_report(diagnostics, LUXEL_SEVERITY_ERROR, NULL, no_places ? LX_MSG_NO_PLACES : LX_MSG_UNFIT_IMAGE,
-              LX_ARGS(path, format->name));
-    return LUXEL_ERROR_ARGUMENT;
+    return lx_refuse(diagnostics, no_places ? LX_MSG_NO_PLACES : LX_MSG_UNFIT_IMAGE, LX_ARGS(path, format->name));
 }
 
 luxel_status lx_writer_open(const struct lx_destination *destination, const struct lx_image *image,

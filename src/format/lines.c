@@ -3,6 +3,7 @@
 #include "lines.h"
 
 #include <string.h>
+#include <strings.h>
 
 bool lx_is_blank(char c)
 {
@@ -39,6 +40,11 @@ bool lx_next_word(struct lx_lines *lines, const char **word, size_t *length)
         lines->at++;
     *length = (size_t)(lines->at - *word);
     return *length > 0;
+}
+
+bool lx_is_word(const char *word, size_t length, const char *wanted)
+{
+    return strlen(wanted) == length && strncasecmp(word, wanted, length) == 0;
 }
 
 bool lx_word_is(const char *word, size_t length, const char *wanted)

@@ -20,5 +20,6 @@ bool lx_next_line(struct lx_lines *lines);
 /* The next word of the line; false where there is none. */
 bool lx_next_word(struct lx_lines *lines, const char **word, size_t *length);
 bool lx_word_is(const char *word, size_t length, const char *wanted);
+bool lx_is_word(const char *word, size_t length, const char *wanted); /* in whatever case */
 
 #endif

@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: MIT */
 /* The public functions for tables: a table or an array with its source, its texts and the reports. */
-#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -51,10 +50,8 @@ luxel_status luxel_table_open(const char *path, const luxel_table_column *column
                               luxel_diagnostics *diagnostics, luxel_table **table)
 {
     const char *missing = !path ? "path" : !columns || count == 0 || count > LX_MOST_COLUMNS ? "columns" : "table";
-    if (!path || !columns || count == 0 || count > LX_MOST_COLUMNS || !table) {
-        lx_report(diagnostics, LUXEL_SEVERITY_ERROR, NULL, LX_MSG_MISSING_ARGUMENT, LX_ARGS(missing));
-        return LUXEL_ERROR_ARGUMENT;
-    }
+    if (!path || !columns || count == 0 || count > LX_MOST_COLUMNS || !table)
+        return lx_refuse(diagnostics, LX_MSG_MISSING_ARGUMENT, LX_ARGS(missing));
     for (size_t c = 0; c < count; c++)
         if (LX_CHECK_RESERVE(&columns[c], diagnostics) != LUXEL_OK)
             return LUXEL_ERROR_ARGUMENT;

@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: MIT */
 /* Ambient light: scattered light without a source or direction, the same on every element. */
-#include <math.h>
 
 #include "light.h"
 

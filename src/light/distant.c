@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: MIT */
 /* The distant source: parallel light from one direction, such as sunlight. */
-#include <math.h>
 
 #include "light.h"
 

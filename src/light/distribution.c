@@ -9,19 +9,14 @@
 #include "distribution.h"
 
 #include <math.h>
-#include <string.h>
 
 #include "../base/pose.h"
+#include "../base/search.h"
 #include "../base/wide.h"
 
 static const double DEGREE = 0.017453292519943295;
 
 /* ---- pointing ---- */
-
-static void copy(const lx_bounded3 *from, double to[3])
-{
-    to[0] = from->x.value, to[1] = from->y.value, to[2] = from->z.value;
-}
 
 static lx_wide3 negated(lx_wide3 a)
 {
@@ -32,7 +27,7 @@ static lx_wide3 negated(lx_wide3 a)
 static void set_frame(struct lx_pointed *pointed, int i, lx_bounded3 direction)
 {
     pointed->frame[i] = direction;
-    copy(&direction, pointed->frame_double[i]);
+    lx_values3(direction, pointed->frame_double[i]);
     for (int k = 0; k < 3; k++)
         pointed->frame_single[i][k] = (float)pointed->frame_double[i][k];
 }
@@ -78,20 +73,6 @@ void lx_aim_distribution(const struct lx_distribution *distribution, const doubl
 }
 
 /* ---- the function ---- */
-
-/* The cell of rising lines that a number is in; the outermost ones go on. */
-static size_t cell_of(const double *lines, size_t count, double at)
-{
-    size_t low = 0, high = count - 1;
-    while (high - low > 1) {
-        const size_t middle = low + (high - low) / 2;
-        if (lines[middle] <= at)
-            low = middle;
-        else
-            high = middle;
-    }
-    return low;
-}
 
 /* How far from one polar angle to another, from 0 to 1. */
 static double polar_share(const struct lx_distribution *distribution, double from, double to, double at)
@@ -145,8 +126,9 @@ static void extend(const struct lx_distribution *distribution, struct span azimu
     polar.from = fmax(polar.from, polars[0]), polar.to = fmin(polar.to, polars[last_j]);
     if (azimuth.from > azimuth.to || polar.from > polar.to)
         return;
-    size_t from_i = cell_of(azimuths, last_i + 1, azimuth.from), to_i = cell_of(azimuths, last_i + 1, azimuth.to);
-    size_t from_j = cell_of(polars, last_j + 1, polar.from), to_j = cell_of(polars, last_j + 1, polar.to);
+    size_t from_i = lx_cell_among(azimuths, last_i + 1, azimuth.from),
+           to_i = lx_cell_among(azimuths, last_i + 1, azimuth.to);
+    size_t from_j = lx_cell_among(polars, last_j + 1, polar.from), to_j = lx_cell_among(polars, last_j + 1, polar.to);
     for (size_t i = from_i; i <= to_i; i++)
         for (size_t j = from_j; j <= to_j; j++) {
             const double left = fmax(azimuth.from, azimuths[i]), right = fmin(azimuth.to, azimuths[i + 1]);
@@ -259,7 +241,7 @@ bool lx_pointed_break(const struct lx_pointed *pointed, size_t i, struct lx_brea
 {
     const struct lx_distribution *distribution = pointed->distribution;
     *place = (struct lx_break){.shape = LX_BREAK_CONE, .order = LX_KINK};
-    copy(&pointed->frame[2], place->axis);
+    lx_values3(pointed->frame[2], place->axis);
     if (i < distribution->polar_count) {
         place->angle_rad = distribution->polars[i] * DEGREE;
         const bool is_pole = distribution->polars[i] <= 0 || distribution->polars[i] >= 180;
@@ -272,8 +254,8 @@ bool lx_pointed_break(const struct lx_pointed *pointed, size_t i, struct lx_brea
     const bool is_turn = distribution->azimuths[distribution->azimuth_count - 1] - distribution->azimuths[0] >= 360;
     const double azimuth = distribution->azimuths[i] * DEGREE;
     double first[3], second[3];
-    copy(&pointed->frame[0], first);
-    copy(&pointed->frame[1], second);
+    lx_values3(pointed->frame[0], first);
+    lx_values3(pointed->frame[1], second);
     place->shape = LX_BREAK_HALF_PLANE;
     place->order = !is_turn && (i == 0 || i + 1 == distribution->azimuth_count) ? LX_JUMP : LX_KINK;
     for (int k = 0; k < 3; k++)

@@ -9,7 +9,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "../base/number.h"
 #include "../base/pose.h"
 #include "../parameter/check.h"
 #include "distribution.h"

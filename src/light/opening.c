@@ -8,7 +8,6 @@
 
 #include "../base/phrase.h"
 #include "../base/pose.h"
-#include "../base/vector.h"
 #include "solid/facets.h"
 #include "spread.h"
 
@@ -111,11 +110,6 @@ const struct lx_table lx_opening_table = {
 
 /* ---- what files declare ---- */
 
-static void values_of(lx_bounded3 a, double result[3])
-{
-    result[0] = a.x.value, result[1] = a.y.value, result[2] = a.z.value;
-}
-
 static void give(const struct lx_table *table, void *parameters, const char *key)
 {
     const struct lx_parameter *parameter = lx_find_parameter(table, key);
@@ -155,7 +149,7 @@ static void set_round(int along, const double lengths_mm[3], const struct lx_poi
     for (int i = 0; i < 3 && !is_round; i++)
         shape.radii_mm[i] = i == along ? 0 : lengths_mm[i] / 2;
     if (along >= 0)
-        values_of(*ways[along], shape.axis);
+        lx_values3(*ways[along], shape.axis);
     if (along < 0) {
         opening->sphere = shape;
         give(&lx_opening_table, opening, "sphere");
@@ -202,9 +196,9 @@ static struct stand stand_of(const struct lx_table *table, const struct lx_openi
                              const struct lx_emitter *point)
 {
     struct stand stand;
-    values_of(point->profile.luminaire->axis, stand.axis);
-    values_of(point->profile.luminaire->c0, stand.c0);
-    values_of(point->profile.luminaire->across, stand.across);
+    lx_values3(point->profile.luminaire->axis, stand.axis);
+    lx_values3(point->profile.luminaire->c0, stand.c0);
+    lx_values3(point->profile.luminaire->across, stand.across);
     memcpy(stand.center_mm, lx_is_given(table, shape, "center") ? shape->center_mm : point->position_mm,
            sizeof stand.center_mm);
     return stand;

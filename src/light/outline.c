@@ -307,6 +307,11 @@ void lx_flatten(const lx_wide3 *corners_mm, const unsigned *loop, size_t count, 
     }
 }
 
+static lx_wide height_over(const struct lx_plane *plane, lx_wide3 place_mm)
+{
+    return lx_wide3_dot(plane->normal, lx_wide3_sub(place_mm, plane->middle_mm));
+}
+
 struct lx_plane lx_best_plane(const lx_wide3 *corners_mm, const unsigned *loop, size_t count)
 {
     struct lx_plane plane = {.size_mm = 0};
@@ -333,18 +338,13 @@ struct lx_plane lx_best_plane(const lx_wide3 *corners_mm, const unsigned *loop, 
     plane.is_line = !(all > 1e-14 * plane.size_mm * plane.size_mm);
     plane.normal = lx_wide3_unit(area > 1e-10 * all ? newell : largest);
     for (size_t i = 0; i < count; i++) {
-        double height = fabs(lx_height_over(&plane, corners_mm[loop[i]]).high);
+        double height = fabs(height_over(&plane, corners_mm[loop[i]]).high);
         if (height >= plane.deviation_mm * (1 - 1e-6)) { /* the last of several */
             plane.farthest = i;
             plane.deviation_mm = fmax(height, plane.deviation_mm);
         }
     }
     return plane;
-}
-
-lx_wide lx_height_over(const struct lx_plane *plane, lx_wide3 place_mm)
-{
-    return lx_wide3_dot(plane->normal, lx_wide3_sub(place_mm, plane->middle_mm));
 }
 
 /* The corners in working order. */
@@ -395,7 +395,7 @@ static struct lx_shape_report flatten(struct outline *outline, double largest_mm
     outline->is_moved = plane->deviation_mm > ROUNDED * (plane->size_mm + largest_mm);
     for (size_t i = 0; i < outline->count && outline->is_moved; i++) {
         lx_wide3 *corner = &outline->corners_mm[i];
-        *corner = lx_wide3_sub(*corner, lx_wide3_mul(plane->normal, lx_height_over(plane, *corner)));
+        *corner = lx_wide3_sub(*corner, lx_wide3_mul(plane->normal, height_over(plane, *corner)));
     }
     lx_flatten(outline->corners_mm, outline->loop, outline->count, plane->normal, outline->xy);
     return (struct lx_shape_report){LX_SHAPE_GOOD, 0, 0};

@@ -3,7 +3,6 @@
  * The planar source: a flat piece that shines from one side, or from both, with the same radiance everywhere, such as a
  * luminous panel.  Its outline is a polygon, a rectangle or a disk.
  */
-#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 

@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: MIT */
 /* The point source: a small lamp with a pattern about its axis. */
-#include <math.h>
 
 #include "pattern.h"
 #include "placed.h"

@@ -3,7 +3,6 @@
  * The cloud of point sources: places and intensities from a file, and one pattern, axis or aim, and attenuation for all
  * of them, such as a lamp measured as many small sources.
  */
-#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 

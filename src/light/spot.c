@@ -3,7 +3,6 @@
  * The spotlight: a point source that shines within a cone, brightest on its axis, falling from the inner to
  * the outer angle.
  */
-#include <math.h>
 
 #include "placed.h"
 

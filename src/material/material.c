@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: MIT */
 /* The authored material: how a surface turns the light that falls on it into brightness. */
-#include <math.h>
 
 #include "material.h"
 

@@ -389,22 +389,28 @@ static void decode_item(struct lx_walk *walk, const struct lx_step *step, const 
     }
 }
 
+/* Room for the elements of a list; NULL where it is none or too short, or memory ran out. */
+static void *new_items(struct lx_walk *walk, const struct lx_step *step, const struct lx_parameter *list, lx_node_id id,
+                       size_t size, size_t *count)
+{
+    size_t elements;
+    if (!is_mapping(walk, step, id, LX_SEQUENCE) || !has_enough(walk, step, list, id, &elements))
+        return NULL;
+    void *items = lx_new_array(elements, size);
+    if (items)
+        *count = elements;
+    else
+        walk->out_of_memory = true;
+    return items;
+}
+
 static bool decode_variants(struct lx_walk *walk, const struct lx_step *step, const struct lx_parameter *list,
                             lx_node_id id, struct lx_list *result)
 {
-    if (!is_mapping(walk, step, id, LX_SEQUENCE))
-        return false;
-    size_t count, i = 0;
-    if (!has_enough(walk, step, list, id, &count))
-        return false;
-    result->items = lx_new_array(count, sizeof *result->items);
-    if (!result->items) {
-        walk->out_of_memory = true;
-        return false;
-    }
-    result->count = count;
-    bool good = true;
-    for (id = lx_document_node(walk->document, id)->first; id && !walk->out_of_memory;
+    result->items = new_items(walk, step, list, id, sizeof *result->items, &result->count);
+    bool good = result->items;
+    size_t i = 0;
+    for (id = result->items ? lx_document_node(walk->document, id)->first : 0; id && !walk->out_of_memory;
          id = lx_document_node(walk->document, id)->next, i++) {
         struct lx_step element = {step, NULL, i};
         decode_item(walk, &element, list, id, &result->items[i]);
@@ -438,17 +444,10 @@ static bool decode_worded(struct lx_walk *walk, const struct lx_step *step, cons
 static bool decode_groups(struct lx_walk *walk, const struct lx_step *step, const struct lx_parameter *list,
                           lx_node_id id, struct lx_groups *result)
 {
-    size_t count, i = 0;
-    if (!is_mapping(walk, step, id, LX_SEQUENCE) || !has_enough(walk, step, list, id, &count))
-        return false;
-    result->items = lx_new_array(count, list->group->size);
-    if (!result->items) {
-        walk->out_of_memory = true;
-        return false;
-    }
-    result->count = count;
-    bool good = true;
-    for (id = lx_document_node(walk->document, id)->first; id && !walk->out_of_memory;
+    result->items = new_items(walk, step, list, id, list->group->size, &result->count);
+    bool good = result->items;
+    size_t i = 0;
+    for (id = result->items ? lx_document_node(walk->document, id)->first : 0; id && !walk->out_of_memory;
          id = lx_document_node(walk->document, id)->next, i++) {
         struct lx_step element = {step, NULL, i};
         good = decode_group(walk, &element, list->group, id, (char *)result->items + i * list->group->size) && good;

@@ -100,7 +100,7 @@ static void add_reference(struct lx_json *json, const char *key, const char *def
     char *words = lx_text_take(&path);
     lx_json_open_line(json, key, '{');
     lx_json_text(json, "$ref", words ? words : "");
-    lx_json_close(json, '}');
+    lx_json_close(json, "}");
     json->text->failed = json->text->failed || !words;
     free(words);
 }
@@ -113,7 +113,7 @@ static void add_number(struct lx_json *json, const struct lx_parameter *paramete
         return;
     lx_json_open_line(json, "allOf", '[');
     add_reference(json, NULL, "finite", NULL);
-    lx_json_close(json, ']');
+    lx_json_close(json, "]");
 }
 
 /* An array of exactly `count` numbers. */
@@ -122,7 +122,7 @@ static void add_numbers(struct lx_json *json, const struct lx_parameter *paramet
     lx_json_text(json, "type", "array");
     lx_json_open_line(json, "items", '{');
     add_number(json, parameter, whole);
-    lx_json_close(json, '}');
+    lx_json_close(json, "}");
     lx_json_number(json, "minItems", count);
     lx_json_number(json, "maxItems", count);
     if (parameter->nonzero)
@@ -134,34 +134,35 @@ static void add_choices(struct lx_json *json, const char *const *choices)
     lx_json_open_line(json, "enum", '[');
     for (size_t i = 0; choices[i]; i++)
         lx_json_text(json, NULL, choices[i]);
-    lx_json_close(json, ']');
+    lx_json_close(json, "]");
+}
+
+/* One of some words, or what is opened next. */
+static void begin_words_or(struct lx_json *json, const char *const *words)
+{
+    lx_json_open(json, "anyOf", '[');
+    lx_json_open_line(json, NULL, '{');
+    add_choices(json, words);
+    lx_json_close(json, "}");
 }
 
 static void add_choice_or_pair(struct lx_json *json, const struct lx_parameter *parameter)
 {
-    lx_json_open(json, "anyOf", '[');
-    lx_json_open_line(json, NULL, '{');
-    add_choices(json, parameter->choices);
-    lx_json_close(json, '}');
+    begin_words_or(json, parameter->choices);
     lx_json_open(json, NULL, '{');
     lx_json_text(json, "$comment", "low < high is checked where one of the steps below lies from high to low");
     add_numbers(json, parameter, 2, false);
     lx_json_boolean(json, "uniqueItems", true);
     lx_add_rising_pair(json);
-    lx_json_close(json, '}');
-    lx_json_close(json, ']');
+    lx_json_close(json, "}]");
 }
 
 static void add_choice_or_whole(struct lx_json *json, const struct lx_parameter *parameter)
 {
-    lx_json_open(json, "anyOf", '[');
-    lx_json_open_line(json, NULL, '{');
-    add_choices(json, parameter->choices);
-    lx_json_close(json, '}');
+    begin_words_or(json, parameter->choices);
     lx_json_open_line(json, NULL, '{');
     add_number(json, parameter, true);
-    lx_json_close(json, '}');
-    lx_json_close(json, ']');
+    lx_json_close(json, "}]");
 }
 
 /* A list of lists of `width` numbers. */
@@ -172,7 +173,7 @@ static void add_tuples(struct lx_json *json, const struct lx_parameter *paramete
         lx_json_number(json, "minItems", parameter->count);
     lx_json_open(json, "items", '{');
     add_numbers(json, parameter, width, false);
-    lx_json_close(json, '}');
+    lx_json_close(json, "}");
 }
 
 static void add_list(struct lx_json *json, const struct lx_parameter *parameter)
@@ -192,14 +193,10 @@ static void add_group(struct lx_json *json, const struct lx_parameter *parameter
         add_object(json, &parameter->group, 1, NULL);
         return;
     }
-    lx_json_open(json, "anyOf", '[');
-    lx_json_open_line(json, NULL, '{');
-    add_choices(json, parameter->choices);
-    lx_json_close(json, '}');
+    begin_words_or(json, parameter->choices);
     lx_json_open(json, NULL, '{');
     add_object(json, &parameter->group, 1, NULL);
-    lx_json_close(json, '}');
-    lx_json_close(json, ']');
+    lx_json_close(json, "}]");
 }
 
 static void add_groups(struct lx_json *json, const struct lx_parameter *parameter)
@@ -209,7 +206,7 @@ static void add_groups(struct lx_json *json, const struct lx_parameter *paramete
         lx_json_number(json, "minItems", parameter->count);
     lx_json_open(json, "items", '{');
     add_object(json, &parameter->group, 1, NULL);
-    lx_json_close(json, '}');
+    lx_json_close(json, "}");
 }
 
 static void add_default(struct lx_json *json, const struct lx_parameter *parameter)
@@ -248,7 +245,7 @@ static void add_parameter(struct lx_json *json, const struct lx_table *table, co
     case LX_VARIANTS: add_list(json, parameter); break;
     }
     add_default(json, parameter);
-    lx_json_close(json, '}');
+    lx_json_close(json, "}");
 }
 
 static void add_required(struct lx_json *json, const struct lx_table *const *tables, size_t count,
@@ -267,7 +264,7 @@ static void add_required(struct lx_json *json, const struct lx_table *const *tab
         for (size_t i = 0; i < tables[t]->count; i++)
             if (tables[t]->parameters[i].required)
                 lx_json_text(json, NULL, tables[t]->parameters[i].name);
-    lx_json_close(json, ']');
+    lx_json_close(json, "]");
 }
 
 /* The members of an object schema; `variant`: of a list's element, which has a key `type`, too. */
@@ -281,12 +278,12 @@ static void add_object(struct lx_json *json, const struct lx_table *const *table
     if (variant) {
         lx_json_open_line(json, "type", '{');
         lx_json_text(json, "const", variant->name);
-        lx_json_close(json, '}');
+        lx_json_close(json, "}");
     }
     for (size_t t = 0; t < count; t++)
         for (size_t i = 0; i < tables[t]->count; i++)
             add_parameter(json, tables[t], &tables[t]->parameters[i]);
-    lx_json_close(json, '}');
+    lx_json_close(json, "}");
     lx_add_rules(json, tables, count);
 }
 
@@ -304,9 +301,7 @@ static void define_element(struct lx_json *json, const struct lx_parameter *list
     lx_json_open_line(json, "enum", '[');
     for (size_t i = 0; list->variants[i]; i++)
         lx_json_text(json, NULL, list->variants[i]->name);
-    lx_json_close(json, ']');
-    lx_json_close(json, '}');
-    lx_json_close(json, '}');
+    lx_json_close(json, "]}}");
     lx_json_open(json, "allOf", '[');
     for (size_t i = 0; list->variants[i]; i++) {
         lx_json_open_line(json, NULL, '{');
@@ -315,14 +310,11 @@ static void define_element(struct lx_json *json, const struct lx_parameter *list
         lx_json_open(json, "properties", '{');
         lx_json_open(json, "type", '{');
         lx_json_text(json, "const", list->variants[i]->name);
-        lx_json_close(json, '}');
-        lx_json_close(json, '}');
-        lx_json_close(json, '}');
+        lx_json_close(json, "}}}");
         add_reference(json, "then", list->name, list->variants[i]->name);
-        lx_json_close(json, '}');
+        lx_json_close(json, "}");
     }
-    lx_json_close(json, ']');
-    lx_json_close(json, '}');
+    lx_json_close(json, "]}");
 }
 
 static void define_variant(struct lx_json *json, const struct lx_parameter *list, const struct lx_variant *variant)
@@ -335,7 +327,7 @@ static void define_variant(struct lx_json *json, const struct lx_parameter *list
     lx_json_open(json, key, '{');
     lx_json_text(json, "description", description ? description : "");
     add_object(json, tables, 2, variant);
-    lx_json_close(json, '}');
+    lx_json_close(json, "}");
     json->text->failed = json->text->failed || !key || !description;
     free(key);
     free(description);
@@ -350,7 +342,7 @@ static void add_definitions(struct lx_json *json, const struct lx_table *table)
     lx_json_number(json, "minimum", -DBL_MAX);
     lx_json_number(json, "maximum", DBL_MAX);
     lx_json_raw(json, "not", "{\"type\": \"number\", \"minimum\": 1, \"maximum\": 0}");
-    lx_json_close(json, '}');
+    lx_json_close(json, "}");
     for (size_t i = 0; i < table->count; i++) {
         const struct lx_parameter *list = &table->parameters[i];
         if (list->type != LX_VARIANTS)
@@ -359,7 +351,7 @@ static void add_definitions(struct lx_json *json, const struct lx_table *table)
         for (size_t k = 0; list->variants[k]; k++)
             define_variant(json, list, list->variants[k]);
     }
-    lx_json_close(json, '}');
+    lx_json_close(json, "}");
 }
 
 char *lx_schema(const struct lx_table *table, const char *title, const char *beyond)
@@ -372,6 +364,6 @@ char *lx_schema(const struct lx_table *table, const char *title, const char *bey
     lx_json_text(&json, "$comment", beyond);
     add_object(&json, &table, 1, NULL);
     add_definitions(&json, table);
-    lx_json_close(&json, '}');
+    lx_json_close(&json, "}");
     return lx_text_take(&text);
 }

@@ -11,6 +11,13 @@
 #include "decode.h"
 #include "words.h"
 
+static void add_required(struct lx_json *json, const char *key)
+{
+    lx_json_open(json, "required", '[');
+    lx_json_text(json, NULL, key);
+    lx_json_close(json, "]");
+}
+
 /* "if": the other key has one of the rule's words, also by its default. */
 static void add_condition(struct lx_json *json, const struct lx_table *table, const struct lx_rule *rule)
 {
@@ -26,15 +33,10 @@ static void add_condition(struct lx_json *json, const struct lx_table *table, co
         lx_json_text(json, NULL, other->choices[i]);
         by_default = by_default || (other->initial && strcmp(other->initial, other->choices[i]) == 0);
     }
-    lx_json_close(json, ']');
-    lx_json_close(json, '}');
-    lx_json_close(json, '}');
-    if (!by_default) {
-        lx_json_open(json, "required", '[');
-        lx_json_text(json, NULL, rule->other);
-        lx_json_close(json, ']');
-    }
-    lx_json_close(json, '}');
+    lx_json_close(json, "]}}");
+    if (!by_default)
+        add_required(json, rule->other);
+    lx_json_close(json, "}");
 }
 
 /* Where the one is given, the other must be, too. */
@@ -44,9 +46,7 @@ static void add_beside(struct lx_json *json, const struct lx_rule *rule)
     lx_json_open(json, "dependencies", '{');
     lx_json_open(json, rule->other, '[');
     lx_json_text(json, NULL, rule->key);
-    lx_json_close(json, ']');
-    lx_json_close(json, '}');
-    lx_json_close(json, '}');
+    lx_json_close(json, "]}}");
 }
 
 static void add_needed(struct lx_json *json, const struct lx_table *table, const struct lx_rule *rule)
@@ -58,11 +58,8 @@ static void add_needed(struct lx_json *json, const struct lx_table *table, const
     lx_json_open_line(json, NULL, '{');
     add_condition(json, table, rule);
     lx_json_open(json, "then", '{');
-    lx_json_open(json, "required", '[');
-    lx_json_text(json, NULL, rule->key);
-    lx_json_close(json, ']');
-    lx_json_close(json, '}');
-    lx_json_close(json, '}');
+    add_required(json, rule->key);
+    lx_json_close(json, "}}");
 }
 
 static void add_positive(struct lx_json *json, const struct lx_table *table, const struct lx_rule *rule)
@@ -72,9 +69,7 @@ static void add_positive(struct lx_json *json, const struct lx_table *table, con
     lx_json_open(json, "then", '{');
     lx_json_open(json, "properties", '{');
     lx_json_raw(json, rule->key, "{\"exclusiveMinimum\": 0}");
-    lx_json_close(json, '}');
-    lx_json_close(json, '}');
-    lx_json_close(json, '}');
+    lx_json_close(json, "}}}");
 }
 
 /* Where the one is given, the other must not be: an editor then marks that key and not the whole object. */
@@ -85,10 +80,7 @@ static void add_exclusive(struct lx_json *json, const char *key, const char *oth
     lx_json_open(json, key, '{');
     lx_json_open(json, "properties", '{');
     lx_json_boolean(json, other, false);
-    lx_json_close(json, '}');
-    lx_json_close(json, '}');
-    lx_json_close(json, '}');
-    lx_json_close(json, '}');
+    lx_json_close(json, "}}}}");
 }
 
 /* At least one, and no two of them. */
@@ -99,13 +91,10 @@ static void add_one(struct lx_json *json, const struct lx_table *table, const st
     lx_json_open(json, "anyOf", '[');
     for (size_t i = 0; (key = lx_rule_key(rule, table, i)) != NULL; i++) {
         lx_json_open(json, NULL, '{');
-        lx_json_open(json, "required", '[');
-        lx_json_text(json, NULL, key->name);
-        lx_json_close(json, ']');
-        lx_json_close(json, '}');
+        add_required(json, key->name);
+        lx_json_close(json, "}");
     }
-    lx_json_close(json, ']');
-    lx_json_close(json, '}');
+    lx_json_close(json, "]}");
     for (size_t i = 0; (key = lx_rule_key(rule, table, i)) != NULL; i++)
         for (size_t k = i + 1; (other = lx_rule_key(rule, table, k)) != NULL; k++)
             add_exclusive(json, key->name, other->name);
@@ -116,8 +105,7 @@ static void add_minimum(struct lx_json *json, const char *key, double minimum)
     lx_json_open(json, "properties", '{');
     lx_json_open(json, key, '{');
     lx_json_number(json, "minimum", minimum);
-    lx_json_close(json, '}');
-    lx_json_close(json, '}');
+    lx_json_close(json, "}}");
 }
 
 /* The whole numbers of the legal range are the steps, where it has ends that are not too far apart. */
@@ -128,14 +116,11 @@ static void add_ordered(struct lx_json *json, const struct lx_table *table, cons
         lx_json_open_line(json, NULL, '{');
         lx_json_open(json, "if", '{');
         add_minimum(json, rule->key, step);
-        lx_json_open(json, "required", '[');
-        lx_json_text(json, NULL, rule->key);
-        lx_json_close(json, ']');
-        lx_json_close(json, '}');
+        add_required(json, rule->key);
+        lx_json_close(json, "}");
         lx_json_open(json, "then", '{');
         add_minimum(json, rule->other, step);
-        lx_json_close(json, '}');
-        lx_json_close(json, '}');
+        lx_json_close(json, "}}");
     }
 }
 
@@ -177,7 +162,7 @@ void lx_add_rules(struct lx_json *json, const struct lx_table *const *tables, si
         for (size_t i = 0; i < tables[t]->rule_count; i++)
             if (is_enforced(tables[t], &tables[t]->rules[i]))
                 add_rule(json, tables[t], &tables[t]->rules[i]);
-    lx_json_close(json, ']');
+    lx_json_close(json, "]");
 }
 
 void lx_describe_rules(struct lx_text *text, const struct lx_table *table, const char *key)
@@ -209,18 +194,13 @@ void lx_add_rising_pair(struct lx_json *json)
         lx_json_open(json, "items", '[');
         lx_json_open(json, NULL, '{');
         lx_json_number(json, "minimum", steps[i]);
-        lx_json_close(json, '}');
-        lx_json_close(json, ']');
-        lx_json_close(json, '}');
+        lx_json_close(json, "}]}");
         lx_json_open(json, "then", '{');
         lx_json_open(json, "items", '[');
         lx_json_raw(json, NULL, "true");
         lx_json_open(json, NULL, '{');
         lx_json_number(json, "exclusiveMinimum", steps[i]);
-        lx_json_close(json, '}');
-        lx_json_close(json, ']');
-        lx_json_close(json, '}');
-        lx_json_close(json, '}');
+        lx_json_close(json, "}]}}");
     }
-    lx_json_close(json, ']');
+    lx_json_close(json, "]");
 }

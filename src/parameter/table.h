@@ -9,6 +9,7 @@
 #ifndef LX_PARAMETER_TABLE_H
 #define LX_PARAMETER_TABLE_H
 
+#include <math.h>
 #include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>

@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: MIT */
 /* One value of a document into its place in a struct, checked for type, length and legal range. */
-#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>

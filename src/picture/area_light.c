@@ -4,7 +4,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "../base/larger.h"
 #include "../base/memory.h"
 #include "../light/solid/extended.h"
 #include "patch.h"
@@ -15,22 +14,17 @@ enum { BETWEEN_CHECKS = 128 };
 /* What rules leave, as places_for() has it, by what they go over. */
 static const double MISSED_FLAT = 1.6, MISSED_ROUND = 60, MISSED_BALL = 60;
 
-static void value_of3(lx_wide3 a, double result[3])
-{
-    result[0] = lx_wide_value(a.x), result[1] = lx_wide_value(a.y), result[2] = lx_wide_value(a.z);
-}
-
 static void set_edge(const struct lx_facets *facets, const struct lx_edge *edge, struct lx_area_light_edge_double *made)
 {
     lx_wide3 center = lx_wide3_of(facets->center_mm);
     lx_wide3 from = lx_wide3_sub(facets->corners_mm[edge->from], center);
     lx_wide3 to = lx_wide3_sub(facets->corners_mm[edge->to], center);
-    value_of3(from, made->from);
-    value_of3(to, made->to);
-    value_of3(lx_wide3_sub(to, from), made->along);
-    value_of3(lx_wide3_add(from, to), made->both);
+    lx_wide3_values(from, made->from);
+    lx_wide3_values(to, made->to);
+    lx_wide3_values(lx_wide3_sub(to, from), made->along);
+    lx_wide3_values(lx_wide3_add(from, to), made->both);
     made->product = lx_wide_value(lx_wide3_dot(from, to));
-    value_of3(lx_wide3_cross(from, to), made->moment);
+    lx_wide3_values(lx_wide3_cross(from, to), made->moment);
     made->left = edge->left;
     made->right = edge->right;
 }
@@ -49,7 +43,7 @@ static luxel_status set_facets(const struct lx_facets *facets, const struct lx_a
     for (size_t i = 0; i < facets->face_count; i++) {
         const struct lx_face *face = &facets->faces[i];
         lx_wide3 corner = lx_wide3_sub(facets->corners_mm[facets->loop[face->first]], center);
-        value_of3(face->normal, lamp->faces_double[i].normal);
+        lx_wide3_values(face->normal, lamp->faces_double[i].normal);
         lamp->faces_double[i].height = lx_wide_value(lx_wide3_dot(face->normal, corner));
         lamp->most_patches += (face->count - 1) / 2;
         if (!lx_asking_at_step(asking, i, BETWEEN_CHECKS))

@@ -57,7 +57,8 @@ bool lx_has_edges(const struct lx_emitter *emitter, const struct lx_lobe_double 
     return is_gated || (lx_is_point(emitter) && emitter->profile.falloff != LX_NO_CONE);
 }
 
-double lx_light_unit(enum lx_attenuation law)
+/* What an intensity is multiplied by: the laws are in metres, the kernel's distances in mm. */
+static double unit_of(enum lx_attenuation law)
 {
     return law == LX_INVERSE_SQUARE ? 1e6 : law == LX_PRACTICAL ? 1e3 : 1;
 }
@@ -67,7 +68,7 @@ void lx_light_move(const double anchor_mm[3], const double row[4], struct lx_lig
     light->x = row[0] - anchor_mm[0];
     light->y = row[1] - anchor_mm[1];
     light->z = row[2] - anchor_mm[2];
-    light->gain = row[3] * lx_light_unit(light->law);
+    light->gain = row[3] * unit_of(light->law);
 }
 
 void lx_light_set(const struct lx_emitter *emitter, const double anchor_mm[3], struct lx_light_double *light)
@@ -252,7 +253,7 @@ static void make_singles(const struct lx_lights *lights, const struct lx_cloud_l
                          size_t count, struct lx_light_single *room)
 {
     const double *anchor = lights->anchor_mm;
-    const row_of_four scale = {1, 1, 1, lx_light_unit(cloud->model.law)};
+    const row_of_four scale = {1, 1, 1, unit_of(cloud->model.law)};
     const row_of_four origin = {anchor[0], anchor[1], anchor[2], 0};
     for (size_t k = 0; k < count; k++) {
         row_of_four values;

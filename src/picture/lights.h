@@ -43,8 +43,6 @@ void lx_lights_set_plane(struct lx_lights *lights, const struct lx_shape *shape)
 
 /* The constants of an emitter that is not extended, over a surface that is anchored there. */
 void lx_light_set(const struct lx_emitter *emitter, const double anchor_mm[3], struct lx_light_double *light);
-/* What an intensity is multiplied by: the laws are in metres, the kernel's distances in mm. */
-double lx_light_unit(enum lx_attenuation law);
 /* Those of another point that differs in its place and strength alone. */
 void lx_light_move(const double anchor_mm[3], const double row[4], struct lx_light_double *light);
 /* A light's constants in float32. */

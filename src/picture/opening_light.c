@@ -5,6 +5,7 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "../base/larger.h"
 #include "../base/vector.h"
 #include "../light/distribution.h"
 #include "../light/solid/elliptic.h"
@@ -135,12 +136,6 @@ static size_t cross_azimuths(const struct work *work, const struct line *line, s
     return count;
 }
 
-static int by_value(const void *a, const void *b)
-{
-    const double x = *(const double *)a, y = *(const double *)b;
-    return (x > y) - (x < y);
-}
-
 /* Where pieces of the line end. */
 static size_t cut_line(const struct work *work, const struct line *line, double cuts[MOST_CUTS + 2])
 {
@@ -151,7 +146,7 @@ static size_t cut_line(const struct work *work, const struct line *line, double 
         count = cross_azimuths(work, line, count, cuts);
     cuts[count++] = 0;
     cuts[count++] = 1;
-    qsort(cuts, count, sizeof *cuts, by_value);
+    qsort(cuts, count, sizeof *cuts, lx_by_value);
     return count;
 }
 

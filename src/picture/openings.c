@@ -9,7 +9,6 @@
 
 #include "../base/memory.h"
 #include "../base/vector.h"
-#include "../light/distribution.h"
 #include "../light/solid/extended.h"
 #include "../world/integral/cubature.h"
 #include "opening_light.h"
@@ -103,8 +102,8 @@ static double matte_by_reference(const struct lit *lit, struct lx_occlusion *occ
     struct lx_element element = lit->element;
     matte.specular = lx_exact(0);
     element.lobe = &matte;
-    const double irradiance = lx_integrate_seen(lit->planned->emitter, &element, occlusion, true, lit->known,
-                                                matte_tolerance(lit->plan), lit->asking)
+    const double irradiance = lx_integrate(lit->planned->emitter, &element, occlusion, true, lit->known,
+                                           matte_tolerance(lit->plan), lit->asking)
                                   .irradiance.value;
     return irradiance > 0 ? matte.diffuse.value * irradiance : 0;
 }
@@ -146,9 +145,9 @@ static double highlight_of(const struct lit *lit, struct lx_occlusion *occlusion
     const double tolerance = lit->plan->tolerance;
     if (!lx_lobe_shines(&lit->surface->lobe) || most_of_highlight(lit) < NEGLIGIBLE * tolerance * lit->known)
         return 0;
-    const double specular = lx_integrate_seen(lit->planned->emitter, &lit->element, occlusion, false, lit->known,
-                                              tolerance / 2, lit->asking)
-                                .specular.value;
+    const double specular =
+        lx_integrate(lit->planned->emitter, &lit->element, occlusion, false, lit->known, tolerance / 2, lit->asking)
+            .specular.value;
     return specular > 0 ? specular : 0;
 }
 

@@ -42,21 +42,7 @@ struct work {
     double sum, left_out;
     size_t node_count;
     struct lx_beams_double beams;
-    struct lx_beams_single copy;
 };
-
-/* r^2 a(r), r in metres: the law relative to the inverse square. */
-static double law_at(const struct lx_emitter *emitter, double distance_mm)
-{
-    const double r = distance_mm / 1000;
-    switch (emitter->attenuation) {
-    case LX_INVERSE_SQUARE: return 1;
-    case LX_PRACTICAL: return r * r / (emitter->k_mm / 1000 + r);
-    case LX_POLYNOMIAL: return r * r * lx_by_polynomial(emitter->coefficients, r);
-    case LX_NO_ATTENUATION: break;
-    }
-    return r * r;
-}
 
 /* The law towards a direction of any length. */
 static double law_towards(const struct work *work, const double u[3])
@@ -65,10 +51,10 @@ static double law_towards(const struct work *work, const double u[3])
     if (work->emitter->attenuation == LX_INVERSE_SQUARE)
         return 1;
     if (lx_has_axis(work->emitter))
-        return law_at(work->emitter, work->height_mm * length / lx_dot(work->face, u));
+        return lx_relative_law(work->emitter, work->height_mm * length / lx_dot(work->face, u));
     const double ahead = lx_dot(work->center, u) / length;
     const double below = radius * radius - lx_dot(work->center, work->center) + ahead * ahead;
-    return law_at(work->emitter, ahead - sqrt(fmax(below, 0)));
+    return lx_relative_law(work->emitter, ahead - sqrt(fmax(below, 0)));
 }
 
 /* ---- nodes ---- */
@@ -84,33 +70,34 @@ static void flush_matte(struct work *work)
         sum += beams->weight[i] * (n[0] * x + n[1] * y + n[2] * z) / (square * square);
     }
     work->sum += sum;
-    work->node_count = 0;
+}
+
+double lx_partial_highlight_of_beams(const struct lx_partial_highlight *asked, struct lx_beams_double *beams,
+                                     size_t used)
+{
+    const size_t count = lx_padded(used);
+    struct lx_beams_single copy;
+    for (size_t i = used; i < count; i++) {
+        beams->x[i] = beams->x[0], beams->y[i] = beams->y[0], beams->z[i] = beams->z[0];
+        beams->weight[i] = 0;
+    }
+    if (asked->source->in_double)
+        return asked->kernels->beams_double(beams, count, asked->lobe, asked->normal, asked->view);
+    for (size_t i = 0; i < count; i++) {
+        copy.x[i] = (float)beams->x[i], copy.y[i] = (float)beams->y[i];
+        copy.z[i] = (float)beams->z[i], copy.weight[i] = (float)beams->weight[i];
+    }
+    return asked->kernels->beams_single(&copy, count, asked->lobe_single, asked->normal, asked->view);
 }
 
 /* The highlight of all nodes so far, or what else is asked for. */
 static void flush(struct work *work)
 {
-    const struct lx_partial_highlight *asked = work->asked;
-    struct lx_beams_double *beams = &work->beams;
-    const size_t count = lx_padded(work->node_count);
-    if (asked->is_matte) {
+    if (work->asked->is_matte)
         flush_matte(work);
-        return;
-    }
-    for (size_t i = work->node_count; i < count; i++) {
-        beams->x[i] = work->middle[0], beams->y[i] = work->middle[1], beams->z[i] = work->middle[2];
-        beams->weight[i] = 0;
-    }
+    else if (work->node_count > 0)
+        work->sum += lx_partial_highlight_of_beams(work->asked, &work->beams, work->node_count);
     work->node_count = 0;
-    if (asked->source->in_double) {
-        work->sum += asked->kernels->beams_double(beams, count, asked->lobe, asked->normal, asked->view);
-        return;
-    }
-    for (size_t i = 0; i < count; i++) {
-        work->copy.x[i] = (float)beams->x[i], work->copy.y[i] = (float)beams->y[i];
-        work->copy.z[i] = (float)beams->z[i], work->copy.weight[i] = (float)beams->weight[i];
-    }
-    work->sum += asked->kernels->beams_single(&work->copy, count, asked->lobe_single, asked->normal, asked->view);
 }
 
 /* How many nodes do for what is so long, as a tangent; from the middle some more where they are eased. */
@@ -238,8 +225,8 @@ struct look {
 static double bound_of(const struct work *work, double cosine, double farthest_mm)
 {
     const double sine = sqrt(fmax(1 - cosine * cosine, 0));
-    return work->emitter->radiance.value * work->asked->lobe->specular * law_at(work->emitter, farthest_mm) * 2 * M_PI *
-           (1 - cosine) *
+    return work->emitter->radiance.value * work->asked->lobe->specular * lx_relative_law(work->emitter, farthest_mm) *
+           2 * M_PI * (1 - cosine) *
            (cosine > 0 ? lx_sector_power(work->asked->lobe, work->at.mirrored, work->middle, cosine, sine) : 1);
 }
 

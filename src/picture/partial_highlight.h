@@ -33,6 +33,10 @@ struct lx_partial_highlight {
  * that the rules are not for. */
 bool lx_partial_highlight_sum(const struct lx_partial_highlight *partial, double *sum);
 
+/* The highlight of so many beams, one or more, for those rules; others up to lx_padded() are set. */
+double lx_partial_highlight_of_beams(const struct lx_partial_highlight *partial, struct lx_beams_double *beams,
+                                     size_t used);
+
 /* The highlight of facets by the law 1/r^2 behind the outline of meshes, in slabs between its edges. */
 bool lx_partial_highlight_outline(const struct lx_partial_highlight *partial, const struct lx_asking *asking,
                                   double *sum);

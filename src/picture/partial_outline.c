@@ -37,30 +37,13 @@ struct work {
     double sum, left_out;
     size_t node_count, part_count;
     struct lx_beams_double beams;
-    struct lx_beams_single copy;
 };
 
 static void flush(struct work *work)
 {
-    const struct lx_partial_highlight *asked = work->asked;
-    struct lx_beams_double *beams = &work->beams;
-    const size_t used = work->node_count, count = lx_padded(used);
+    if (work->node_count > 0)
+        work->sum += lx_partial_highlight_of_beams(work->asked, &work->beams, work->node_count);
     work->node_count = 0;
-    if (used == 0)
-        return;
-    for (size_t i = used; i < count; i++) {
-        beams->x[i] = beams->x[0], beams->y[i] = beams->y[0], beams->z[i] = beams->z[0];
-        beams->weight[i] = 0;
-    }
-    if (asked->source->in_double) {
-        work->sum += asked->kernels->beams_double(beams, count, asked->lobe, asked->normal, asked->view);
-        return;
-    }
-    for (size_t i = 0; i < count; i++) {
-        work->copy.x[i] = (float)beams->x[i], work->copy.y[i] = (float)beams->y[i];
-        work->copy.z[i] = (float)beams->z[i], work->copy.weight[i] = (float)beams->weight[i];
-    }
-    work->sum += asked->kernels->beams_single(&work->copy, count, asked->lobe_single, asked->normal, asked->view);
 }
 
 static void place_at(const struct work *work, double u, double v, double place[3])

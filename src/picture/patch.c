@@ -20,11 +20,6 @@ static const double NEAR = 2;
 
 /* ---- vectors ---- */
 
-static void value_of3(lx_wide3 a, double result[3])
-{
-    result[0] = lx_wide_value(a.x), result[1] = lx_wide_value(a.y), result[2] = lx_wide_value(a.z);
-}
-
 /* ---- patches ---- */
 
 /* Two unit vectors across a third. */
@@ -67,13 +62,13 @@ static size_t cut_face(const struct lx_area_light *lamp, size_t face_index, stru
         bool is_triangle = k + 2 == face->count;
         *patch = (struct lx_patch){.kind = LX_PATCH_FLAT};
         memcpy(patch->n, lamp->faces_double[face_index].normal, sizeof patch->n);
-        value_of3(lx_wide3_sub(first, center), patch->o);
+        lx_wide3_values(lx_wide3_sub(first, center), patch->o);
         lx_wide3 a = lx_wide3_sub(facets->corners_mm[loop[k]], first);
         lx_wide3 c = lx_wide3_sub(facets->corners_mm[loop[k + 1]], first);
         lx_wide3 b = is_triangle ? lx_wide3_sub(first, first) : lx_wide3_sub(facets->corners_mm[loop[k + 2]], first);
-        value_of3(a, patch->a);
-        value_of3(b, patch->b);
-        value_of3(lx_wide3_sub(lx_wide3_sub(c, a), b), patch->g);
+        lx_wide3_values(a, patch->a);
+        lx_wide3_values(b, patch->b);
+        lx_wide3_values(lx_wide3_sub(lx_wide3_sub(c, a), b), patch->g);
         for (int i = 0; i < 3; i++)
             patch->o[i] += lamp->center[i];
         set_areas(patch);

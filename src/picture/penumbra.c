@@ -339,9 +339,9 @@ double lx_diffuse_of_part(const struct lx_plan *plan, const struct lx_planned_su
         return seen > 0 ? matte.diffuse.value * planned->emitter->radiance.value * seen : 0;
     if (penumbra->used->is_dark)
         return 0;
-    const double irradiance = lx_integrate_seen(planned->emitter, &bare, penumbra->used, true, plan->least_maximum,
-                                                plan->part_tolerance, asking)
-                                  .irradiance.value;
+    const double irradiance =
+        lx_integrate(planned->emitter, &bare, penumbra->used, true, plan->least_maximum, plan->part_tolerance, asking)
+            .irradiance.value;
     return irradiance > 0 ? matte.diffuse.value * irradiance : 0;
 }
 
@@ -370,7 +370,7 @@ double lx_highlight_of_part(const struct lx_plan *plan, const struct lx_planned_
         return 0;
     lx_look_again(plan, surface, planned, element, i, penumbra);
     const double specular =
-        lx_integrate_seen(planned->emitter, element, penumbra->used, false, known, plan->tolerance / 2, asking)
+        lx_integrate(planned->emitter, element, penumbra->used, false, known, plan->tolerance / 2, asking)
             .specular.value;
     return specular > 0 ? specular : 0;
 }

@@ -6,7 +6,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "../base/memory.h"
 #include "../light/solid/extended.h"
 #include "plan_make.h"
 
@@ -36,19 +35,6 @@ static bool has_ambient_light(const struct lx_emitters *emitters)
     return false;
 }
 
-/* For more sources than these the stretches of rows take longer than what they save. */
-enum { MOST_STRETCHES = 8 };
-
-static bool has_stretches(const struct lx_prepared *prepared)
-{
-    const struct lx_emitters *emitters = &prepared->emitters;
-    bool all = prepared->surface_count == 1 && prepared->surfaces->kind->lit_range &&
-               !prepared->camera.is_perspective && emitters->point_set_count == 0 && emitters->count <= MOST_STRETCHES;
-    for (size_t i = 0; all && i < emitters->count; i++)
-        all = !lx_is_extended(&emitters->items[i]);
-    return all;
-}
-
 luxel_status lx_reach_open(struct lx_reach *reach, const struct lx_scene_parameters *scene,
                            const struct lx_kernels *kernels, const luxel_settings *settings)
 {
@@ -71,7 +57,6 @@ luxel_status lx_reach_open(struct lx_reach *reach, const struct lx_scene_paramet
     for (size_t i = 0; i < emitters->point_set_count; i++)
         make_plain(&emitters->point_sets[i].model);
     const luxel_status status = lx_plan_make(&reach->prepared, kernels, &own, &reach->plan);
-    reach->has_stretches = status == LUXEL_OK && has_stretches(reach->plan.prepared);
     reach->plan.part_tolerance = 1e-3; /* what is hidden in part is lit, however much of it is left */
     return status;
 }
@@ -82,51 +67,14 @@ void lx_reach_clear(struct lx_reach *reach)
     lx_prepared_clear(&reach->prepared);
 }
 
-/* Where along a row a source may shine. */
-static struct lx_reach_stretch stretch_of(const struct lx_emitter *emitter, const struct lx_prepared_surface *surface,
-                                          double y_mm)
-{
-    struct lx_origin light = {.endless = lx_is_endless(emitter)};
-    struct lx_reach_stretch stretch;
-    lx_emitter_origin(emitter, light.at);
-    if (!(emitter->strength > 0) ||
-        !surface->kind->lit_range(&surface->shape, &light, y_mm, &stretch.low_mm, &stretch.high_mm))
-        return (struct lx_reach_stretch){HUGE_VAL, -HUGE_VAL};
-    return stretch;
-}
-
-struct lx_reach_stretch lx_reach_stretch(const struct lx_reach *reach, double y_mm)
-{
-    const struct lx_emitters *emitters = &reach->plan.prepared->emitters;
-    if (!reach->has_stretches)
-        return (struct lx_reach_stretch){-HUGE_VAL, HUGE_VAL};
-    struct lx_reach_stretch all = {HUGE_VAL, -HUGE_VAL};
-    for (size_t i = 0; i < emitters->count; i++) {
-        if (lx_is_uniform(&emitters->items[i]))
-            continue;
-        const struct lx_reach_stretch one = stretch_of(&emitters->items[i], reach->plan.prepared->surfaces, y_mm);
-        all.low_mm = fmin(all.low_mm, one.low_mm);
-        all.high_mm = fmax(all.high_mm, one.high_mm);
-    }
-    return all;
-}
-
-/* Some of the points of a row, and which of them show a surface. */
-static void ask(const struct lx_reach *reach, struct lx_shader_memory *memory, double y_mm, const double *x_mm,
-                size_t count, uint8_t *mask, uint8_t *arrives)
+void lx_reach_row(const struct lx_reach *reach, struct lx_shader_memory *memory, double y_mm, const double *x_mm,
+                  size_t count, uint8_t *mask, uint8_t *arrives)
 {
     _Alignas(64) double values[LX_BLOCK];
     lx_shader_enter(&reach->plan, memory, &y_mm, 1, x_mm, count);
     lx_shade_row(&reach->plan, memory, 0, NULL, false, values, mask);
     for (size_t i = 0; i < count; i++)
         arrives[i] = mask[i] && values[i] > 0;
-}
-
-void lx_reach_row(const struct lx_reach *reach, struct lx_shader_memory *memory, double y_mm, const double *x_mm,
-                  size_t count, uint8_t *arrives)
-{
-    uint8_t mask[LX_BLOCK];
-    ask(reach, memory, y_mm, x_mm, count, mask, arrives);
 }
 
 luxel_status lx_reach_share(const struct lx_reach *reach, const double *x_mm, unsigned columns, const double *y_mm,
@@ -140,7 +88,7 @@ luxel_status lx_reach_share(const struct lx_reach *reach, const double *x_mm, un
     for (unsigned row = 0; row < rows; row++)
         for (unsigned first = 0; first < columns; first += LX_BLOCK) {
             const size_t left = columns - first, count = left < LX_BLOCK ? left : LX_BLOCK;
-            ask(reach, memory, y_mm[row], x_mm + first, count, mask, arrives);
+            lx_reach_row(reach, memory, y_mm[row], x_mm + first, count, mask, arrives);
             for (size_t i = 0; i < count; i++) {
                 shown += mask[i];
                 lit += arrives[i];

@@ -17,7 +17,6 @@ struct lx_reach {
     bool has_ambient, has_direct; /* light of this kind, and any that comes from somewhere */
     struct lx_prepared prepared;
     struct lx_plan plan;
-    bool has_stretches; /* of lx_reach_stretch() */
 };
 
 /*
@@ -29,20 +28,12 @@ luxel_status lx_reach_open(struct lx_reach *reach, const struct lx_scene_paramet
 void lx_reach_clear(struct lx_reach *reach);
 
 /*
- * Whether light arrives at what is seen through the points (x[i], y): arrives[i] is 1 or 0, and 0 off every surface.
+ * Whether light arrives at what is seen through the points (x[i], y): arrives[i] is 1 or 0, and 0 off every surface,
+ * where mask[i] is 0, too.
  * `count` is no more than LX_BLOCK; `memory` is made for the plan of the reach.
  */
 void lx_reach_row(const struct lx_reach *reach, struct lx_shader_memory *memory, double y_mm, const double *x_mm,
-                  size_t count, uint8_t *arrives);
-
-/*
- * Beyond which x of a row no light arrives, for sure: where nothing is known quickly, infinitely far.  Of a sphere that
- * is seen along z and few sources without size it is.
- */
-struct lx_reach_stretch {
-    double low_mm, high_mm;
-};
-struct lx_reach_stretch lx_reach_stretch(const struct lx_reach *reach, double y_mm);
+                  size_t count, uint8_t *mask, uint8_t *arrives);
 
 /* The share of the pixels at all (x[i], y[j]) that show a surface at which light arrives; 0 without any.
  * LUXEL_OK or LUXEL_ERROR_MEMORY. */

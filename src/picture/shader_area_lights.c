@@ -36,7 +36,7 @@ static double integrate_matte(const struct lx_plan *plan, const struct lx_planne
     if (lx_extended_touches(emitter, element.place_mm))
         return 0;
     double tolerance = plan->precision == LUXEL_DOUBLE ? 1e-12 : 1e-7;
-    double irradiance = lx_integrate_asking(emitter, &element, true, 0, tolerance, asking).irradiance.value;
+    double irradiance = lx_integrate(emitter, &element, NULL, true, 0, tolerance, asking).irradiance.value;
     return irradiance > 0 ? matte.diffuse.value * irradiance : 0;
 }
 
@@ -51,7 +51,7 @@ static double integrate_glossy(const struct lx_plan *plan, const struct lx_plann
         if (lx_extended_touches(emitter, element.place_mm))
             continue;
         double specular =
-            lx_integrate_asking(emitter, &element, false, known, plan->tolerance / 2, asking).specular.value;
+            lx_integrate(emitter, &element, NULL, false, known, plan->tolerance / 2, asking).specular.value;
         sum += specular > 0 ? specular : 0;
     }
     return sum;

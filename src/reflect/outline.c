@@ -2,7 +2,6 @@
 /* Outlines of surfaces as lights see them. */
 #include "outline.h"
 
-#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 

@@ -49,12 +49,6 @@ struct lx_window {
     double middle[2], half[2];
 };
 
-static inline struct lx_window lx_window_of(double low_s, double high_s, double low_t, double high_t)
-{
-    return (struct lx_window){{(low_s + high_s) / 2, (low_t + high_t) / 2},
-                              {(high_s - low_s) / 2, (high_t - low_t) / 2}};
-}
-
 /* Quarter i of a window; half i of it, cut across direction `way`. */
 static inline struct lx_window lx_window_quarter(const struct lx_window *window, int i)
 {

@@ -4,11 +4,9 @@
  * are not wholly in view, lights that no visible part of a surface can see.
  */
 #include <math.h>
-#include <string.h>
 
 #include "../base/number.h"
 #include "../base/vector.h"
-#include "../light/light.h"
 #include "../surface/part.h"
 #include "mend.h"
 #include "object.h"
@@ -214,10 +212,8 @@ static struct lx_interval lengths_of(const struct lx_scene_parameters *scene)
 
 luxel_status luxel_scene_advise(const luxel_scene *scene, luxel_diagnostics *diagnostics)
 {
-    if (!luxel_scene_is_committed(scene)) {
-        lx_report(diagnostics, LUXEL_SEVERITY_ERROR, NULL, LX_MSG_NOT_COMMITTED, NULL);
-        return LUXEL_ERROR_ARGUMENT;
-    }
+    if (!luxel_scene_is_committed(scene))
+        return lx_refuse(diagnostics, LX_MSG_NOT_COMMITTED, NULL);
     struct lx_walk walk = lx_scene_walk(scene, diagnostics);
     walk.mend = lx_mend_number;
     walk.scene = scene;

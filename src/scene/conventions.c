@@ -6,7 +6,6 @@
 #include <luxel/conventions.h>
 #include <luxel/probe.h>
 
-#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>

@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* Collecting and applying patches. */
 #include <stdlib.h>
-#include <string.h>
 
 #include "../base/memory.h"
 #include "patch.h"

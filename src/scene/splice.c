@@ -9,7 +9,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "../base/memory.h"
 #include "patch.h"
 #include "splice.h"
 #include "tidy.h"

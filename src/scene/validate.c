@@ -191,10 +191,8 @@ void lx_validate_view(struct lx_walk *walk, const luxel_scene *scene)
 
 luxel_status luxel_scene_check_view(const luxel_scene *scene, luxel_diagnostics *diagnostics)
 {
-    if (!luxel_scene_is_committed(scene)) {
-        lx_report(diagnostics, LUXEL_SEVERITY_ERROR, NULL, LX_MSG_NOT_COMMITTED, NULL);
-        return LUXEL_ERROR_ARGUMENT;
-    }
+    if (!luxel_scene_is_committed(scene))
+        return lx_refuse(diagnostics, LX_MSG_NOT_COMMITTED, NULL);
     struct lx_walk walk = lx_scene_walk(scene, diagnostics);
     lx_validate_view(&walk, scene);
     return lx_walk_status(&walk);

@@ -3,7 +3,6 @@
  * From what a study file says to axes: each key is followed through the base scene, and every value is decoded by the
  * parameter of the key, so that what is wrong is told as in a scene, at its place in the study.
  */
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 

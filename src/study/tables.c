@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: MIT */
 /* The tables of study files, and what must hold between the keys of one thing that varies. */
-#include <math.h>
 #include <stdint.h>
 #include <string.h>
 

@@ -13,73 +13,34 @@
 
 static const char *const side_names[] = {"left", "right", "bottom", "top", "back", "front", NULL};
 
-struct box_materials {
-    uint64_t given;
-    struct lx_material sides[LX_CUBOID_SIDES];
-};
-
 struct box_parameters {
     uint64_t given;
     double center_mm[3], size_mm[3], rotate[3];
     int up;
-    struct box_materials materials;
+    struct lx_cuboid_materials materials;
 };
 
 static const struct lx_parameter materials_parameters[] = {
-    {
-        .name = "left",
-        .label = "Left side",
-        .type = LX_GROUP,
-        .offset = offsetof(struct box_materials, sides[0]),
-        .group = &lx_material_table,
-        .meaning = "the material of the side at the lowest x, instead of material",
-    },
-    {
-        .name = "right",
-        .label = "Right side",
-        .type = LX_GROUP,
-        .offset = offsetof(struct box_materials, sides[1]),
-        .group = &lx_material_table,
-        .meaning = "the material of the side at the highest x, instead of material",
-    },
-    {
-        .name = "bottom",
-        .label = "Bottom side",
-        .type = LX_GROUP,
-        .offset = offsetof(struct box_materials, sides[2]),
-        .group = &lx_material_table,
-        .meaning = "the material of the side at the lowest y (z with up: z), instead of material",
-    },
-    {
-        .name = "top",
-        .label = "Top side",
-        .type = LX_GROUP,
-        .offset = offsetof(struct box_materials, sides[3]),
-        .group = &lx_material_table,
-        .meaning = "the material of the side at the highest y (z with up: z), instead of material",
-    },
-    {
-        .name = "back",
-        .label = "Back side",
-        .type = LX_GROUP,
-        .offset = offsetof(struct box_materials, sides[4]),
-        .group = &lx_material_table,
-        .meaning = "the material of the side at the lowest z (the highest y with up: z), instead of material",
-    },
-    {
-        .name = "front",
-        .label = "Front side",
-        .type = LX_GROUP,
-        .offset = offsetof(struct box_materials, sides[5]),
-        .group = &lx_material_table,
-        .meaning = "the material of the side at the highest z (the lowest y with up: z), instead of material",
-    },
+    LX_CUBOID_MATERIAL(0, "left", LX_N("Left side"),
+                       LX_N("the material of the side at the lowest x, instead of material")),
+    LX_CUBOID_MATERIAL(1, "right", LX_N("Right side"),
+                       LX_N("the material of the side at the highest x, instead of material")),
+    LX_CUBOID_MATERIAL(2, "bottom", LX_N("Bottom side"),
+                       LX_N("the material of the side at the lowest y (z with up: z), instead of material")),
+    LX_CUBOID_MATERIAL(3, "top", LX_N("Top side"),
+                       LX_N("the material of the side at the highest y (z with up: z), instead of material")),
+    LX_CUBOID_MATERIAL(
+        4, "back", LX_N("Back side"),
+        LX_N("the material of the side at the lowest z (the highest y with up: z), instead of material")),
+    LX_CUBOID_MATERIAL(
+        5, "front", LX_N("Front side"),
+        LX_N("the material of the side at the highest z (the lowest y with up: z), instead of material")),
 };
 
 static const struct lx_table materials_table = {
     .parameters = materials_parameters,
     .count = LX_COUNT(materials_parameters),
-    .size = sizeof(struct box_materials),
+    .size = sizeof(struct lx_cuboid_materials),
 };
 
 static const struct lx_parameter box_parameters[] = {

@@ -5,6 +5,7 @@
 
 #include <stdbool.h>
 
+#include "../material/material.h"
 #include "authored.h"
 #include "shape.h"
 
@@ -13,6 +14,18 @@ enum { LX_CUBOID_SIDES = 6 };
 
 /* Which axis is up, as a list of choices. */
 extern const char *const lx_cuboid_ups[];
+
+/* What `materials` may give a side on its own, and a row of that table. */
+struct lx_cuboid_materials {
+    uint64_t given;
+    struct lx_material sides[LX_CUBOID_SIDES];
+};
+
+#define LX_CUBOID_MATERIAL(side_, name_, label_, meaning_)                                                             \
+    {                                                                                                                  \
+        .name = name_, .label = label_, .type = LX_GROUP,                                                              \
+        .offset = offsetof(struct lx_cuboid_materials, sides[side_]), .group = &lx_material_table, .meaning = meaning_ \
+    }
 
 struct lx_cuboid {
     double center_mm[3], size_mm[3];

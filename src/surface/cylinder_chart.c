@@ -4,7 +4,6 @@
  * of the angle about the axis, from `across` to `upward`, and the height along it in mm.
  */
 #include <math.h>
-#include <string.h>
 
 #include "cylinder.h"
 

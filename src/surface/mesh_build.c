@@ -2,7 +2,6 @@
 /* Building the tree of a mesh: splits by the surface area heuristic, the cost of each guessed from some bins. */
 #include <math.h>
 #include <stdlib.h>
-#include <string.h>
 
 #include "../base/larger.h"
 #include "../base/memory.h"

@@ -4,7 +4,6 @@
  * beyond where the source begins, but for those on which the element lies; and what is behind the face of an element
  * of its own.
  */
-#include <math.h>
 #include <string.h>
 
 #include "../base/vector.h"

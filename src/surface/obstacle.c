@@ -2,7 +2,6 @@
 /* Lists of obstacles, what may come into a shaft, and what holds for kinds that gather nothing by themselves. */
 #include <math.h>
 #include <stdlib.h>
-#include <string.h>
 
 #include "../base/memory.h"
 #include "../base/vector.h"

@@ -12,77 +12,36 @@
 #include "cuboid.h"
 #include "part.h"
 
-enum wall { LEFT, RIGHT, FLOOR, CEILING, BACK, FRONT };
-
 static const char *const wall_names[] = {"left", "right", "floor", "ceiling", "back", "front", NULL};
-
-struct room_materials {
-    uint64_t given;
-    struct lx_material walls[LX_CUBOID_SIDES];
-};
 
 struct room_parameters {
     uint64_t given;
     double center_mm[3], size_mm[3];
     int up;
-    struct room_materials materials;
+    struct lx_cuboid_materials materials;
 };
 
 static const struct lx_parameter materials_parameters[] = {
-    {
-        .name = "left",
-        .label = "Left wall",
-        .type = LX_GROUP,
-        .offset = offsetof(struct room_materials, walls[LEFT]),
-        .group = &lx_material_table,
-        .meaning = "the material of the wall at the lowest x, instead of material",
-    },
-    {
-        .name = "right",
-        .label = "Right wall",
-        .type = LX_GROUP,
-        .offset = offsetof(struct room_materials, walls[RIGHT]),
-        .group = &lx_material_table,
-        .meaning = "the material of the wall at the highest x, instead of material",
-    },
-    {
-        .name = "floor",
-        .label = "Floor",
-        .type = LX_GROUP,
-        .offset = offsetof(struct room_materials, walls[FLOOR]),
-        .group = &lx_material_table,
-        .meaning = "the material of the floor, at the lowest y (z with up: z), instead of material",
-    },
-    {
-        .name = "ceiling",
-        .label = "Ceiling",
-        .type = LX_GROUP,
-        .offset = offsetof(struct room_materials, walls[CEILING]),
-        .group = &lx_material_table,
-        .meaning = "the material of the ceiling, at the highest y (z with up: z), instead of material",
-    },
-    {
-        .name = "back",
-        .label = "Back wall",
-        .type = LX_GROUP,
-        .offset = offsetof(struct room_materials, walls[BACK]),
-        .group = &lx_material_table,
-        .meaning = "the material of the wall at the lowest z (the highest y with up: z), instead of material",
-    },
-    {
-        .name = "front",
-        .label = "Front wall",
-        .type = LX_GROUP,
-        .offset = offsetof(struct room_materials, walls[FRONT]),
-        .group = &lx_material_table,
-        .meaning = "the material of the wall at the highest z (the lowest y with up: z), instead of material",
-    },
+    LX_CUBOID_MATERIAL(0, "left", LX_N("Left wall"),
+                       LX_N("the material of the wall at the lowest x, instead of material")),
+    LX_CUBOID_MATERIAL(1, "right", LX_N("Right wall"),
+                       LX_N("the material of the wall at the highest x, instead of material")),
+    LX_CUBOID_MATERIAL(2, "floor", LX_N("Floor"),
+                       LX_N("the material of the floor, at the lowest y (z with up: z), instead of material")),
+    LX_CUBOID_MATERIAL(3, "ceiling", LX_N("Ceiling"),
+                       LX_N("the material of the ceiling, at the highest y (z with up: z), instead of material")),
+    LX_CUBOID_MATERIAL(
+        4, "back", LX_N("Back wall"),
+        LX_N("the material of the wall at the lowest z (the highest y with up: z), instead of material")),
+    LX_CUBOID_MATERIAL(
+        5, "front", LX_N("Front wall"),
+        LX_N("the material of the wall at the highest z (the lowest y with up: z), instead of material")),
 };
 
 static const struct lx_table materials_table = {
     .parameters = materials_parameters,
     .count = LX_COUNT(materials_parameters),
-    .size = sizeof(struct room_materials),
+    .size = sizeof(struct lx_cuboid_materials),
 };
 
 static const struct lx_parameter room_parameters[] = {
@@ -160,7 +119,7 @@ static struct lx_cuboid cuboid_of(const struct room_parameters *room)
 static void room_part(const void *parameters, unsigned wall, struct lx_part *part)
 {
     const struct room_parameters *room = parameters;
-    const struct lx_material *material = &room->materials.walls[wall];
+    const struct lx_material *material = &room->materials.sides[wall];
     const struct lx_cuboid cuboid = cuboid_of(room);
     extern const struct lx_surface_kind lx_plate_kind;
     double touch = 0;

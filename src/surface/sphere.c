@@ -314,32 +314,6 @@ double lx_sphere_shadow_edge(const struct lx_shape *sphere, const struct lx_orig
     return along * along - (1 - sine) * (1 + sine) * lx_dot(from, from);
 }
 
-/*
- * On the circle that a row shows, at the angle a from the highest point, a light shines where
- * D.(P - C) = y D_y + h (D_x sin a + D_z cos a) exceeds the threshold: for a point at C + D that is R^2, for light from
- * the direction D it is 0.
- */
-static bool sphere_lit_range(const struct lx_shape *sphere, const struct lx_origin *light, double y_mm, double *low_mm,
-                             double *high_mm)
-{
-    const double margin = 1e-9, radius = sphere->radius_mm, y = y_mm - sphere->anchor_mm[1];
-    const double h = sqrt(fmax(0, radius * radius - y * y));
-    double d[3];
-    const bool is_point = !lx_way_to(light, sphere->anchor_mm, d);
-    const double reach = h * hypot(d[0], d[2]), size = radius * sqrt(lx_dot(d, d));
-    const double least = (is_point ? radius * radius : 0) - d[1] * y - margin * (size + radius * radius);
-    if (least > reach)
-        return false;
-    *low_mm = -HUGE_VAL, *high_mm = HUGE_VAL;
-    if (!(d[2] > 0) || !(least > -reach))
-        return true;
-    const double middle = atan2(d[0], d[2]), half = acos(least / reach);
-    const double low = fmax(middle - half, -M_PI_2), high = fmin(middle + half, M_PI_2);
-    *low_mm = h * sin(low) - margin * radius + sphere->anchor_mm[0];
-    *high_mm = h * sin(high) + margin * radius + sphere->anchor_mm[0];
-    return true;
-}
-
 /* The middle direction of the part that faces the observer; returns the cosine of its rim. */
 double lx_sphere_front(const struct lx_shape *sphere, const struct lx_origin *eye, double front[3])
 {
@@ -565,7 +539,6 @@ const struct lx_surface_kind lx_sphere_kind = {
     .beside = lx_sphere_beside,
     .shadow_edges = 2,
     .shadow_edge = lx_sphere_shadow_edge,
-    .lit_range = sphere_lit_range,
     .outline = lx_sphere_outline,
     .sheets = sphere_sheets,
     .chart = &sphere_chart,

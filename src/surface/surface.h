@@ -217,9 +217,6 @@ struct lx_surface_kind {
     /* Place i of the shape, from 0 on, where its shadow turns though the edges there only touch; false: there is none.
      * NULL: there are none. */
     bool (*shadow_corner)(const struct lx_shape *shape, const struct lx_origin *light, unsigned i, double place_mm[3]);
-    /* Where along a row of lines of sight along -z light may arrive, as a range of x; false: nowhere. */
-    bool (*lit_range)(const struct lx_shape *shape, const struct lx_origin *light, double y_mm, double *low_mm,
-                      double *high_mm);
     /* Place i of `steps` along the closed outline of what is seen of it, and one that is seen a little inside. */
     void (*outline)(const struct lx_shape *shape, const struct lx_origin *eye, int i, int steps, double place_mm[3],
                     double inside_mm[3]);

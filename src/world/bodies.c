@@ -6,7 +6,6 @@
 #include <stdlib.h>
 
 #include "../base/memory.h"
-#include "../base/vector.h"
 #include "../light/solid/extended.h"
 #include "../surface/beside.h"
 #include "among.h"

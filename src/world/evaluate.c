@@ -24,13 +24,6 @@ lx_bounded lx_reported(lx_bounded number)
     return (lx_bounded){number.value, number.error >= 0 ? number.error : HUGE_VAL};
 }
 
-static void copy3(double to[3], lx_bounded3 from)
-{
-    to[0] = from.x.value;
-    to[1] = from.y.value;
-    to[2] = from.z.value;
-}
-
 /* The place of an element, without its value. */
 static luxel_value place_of(const struct lx_element *element)
 {
@@ -39,8 +32,8 @@ static luxel_value place_of(const struct lx_element *element)
         place.surface = element->own->authored;
         place.part = element->own->part;
     }
-    copy3(place.position_mm, element->place_mm);
-    copy3(place.normal, element->normal);
+    lx_values3(element->place_mm, place.position_mm);
+    lx_values3(element->normal, place.normal);
     return place;
 }
 
@@ -155,15 +148,6 @@ bool lx_is_place(const luxel_place *place)
            (!place->has_view || is_direction(place->view));
 }
 
-struct lx_element lx_free_element_at(const struct lx_prepared *prepared, const luxel_place *place)
-{
-    struct lx_free_element asked = {.surface = place->surface};
-    memcpy(asked.place_mm, place->position_mm, sizeof asked.place_mm);
-    memcpy(asked.normal, place->normal, sizeof asked.normal);
-    asked.view = place->has_view ? place->view : NULL;
-    return lx_element_at(prepared, &asked);
-}
-
 void luxel_evaluate_place(const luxel_evaluator *evaluator, const luxel_place *place, luxel_value *value,
                           double *shares)
 {
@@ -171,7 +155,7 @@ void luxel_evaluate_place(const luxel_evaluator *evaluator, const luxel_place *p
     if (!lx_is_place(place) || (place->is_element && place->surface >= lx_material_count(prepared->scene))) {
         answer_nothing(evaluator, value, shares);
     } else if (place->is_element) {
-        const struct lx_element element = lx_free_element_at(prepared, place);
+        const struct lx_element element = lx_element_at(prepared, place);
         *value = lx_evaluate_element(evaluator, &element, shares);
         if (!element.own)
             value->surface = place->surface;

@@ -33,9 +33,6 @@ lx_bounded lx_reported(lx_bounded number);
 /* Whether a place is one that can be probed: its numbers finite, its directions not 0, its reserve NULL. */
 bool lx_is_place(const luxel_place *place);
 
-/* The free element at a place that is one. */
-struct lx_element lx_free_element_at(const struct lx_prepared *prepared, const luxel_place *place);
-
 /* What is seen through a point of the screen; false: nothing. */
 bool lx_evaluator_sees(const struct luxel_evaluator *evaluator, double x_mm, double y_mm, struct lx_element *element);
 

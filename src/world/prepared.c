@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: MIT */
 /* Lowering a scene to surfaces and emitters, and naming the unit of the result. */
-#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 

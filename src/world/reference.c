@@ -28,21 +28,22 @@ bool lx_element_seen(const struct lx_prepared *prepared, double x_mm, double y_m
     return nearest.exists;
 }
 
-struct lx_element lx_element_at(const struct lx_prepared *prepared, const struct lx_free_element *asked)
+struct lx_element lx_element_at(const struct lx_prepared *prepared, const luxel_place *place)
 {
     struct lx_element element = {
-        .place_mm = lx_exact3(asked->place_mm),
-        .normal = lx_unit3(lx_exact3(asked->normal)),
-        .lobe = &prepared->authored[asked->surface].lobe,
+        .place_mm = lx_exact3(place->position_mm),
+        .normal = lx_unit3(lx_exact3(place->normal)),
+        .lobe = &prepared->authored[place->surface].lobe,
         .is_free = true,
     };
-    element.view = asked->view ? lx_unit3(lx_exact3(asked->view)) : lx_view_from(&prepared->camera, element.place_mm);
+    element.view =
+        place->has_view ? lx_unit3(lx_exact3(place->view)) : lx_view_from(&prepared->camera, element.place_mm);
     struct lx_found found;
-    const bool is_found = lx_among_place(prepared, asked->place_mm, &found);
+    const bool is_found = lx_among_place(prepared, place->position_mm, &found);
     const size_t count = lx_found_count(&found, is_found, prepared->surface_count);
     for (size_t i = 0; i < count && !element.own; i++) {
         const struct lx_prepared_surface *surface = &prepared->surfaces[lx_found_at(&found, is_found, i)];
-        if (surface->kind->holds(&surface->shape, asked->place_mm))
+        if (surface->kind->holds(&surface->shape, place->position_mm))
             element.own = surface;
     }
     if (element.own)
@@ -126,7 +127,7 @@ static struct lx_lighting light_around(const struct lx_prepared *prepared, const
     if (!closed || lx_lobe_shines(lobe)) {
         double known = lobe->diffuse.value * lighting.irradiance.value;
         struct lx_cubature integral =
-            lx_integrate_seen(emitter, element, occlusion, !closed, known, prepared->tolerance, NULL);
+            lx_integrate(emitter, element, occlusion, !closed, known, prepared->tolerance, NULL);
         if (!closed)
             lighting.irradiance = integral.irradiance;
         lighting.specular = integral.specular;

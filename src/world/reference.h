@@ -6,21 +6,16 @@
 #ifndef LX_WORLD_REFERENCE_H
 #define LX_WORLD_REFERENCE_H
 
+#include <luxel/probe.h>
+
 #include "element.h"
 #include "prepared.h"
-
-/* What is asked for of a free element. */
-struct lx_free_element {
-    double place_mm[3], normal[3]; /* the normal need not be of unit length */
-    const double *view;            /* the way to the observer, of any length; NULL: as the scene says */
-    size_t surface;                /* whose material it has where it lies on none */
-};
 
 /* What is seen through a screen point; false: nothing. */
 bool lx_element_seen(const struct lx_prepared *prepared, double x_mm, double y_mm, struct lx_element *element);
 
-/* A free element.  Its own surface is the one that it lies on, the first where surfaces meet. */
-struct lx_element lx_element_at(const struct lx_prepared *prepared, const struct lx_free_element *asked);
+/* The free element at a place that is one.  Its surface is that which it lies on, the first where surfaces meet. */
+struct lx_element lx_element_at(const struct lx_prepared *prepared, const luxel_place *place);
 
 /* The element of a surface that has a chart, at coordinates of that. */
 struct lx_element lx_element_on(const struct lx_prepared *prepared, size_t surface, const double at[3]);

@@ -20,7 +20,7 @@ NAMES = set("""luxel YAML JSON Schema UTF png pfm npy exr csv PNG NPY PFM EXR CS
     brightnesz kd ks ka my render probe grid check scene set schema help report sphere three-lights two-spheres desk
     OFF OBJ PLY STL glTF
     FILE U0 Ud window grey viridis cividis inferno magma plasma coolwarm turbo HTML PDF SVG LaTeX markdown latex
-    html text figure explain report stats profile isophotes compare variant grade advise bench photometry bench.json
+    html text figure explain report stats profile isophotes compare variant grade advise photometry
     glare UGR VX VY VZ
     LOW HIGH TAP cairo pango luxel-draw
     sweep study docs SWEEP shard manifest SHA
@@ -36,7 +36,7 @@ NAMES = set("""luxel YAML JSON Schema UTF png pfm npy exr csv PNG NPY PFM EXR CS
 COMMANDS = [
     [], ["help"], ["--help"], ["--version"], *[["help", name] for name in (
         "render", "probe", "grid", "check", "scene", "schema", "set", "help", "figure", "explain", "report", "stats",
-        "profile", "isophotes", "compare", "variant", "grade", "advise", "bench", "photometry", "sweep")],
+        "profile", "isophotes", "compare", "variant", "grade", "advise", "photometry", "sweep")],
     ["stats"], ["stats", "--histogram"], ["profile"], ["profile", "three-lights"], ["isophotes"],
     ["compare", "report", "report"], ["compare", "report", "three-lights"], ["compare", "report"],
     ["explain", "-p", "0,0"], ["explain", "all-sources", "-p", "0,0"], ["explain", "-p", "900,0"],

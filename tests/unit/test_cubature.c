@@ -71,7 +71,7 @@ static void axial_moments(void **unused)
         lx_bounded3 w =
             unit_of(cases[i].w[0], cases[i].w[1], cases[i].w[2]); /* seen along N, R is V mirrored at itself */
         struct lx_element element = element_at_origin(&lobe, w, w);
-        struct lx_cubature found = lx_integrate(&emitter, &element, false, 0, 1e-11);
+        struct lx_cubature found = lx_integrate(&emitter, &element, NULL, false, 0, 1e-11, NULL);
         assert_near(found.specular.value, cases[i].expected, 0.5e-8 + found.specular.error, "axial moment");
         assert_true(found.specular.error <= 1.001e-11 * found.specular.value);
         assert_true(found.parts > 0);
@@ -89,7 +89,7 @@ static void albedo(void **unused)
     for (double n = 0.125; n < 20000; n *= 4) {
         struct lx_lobe lobe = lobe_of(LX_BLINN_PHONG, LX_HIGHLIGHT_COSINE, n);
         struct lx_element element = element_at_origin(&lobe, up, up);
-        struct lx_cubature found = lx_integrate(&disk, &element, false, 0, 1e-11);
+        struct lx_cubature found = lx_integrate(&disk, &element, NULL, false, 0, 1e-11, NULL);
         double expected = 8 * M_PI * (exp2(-n / 2) + n) / ((n + 2) * (n + 4));
         assert_near(found.specular.value, expected, found.specular.error + 1e-13 * expected, "albedo");
     }
@@ -160,7 +160,7 @@ static void diffuse_as_in_closed_form(void **unused)
         struct lx_element element = random_element(&random, &lobe);
         emitter.attenuation = LX_INVERSE_SQUARE;
         lx_bounded closed = lx_extended_irradiance(&emitter, element.place_mm, element.normal);
-        lx_bounded found = lx_integrate(&emitter, &element, true, 0, 1e-10).irradiance;
+        lx_bounded found = lx_integrate(&emitter, &element, NULL, true, 0, 1e-10, NULL).irradiance;
         if (!(fabs(found.value - closed.value) <= found.error + closed.error))
             fail_msg("scene %d, type %d: integral %.17g +- %g, closed form %.17g +- %g", i, emitter.type, found.value,
                      found.error, closed.value, closed.error);
@@ -183,7 +183,7 @@ static void needles(void **unused)
         emitter.facets = lx_facets_of_rectangle(center, size, axis, up);
         assert_non_null(emitter.facets);
         lx_bounded closed = lx_extended_irradiance(&emitter, element.place_mm, element.normal);
-        lx_bounded found = lx_integrate(&emitter, &element, true, 0, 1e-9).irradiance;
+        lx_bounded found = lx_integrate(&emitter, &element, NULL, true, 0, 1e-9, NULL).irradiance;
         assert_near(found.value, closed.value, found.error + closed.error, "needle");
         assert_true(found.error < 1e-9 * found.value && closed.error < 1e-12 * closed.value);
         lx_facets_free(emitter.facets);
@@ -213,7 +213,7 @@ static void far_needles(void **unused)
         const double incidence = -(axis[0] * l[0] + axis[1] * l[1] + axis[2] * l[2]) /
                                  sqrt(axis[0] * axis[0] + axis[1] * axis[1] + axis[2] * axis[2]);
         const double power = fmax(incidence, 0) * size[0] * size[1] / r2, shine = cosine > 0 ? cosine * cosine : 0;
-        struct lx_cubature found = lx_integrate(&emitter, &element, true, 0, 1e-6);
+        struct lx_cubature found = lx_integrate(&emitter, &element, NULL, true, 0, 1e-6, NULL);
         assert_near(found.specular.value, power * shine, found.specular.error + 1e-9 * power, "far needle's highlight");
         assert_near(found.irradiance.value, power * fmax(n_dot_l, 0), found.irradiance.error + 1e-9 * power,
                     "far needle");
@@ -242,10 +242,10 @@ static void wires(void **unused)
         emitter.facets = lx_facets_of_rectangle(center, size, axis, up);
         assert_non_null(emitter.facets);
         const double closed = lx_extended_irradiance(&emitter, element.place_mm, element.normal).value;
-        const struct lx_cubature fine = lx_integrate(&emitter, &element, false, 0, 1e-9);
+        const struct lx_cubature fine = lx_integrate(&emitter, &element, NULL, false, 0, 1e-9, NULL);
         for (size_t k = 0; k < sizeof tolerances / sizeof tolerances[0]; k++) {
             const double known = 100 * fmax(closed, fine.specular.value);
-            struct lx_cubature coarse = lx_integrate(&emitter, &element, true, known, tolerances[k]);
+            struct lx_cubature coarse = lx_integrate(&emitter, &element, NULL, true, known, tolerances[k], NULL);
             if (!(fabs(coarse.irradiance.value - closed) <= coarse.irradiance.error + 1e-11 * closed) ||
                 !(fabs(coarse.specular.value - fine.specular.value) <= coarse.specular.error + fine.specular.error))
                 fail_msg("wire %d, %g mm x %g mm, tolerance %g: diffuse %.17g +- %g, closed form %.17g; highlight "
@@ -271,9 +271,9 @@ static void errors_are_honest(void **unused)
         struct lx_lobe lobe = lobe_of((enum lx_model)uniform(&random, 0, 2), (enum lx_highlight)uniform(&random, 0, 3),
                                       pow(10, uniform(&random, -3, 4)));
         struct lx_element element = random_element(&random, &lobe);
-        struct lx_cubature fine = lx_integrate(&emitter, &element, true, 0, 1e-11);
+        struct lx_cubature fine = lx_integrate(&emitter, &element, NULL, true, 0, 1e-11, NULL);
         for (size_t k = 0; k < sizeof tolerances / sizeof tolerances[0]; k++) {
-            struct lx_cubature coarse = lx_integrate(&emitter, &element, true, 0, tolerances[k]);
+            struct lx_cubature coarse = lx_integrate(&emitter, &element, NULL, true, 0, tolerances[k], NULL);
             if (!(fabs(coarse.specular.value - fine.specular.value) <= coarse.specular.error + fine.specular.error) ||
                 !(fabs(coarse.irradiance.value - fine.irradiance.value) <=
                   coarse.irradiance.error + fine.irradiance.error))
@@ -341,8 +341,8 @@ static void uncertain_elements(void **unused)
             lx_facets_free(emitter.facets);
             continue;
         }
-        struct lx_cubature found = lx_integrate(&emitter, &here, true, 0, 1e-9);
-        struct lx_cubature other = lx_integrate(&emitter, &there, true, 0, 1e-9);
+        struct lx_cubature found = lx_integrate(&emitter, &here, NULL, true, 0, 1e-9, NULL);
+        struct lx_cubature other = lx_integrate(&emitter, &there, NULL, true, 0, 1e-9, NULL);
         const lx_bounded pairs[2][2] = {{found.irradiance, other.irradiance}, {found.specular, other.specular}};
         for (int k = 0; k < 2; k++) {
             double apart = fabs(pairs[k][0].value - pairs[k][1].value);
@@ -383,13 +383,13 @@ static void shares_add_up(void **unused)
         struct lx_lobe lobe = lobe_of(LX_BLINN_PHONG, LX_HIGHLIGHT_PLAIN, pow(10, uniform(&random, -1, 3)));
         struct lx_element element = random_element(&random, &lobe);
         struct lx_emitter emitter = {.type = LX_FACETS, .radiance = lx_exact(2), .facets = all};
-        lx_bounded whole = lx_integrate(&emitter, &element, false, 0, 1e-9).specular;
+        lx_bounded whole = lx_integrate(&emitter, &element, NULL, false, 0, 1e-9, NULL).specular;
         for (int side = -1; side <= 1; side += 2) {
             double moved[3];
             for (int k = 0; k < 3; k++)
                 moved[k] = center[k] + side * 0.25 * (corners[start + 1][k] - corners[start][k]);
             emitter.facets = lx_facets_of_rectangle(moved, half, axis, up);
-            lx_bounded part = lx_integrate(&emitter, &element, false, 0, 1e-9).specular;
+            lx_bounded part = lx_integrate(&emitter, &element, NULL, false, 0, 1e-9, NULL).specular;
             sum += part.value;
             error += part.error;
             lx_facets_free(emitter.facets);
@@ -408,11 +408,11 @@ static void dark_places(void **unused)
     struct lx_emitter disk = {.type = LX_DISK, .radiance = lx_exact(1), .center_mm = {0, 0, 500}, .radius_mm = 300};
     struct lx_element element = element_at_origin(&gated, up, up);
     disk.axis = up;
-    struct lx_cubature behind = lx_integrate(&disk, &element, true, 0, 1e-9);
+    struct lx_cubature behind = lx_integrate(&disk, &element, NULL, true, 0, 1e-9, NULL);
     assert_true(behind.specular.value == 0 && behind.irradiance.value == 0);
     disk.axis = down;
     element = element_at_origin(&gated, down, down);
-    struct lx_cubature below = lx_integrate(&disk, &element, true, 0, 1e-9);
+    struct lx_cubature below = lx_integrate(&disk, &element, NULL, true, 0, 1e-9, NULL);
     assert_true(below.specular.value == 0 && below.irradiance.value == 0);
 }
 

@@ -251,12 +251,12 @@ static void integrals_end_when_told_to(void **state)
                                        .view = lx_exact3((double[]){0.6, 0, 0.8}),
                                        .lobe = &lobe};
     begin(0);
-    const struct lx_cubature whole = lx_integrate_asking(&box, &element, false, 0, 1e-9, &asking);
-    const struct lx_cubature alone = lx_integrate(&box, &element, false, 0, 1e-9);
+    const struct lx_cubature whole = lx_integrate(&box, &element, NULL, false, 0, 1e-9, &asking);
+    const struct lx_cubature alone = lx_integrate(&box, &element, NULL, false, 0, 1e-9, NULL);
     assert_true(whole.specular.value == alone.specular.value && whole.parts == alone.parts);
     assert_true(counted.asked > whole.parts / 100);
     begin(3);
-    const struct lx_cubature stopped = lx_integrate_asking(&box, &element, false, 0, 1e-9, &asking);
+    const struct lx_cubature stopped = lx_integrate(&box, &element, NULL, false, 0, 1e-9, &asking);
     assert_true(stopped.parts < whole.parts / 10);
     lx_facets_free(facets);
 }

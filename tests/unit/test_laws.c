@@ -112,7 +112,7 @@ static double integral(const struct lx_emitter *emitter, const struct lx_block_d
                                        .lobe = &lobe};
     if (lx_extended_touches(emitter, element.place_mm))
         return 0;
-    return lx_integrate(emitter, &element, true, 0, 1e-12).irradiance.value;
+    return lx_integrate(emitter, &element, NULL, true, 0, 1e-12, NULL).irradiance.value;
 }
 
 /* The truth at every 16th element, and the greatest of them: what a picture of these elements is measured by. */

@@ -141,8 +141,7 @@ static struct lx_cubature by_triangles(const struct lx_prepared *prepared, const
         lx_occlusion_settle(emitter, element->place_mm.x.error + element->place_mm.y.error + element->place_mm.z.error,
                             &occlusion),
         0);
-    const struct lx_cubature result =
-        lx_integrate_seen(emitter, element, &occlusion, true, 0, prepared->tolerance, NULL);
+    const struct lx_cubature result = lx_integrate(emitter, element, &occlusion, true, 0, prepared->tolerance, NULL);
     lx_occlusion_clear(&occlusion);
     return result;
 }
@@ -167,14 +166,14 @@ static void insert_mesh(const struct text *text, const char *path, char *made, s
 static struct lx_element choose_element(const struct lx_prepared *prepared, const struct model *model,
                                         struct dice *dice)
 {
-    struct lx_free_element asked = {.place_mm = {dice_uniform(dice, -15, 15), dice_uniform(dice, -15, 15), 0},
-                                    .normal = {0, 0, 1}};
+    luxel_place asked = {.position_mm = {dice_uniform(dice, -15, 15), dice_uniform(dice, -15, 15), 0},
+                         .normal = {0, 0, 1}};
     if (dice_pick(dice, 3) == 0) {
         const unsigned *names = model->triangles[dice_pick(dice, (int)model->count)];
         double sides[2][3], sign = dice_pick(dice, 2) ? 1 : -1;
         for (int k = 0; k < 3; k++) {
             const double *a = model->corners[names[0]], *b = model->corners[names[1]], *c = model->corners[names[2]];
-            asked.place_mm[k] = 0.3 * a[k] + 0.25 * b[k] + 0.45 * c[k];
+            asked.position_mm[k] = 0.3 * a[k] + 0.25 * b[k] + 0.45 * c[k];
             sides[0][k] = b[k] - a[k], sides[1][k] = c[k] - a[k];
         }
         lx_cross(sides[0], sides[1], asked.normal);

@@ -57,7 +57,7 @@ static struct lx_element element_of(const struct lx_prepared *prepared, double x
     struct lx_element element;
     if (!lx_element_seen(prepared, x, y, &element) || element.own != prepared->surfaces) {
         /* something covers it: it is asked for by its place */
-        element = lx_element_at(prepared, &(struct lx_free_element){.place_mm = {x, y, 0}, .normal = {0, 0, 1}});
+        element = lx_element_at(prepared, &(luxel_place){.position_mm = {x, y, 0}, .normal = {0, 0, 1}});
     }
     return element;
 }
@@ -173,8 +173,8 @@ static lx_bounded irradiance_at(const char *surfaces, const char *light, const d
              surfaces, light);
     struct stage stage = staged(text, tolerance);
     const struct lx_element element =
-        lx_element_at(&stage.prepared, &(struct lx_free_element){.place_mm = {place[0], place[1], place[2]},
-                                                                 .normal = {normal[0], normal[1], normal[2]}});
+        lx_element_at(&stage.prepared, &(luxel_place){.position_mm = {place[0], place[1], place[2]},
+                                                      .normal = {normal[0], normal[1], normal[2]}});
     const lx_bounded found = sum_of(&stage.prepared, &element).irradiance;
     leave(&stage);
     return found;

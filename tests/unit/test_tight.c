@@ -347,7 +347,7 @@ static void integrals(void **state)
             source.attenuation = (enum lx_attenuation)(i / 2 % 3);
             if (lx_extended_touches(&source, element.place_mm))
                 continue;
-            struct lx_cubature found = lx_integrate(&source, &element, i % 2 == 0, 0, 1e-6);
+            struct lx_cubature found = lx_integrate(&source, &element, NULL, i % 2 == 0, 0, 1e-6, NULL);
             add_pair(&sums[kind][0], found.irradiance);
             add_pair(&sums[kind][1], found.specular);
         }

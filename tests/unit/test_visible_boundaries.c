@@ -57,8 +57,8 @@ static size_t compare(const char *text, struct dice *dice, size_t many)
     assert_int_equal(lx_prepare(lx_scene_parameters(scene), NULL, NULL, &prepared), 0);
     const struct lx_emitter *emitter = &prepared.emitters.items[0];
     for (int i = 0; i < ELEMENTS; i++) {
-        const struct lx_free_element asked = {.place_mm = {dice_uniform(dice, -60, 60), dice_uniform(dice, -60, 60), 0},
-                                              .normal = {0, 0, 1}};
+        const luxel_place asked = {.position_mm = {dice_uniform(dice, -60, 60), dice_uniform(dice, -60, 60), 0},
+                                   .normal = {0, 0, 1}};
         const struct lx_element element = lx_element_at(&prepared, &asked);
         struct lx_occlusion occlusion = {.place_mm = {0}};
         double found;
@@ -68,7 +68,7 @@ static size_t compare(const char *text, struct dice *dice, size_t many)
             fail_msg("%zu obstacles are too many:\n%s", occlusion.obstacles.count, text);
         found *= emitter->radiance.value;
         const lx_bounded seen =
-            lx_integrate_seen(emitter, &element, &occlusion, true, 0, prepared.tolerance, NULL).irradiance;
+            lx_integrate(emitter, &element, &occlusion, true, 0, prepared.tolerance, NULL).irradiance;
         if (!(fabs(found - seen.value) <= seen.error + 1e-12))
             fail_msg("%.17g by borders, %.17g +- %g by arcs, behind %zu obstacles:\n%s", found, seen.value, seen.error,
                      occlusion.obstacles.count, text);

@@ -448,7 +448,7 @@ static unsigned points_of(int kind, int model)
         };
         source.attenuation = (enum lx_attenuation)(i % 4 % 3);
         source.k_mm = 400;
-        sum += lx_integrate(&source, &element, i % 2, 0, 1e-7).parts;
+        sum += lx_integrate(&source, &element, NULL, i % 2, 0, 1e-7, NULL).parts;
     }
     lx_facets_free(source.facets);
     return (unsigned)sum;

@@ -160,7 +160,7 @@ static void test_free_elements(void **state)
             places[i] = random_place(&random, &test);
             places[i].has_view = has_views;
             random_direction(&random, places[i].view);
-            expected[i] = lx_free_element_at(&test.prepared, &places[i]);
+            expected[i] = lx_element_at(&test.prepared, &places[i]);
             expected[i].lobe = &test.surfaces[0].lobe;
         }
         const struct lx_kernels *kernels;

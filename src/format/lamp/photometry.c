@@ -8,9 +8,11 @@
 #include <strings.h>
 
 #include "../../base/encoding.h"
+#include "../../base/ending.h"
 #include "../../base/memory.h"
 #include "../../base/number.h"
 #include "../../base/source.h"
+#include "../lines.h"
 #include "photometry.h"
 
 /* ---- memory ---- */
@@ -111,11 +113,6 @@ const char *lx_shown(double number, char buffer[LX_SHOWN_SIZE])
 
 /* ---- lines, numbers, angles ---- */
 
-static bool is_blank(char c)
-{
-    return c == ' ' || (c >= '\t' && c <= '\r');
-}
-
 bool lx_luminaire_line(struct lx_luminaire_file *file, size_t *start, size_t *end)
 {
     if (file->at >= file->length)
@@ -124,9 +121,9 @@ bool lx_luminaire_line(struct lx_luminaire_file *file, size_t *start, size_t *en
     *start = file->at;
     *end = stop ? (size_t)(stop - text) : file->length;
     file->at = *end + (stop != NULL);
-    while (*start < *end && is_blank(text[*start]))
+    while (*start < *end && lx_is_blank(text[*start]))
         ++*start;
-    while (*end > *start && is_blank(text[*end - 1]))
+    while (*end > *start && lx_is_blank(text[*end - 1]))
         --*end;
     return true;
 }
@@ -165,15 +162,9 @@ bool lx_check_angles(struct lx_luminaire_file *file, const char *name, const dou
 
 char *lx_photometry_plain_text(char *text, size_t *length)
 {
-    size_t mark;
-    enum lx_encoding encoding = lx_find_encoding(text, *length, &mark);
-    if (encoding != LX_UTF8) {
-        text = lx_text_of_utf16(text, length, mark, encoding);
-        if (!text)
-            return NULL;
-    } else {
-        memset(text, ' ', mark);
-    }
+    text = lx_text_of_bytes(text, length);
+    if (!text)
+        return NULL;
     char *end = text + *length;
     for (char *at = end; at > text && (at[-1] == 0x1a || at[-1] == 0); at--) /* the end as DOS marks it, and padding */
         at[-1] = ' ';
@@ -185,12 +176,6 @@ char *lx_photometry_plain_text(char *text, size_t *length)
         at = behind;
     }
     return text;
-}
-
-static bool has_ending(const char *name, const char *ending)
-{
-    size_t length = strlen(name), wanted = strlen(ending);
-    return length >= wanted && strcasecmp(name + length - wanted, ending) == 0;
 }
 
 /* Whether a line is TILT=..., or begins the file as LM-63 does. */
@@ -209,7 +194,7 @@ static bool looks_like_lm63(struct lx_luminaire_file file)
         if (length < 5 || strncasecmp(line, "TILT", 4) != 0)
             continue;
         size_t i = 4;
-        while (i < length && is_blank(line[i]))
+        while (i < length && lx_is_blank(line[i]))
             i++;
         if (i < length && line[i] == '=')
             return true;
@@ -241,7 +226,9 @@ static void (*find_reader(const struct lx_luminaire_file *file))(struct lx_lumin
         return lx_read_eulumdat;
     if (looks_like_lm63(*file))
         return lx_read_lm63;
-    return has_ending(file->name, ".ies") ? lx_read_lm63 : has_ending(file->name, ".ldt") ? lx_read_eulumdat : NULL;
+    return lx_has_ending(file->name, ".ies")   ? lx_read_lm63
+           : lx_has_ending(file->name, ".ldt") ? lx_read_eulumdat
+                                               : NULL;
 }
 
 /* ---- what was read, judged as a whole ---- */

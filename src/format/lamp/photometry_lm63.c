@@ -5,7 +5,6 @@
  */
 #include "photometry_lm63.h"
 
-#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 #include <strings.h>

@@ -2,23 +2,10 @@
 /* The intensity in any direction, from the table of a luminaire, and directions as angles of the table. */
 #include <math.h>
 
+#include "../../base/search.h"
 #include "photometry.h"
 
 static const double DEGREE = 0.017453292519943295;
-
-/* The last of rising numbers that is not above `wanted`, but never the last of all. */
-static size_t find_step(const double *numbers, size_t count, double wanted)
-{
-    size_t low = 0, high = count - 1;
-    while (high - low > 1) {
-        size_t middle = low + (high - low) / 2;
-        if (numbers[middle] <= wanted)
-            low = middle;
-        else
-            high = middle;
-    }
-    return low;
-}
 
 /* How far between two angles, from 0 to 1; by equal solid angles: along the sine or cosine. */
 static double share_of(double from_deg, double to_deg, double at_deg, bool by_sine, bool by_cosine)
@@ -49,7 +36,7 @@ double luxel_photometry_intensity(const luxel_photometry *photometry, luxel_phot
     }
     if (!is_within(planes, plane_count, plane_deg) || !is_within(angles, angle_count, angle_deg))
         return 0;
-    size_t i = find_step(planes, plane_count, plane_deg), j = find_step(angles, angle_count, angle_deg);
+    size_t i = lx_cell_among(planes, plane_count, plane_deg), j = lx_cell_among(angles, angle_count, angle_deg);
     double across = share_of(planes[i], planes[i + 1], plane_deg, is_cosine && type == LUXEL_PHOTOMETRY_TYPE_B, false);
     double along = share_of(angles[j], angles[j + 1], angle_deg, is_cosine && type == LUXEL_PHOTOMETRY_TYPE_A,
                             is_cosine && type == LUXEL_PHOTOMETRY_TYPE_C);

@@ -8,7 +8,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "../../base/memory.h"
 #include "photometry_write.h"
 
 /* A file while it is written. */

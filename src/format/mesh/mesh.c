@@ -5,9 +5,9 @@
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
-#include <strings.h>
 
 #include "../../base/encoding.h"
+#include "../../base/ending.h"
 #include "../../base/memory.h"
 #include "mesh_read.h"
 
@@ -146,12 +146,6 @@ struct lx_mesh_report lx_add_face(struct lx_raw_mesh *raw, unsigned corners, siz
 
 /* ---- reading ---- */
 
-static bool has_ending(const char *name, const char *ending)
-{
-    size_t length = strlen(name), wanted = strlen(ending);
-    return length >= wanted && strcasecmp(name + length - wanted, ending) == 0;
-}
-
 /* Whether a text begins as an OFF file does, or an OBJ file. */
 static bool begins_as(const char *name, const char *text, size_t length, bool is_off)
 {
@@ -161,13 +155,13 @@ static bool begins_as(const char *name, const char *text, size_t length, bool is
     size_t size;
     double number;
     if (!lx_next_line(&lines) || !lx_next_word(&lines, &word, &size))
-        return !is_off && has_ending(name, ".obj");
+        return !is_off && lx_has_ending(name, ".obj");
     if (is_off)
-        return lx_is_off_word(word, size) || (has_ending(name, ".off") && lx_read_number(word, size, &number));
+        return lx_is_off_word(word, size) || (lx_has_ending(name, ".off") && lx_read_number(word, size, &number));
     for (size_t i = 0; keywords[i]; i++)
         if (lx_word_is(word, size, keywords[i]))
             return true;
-    return has_ending(name, ".obj");
+    return lx_has_ending(name, ".obj");
 }
 
 static bool is_off(const char *name, const char *text, size_t length)
@@ -199,15 +193,9 @@ static const struct format {
 /* Makes every line end in LF, and UTF-16 UTF-8; returns the text, the caller's where it is another one, or NULL. */
 static char *plain_text(char *text, size_t *length)
 {
-    size_t mark;
-    enum lx_encoding encoding = lx_find_encoding(text, *length, &mark);
-    if (encoding != LX_UTF8) {
-        text = lx_text_of_utf16(text, length, mark, encoding);
-        if (!text)
-            return NULL;
-    } else {
-        memset(text, ' ', mark);
-    }
+    text = lx_text_of_bytes(text, length);
+    if (!text)
+        return NULL;
     for (char *at = text; (at = memchr(at, '\r', *length - (size_t)(at - text))) != NULL;)
         *at = at + 1 < text + *length && at[1] == '\n' ? ' ' : '\n';
     return text;

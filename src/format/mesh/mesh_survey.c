@@ -3,7 +3,6 @@
  * Surveys of meshes: their sides are sorted by the corners that they join, which brings those of an edge together;
  * faces are put into sets of those that share edges, and of those that share them with one other face alone.
  */
-#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 

@@ -65,19 +65,13 @@ static bool read_type(const char *word, size_t length, enum lx_binary_type *type
     return false;
 }
 
-/* Names are written in capitals by some programs. */
-static bool is_name(const char *word, size_t length, const char *wanted)
-{
-    return strlen(wanted) == length && strncasecmp(word, wanted, length) == 0;
-}
-
 static int role_of(const struct element *element, const char *word, size_t length, bool is_list)
 {
     static const char *const names[] = {"x", "y", "z", "nx", "ny", "nz"};
-    if (is_list && (is_name(word, length, "vertex_indices") || is_name(word, length, "vertex_index")))
+    if (is_list && (lx_is_word(word, length, "vertex_indices") || lx_is_word(word, length, "vertex_index")))
         return element->kind == FACE ? LOOP : element->kind == STRIP ? STRIPS : OTHER;
     for (int i = 0; element->kind == VERTEX && !is_list && i < 6; i++)
-        if (is_name(word, length, names[i]))
+        if (lx_is_word(word, length, names[i]))
             return PLACE + i;
     return OTHER;
 }
@@ -116,11 +110,11 @@ static bool read_element(struct ply *ply)
     if (ply->element_count == MOST_ELEMENTS || !next_word(ply, &word, &length))
         return false;
     struct element element = {.first = ply->property_count};
-    if (is_name(word, length, "vertex"))
+    if (lx_is_word(word, length, "vertex"))
         element.kind = VERTEX;
-    else if (is_name(word, length, "face"))
+    else if (lx_is_word(word, length, "face"))
         element.kind = FACE;
-    else if (is_name(word, length, "tristrips"))
+    else if (lx_is_word(word, length, "tristrips"))
         element.kind = STRIP;
     if (!next_word(ply, &word, &length) || !lx_read_number(word, length, &count) || !(count >= 0 && count < 1e15) ||
         count != floor(count))

@@ -124,11 +124,6 @@ static bool next_word(struct lx_lines *lines, const char **word, size_t *length)
     return true;
 }
 
-static bool is_word(const char *word, size_t length, const char *wanted)
-{
-    return strlen(wanted) == length && strncasecmp(word, wanted, length) == 0;
-}
-
 static struct lx_mesh_report read_vertex(struct lx_raw_mesh *raw, struct lx_lines *lines)
 {
     const char *word;
@@ -150,11 +145,11 @@ static enum word whole_word(struct lx_lines *lines, const char *word, size_t len
         [VERTEX] = "vertex",      [NORMAL] = "normal",    [END_SOLID] = "endsolid", [END_FACET] = "endfacet",
         [END_OUTER] = "endouter", [END_LOOP] = "endloop",
     };
-    const bool is_end = is_word(word, length, "end");
+    const bool is_end = lx_is_word(word, length, "end");
     if (is_end && !next_word(lines, &word, &length))
         return OTHER;
     for (enum word i = is_end ? END_SOLID : SOLID; i <= END_LOOP; i++)
-        if (is_word(word, length, is_end ? names[i] + 3 : names[i]))
+        if (lx_is_word(word, length, is_end ? names[i] + 3 : names[i]))
             return i;
     return OTHER;
 }

@@ -2,8 +2,6 @@
 /* The end of the flat faces of an emitter, which several may use. */
 #include "area_light_facets.h"
 
-#include <stdlib.h>
-
 void lx_facets_free(struct lx_facets *facets)
 {
     lx_kept_release((struct lx_kept *)facets);

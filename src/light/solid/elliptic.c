@@ -16,16 +16,11 @@
 
 /* ---- directions ---- */
 
-static void values_of(lx_bounded3 a, double result[3])
-{
-    result[0] = a.x.value, result[1] = a.y.value, result[2] = a.z.value;
-}
-
 void lx_elliptic_ways(const struct lx_emitter *emitter, double ways[3][3])
 {
-    values_of(emitter->profile.luminaire->c0, ways[0]);
-    values_of(emitter->profile.luminaire->across, ways[1]);
-    values_of(emitter->profile.luminaire->axis, ways[2]);
+    lx_values3(emitter->profile.luminaire->c0, ways[0]);
+    lx_values3(emitter->profile.luminaire->across, ways[1]);
+    lx_values3(emitter->profile.luminaire->axis, ways[2]);
 }
 
 /* Which of the three the normal of a disk or the axis of a cylinder is. */
@@ -33,7 +28,7 @@ static int along_of(const struct lx_emitter *emitter, double ways[3][3])
 {
     double axis[3];
     int along = 0;
-    values_of(emitter->axis, axis);
+    lx_values3(emitter->axis, axis);
     for (int i = 1; i < 3; i++)
         along = fabs(lx_dot(axis, ways[i])) > fabs(lx_dot(axis, ways[along])) ? i : along;
     return along;
@@ -42,7 +37,7 @@ static int along_of(const struct lx_emitter *emitter, double ways[3][3])
 void lx_half_axes(const struct lx_emitter *emitter, double first[3], double second[3])
 {
     double axis[3], ways[3][3], radii[2] = {emitter->radius_mm, emitter->radius_mm};
-    values_of(emitter->axis, axis);
+    lx_values3(emitter->axis, axis);
     if (lx_is_elliptic(emitter)) {
         lx_elliptic_ways(emitter, ways);
         const int along = along_of(emitter, ways), one = (along + 1) % 3, other = (along + 2) % 3;

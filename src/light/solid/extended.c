@@ -37,3 +37,15 @@ bool lx_emitter_plane(const struct lx_emitter *emitter, double place_mm[3], doub
     const struct lx_emitter_kind *kind = lx_emitter_kind(emitter);
     return kind->plane && kind->plane(emitter, place_mm, normal);
 }
+
+double lx_relative_law(const struct lx_emitter *emitter, double distance_mm)
+{
+    const double r = distance_mm / 1000;
+    switch (emitter->attenuation) {
+    case LX_INVERSE_SQUARE: return 1;
+    case LX_PRACTICAL: return r * r / (emitter->k_mm / 1000 + r);
+    case LX_POLYNOMIAL: return r * r * lx_by_polynomial(emitter->coefficients, r);
+    case LX_NO_ATTENUATION: break;
+    }
+    return r * r;
+}

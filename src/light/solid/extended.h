@@ -83,4 +83,7 @@ struct lx_emitter lx_extended_as_point(const struct lx_emitter *emitter);
  * memory ran out. */
 int lx_extended_cut(const struct lx_emitter *emitter, unsigned parts, struct lx_emitters *emitters);
 
+/* r^2 a(r), r in metres: the law of an emitter relative to the inverse square. */
+double lx_relative_law(const struct lx_emitter *emitter, double distance_mm);
+
 #endif

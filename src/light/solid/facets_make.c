@@ -49,7 +49,8 @@ void lx_facets_add_face(struct lx_facets *facets, unsigned count)
     facets->faces[facets->face_count++] = (struct lx_face){.first = first, .count = count};
 }
 
-void lx_facets_add_loop(struct lx_facets *facets, const unsigned corners[], unsigned count)
+/* Appends a face with these corners. */
+static void add_loop(struct lx_facets *facets, const unsigned corners[], unsigned count)
 {
     lx_facets_add_face(facets, count);
     memcpy(facets->loop + facets->faces[facets->face_count - 1].first, corners, count * sizeof *corners);
@@ -174,7 +175,8 @@ static struct lx_shape_report find_edges(struct lx_facets *facets, bool closed, 
 
 /* ---- normals, sizes ---- */
 
-lx_wide3 lx_newell(const lx_wide3 *corners_mm, const unsigned *loop, size_t count)
+/* Twice the area of a loop of corners times its normal (Newell's vector), seen from its first corner. */
+static lx_wide3 newell_of(const lx_wide3 *corners_mm, const unsigned *loop, size_t count)
 {
     lx_wide3 sum = lx_wide3_of((double[]){0, 0, 0}), first = corners_mm[loop[0]];
     lx_wide3 before = lx_wide3_sub(corners_mm[loop[1]], first);
@@ -225,7 +227,7 @@ struct lx_shape_report lx_facets_finish(struct lx_facets *facets, bool closed, c
         if (!lx_asking_at_step(asking, i, BETWEEN_CHECKS))
             return stopped;
         struct lx_face *face = &facets->faces[i];
-        lx_wide3 newell = lx_newell(facets->corners_mm, facets->loop + face->first, face->count);
+        lx_wide3 newell = newell_of(facets->corners_mm, facets->loop + face->first, face->count);
         lx_wide length = lx_wide3_length(newell);
         if (!(length.high > 0))
             return (struct lx_shape_report){LX_SHAPE_TOO_SMALL, i, 0};
@@ -275,7 +277,7 @@ struct lx_facets *lx_facets_of_pose(const double center_mm[3], const double size
         lx_wide3 upward = lx_wide3_mul(pose->upward, lx_wide_of(signs[i][1] * size_mm[1]));
         facets->corners_mm[i] = lx_wide3_add(lx_wide3_of(center_mm), lx_wide3_add(across, upward));
     }
-    lx_facets_add_loop(facets, corners, 4);
+    add_loop(facets, corners, 4);
     facets = finished(facets, false, NULL);
     if (!is_axis(pose->axis) || !is_axis(pose->across))
         lx_facets_were_rounded(facets);
@@ -325,7 +327,7 @@ struct lx_facets *lx_facets_of_box(const double center_mm[3], const double size_
         facets->corners_mm[i] = (lx_wide3){at[0], at[1], at[2]};
     }
     for (int i = 0; i < 6; i++)
-        lx_facets_add_loop(facets, faces[i], 4);
+        add_loop(facets, faces[i], 4);
     return finished(facets, true, NULL);
 }
 
@@ -385,7 +387,7 @@ static void add_band(struct lx_facets *facets, unsigned band, unsigned bands, un
         };
         if (band == bands - 1)
             corners[2] = corners[3];
-        lx_facets_add_loop(facets, corners, band == 0 || band == bands - 1 ? 3 : 4);
+        add_loop(facets, corners, band == 0 || band == bands - 1 ? 3 : 4);
     }
 }
 
@@ -461,7 +463,7 @@ struct lx_facets *lx_facets_make_cylinder(const double center_mm[3], double radi
     }
     for (unsigned i = 0; i < sides; i++) {
         unsigned next = (i + 1) % sides;
-        lx_facets_add_loop(facets, (const unsigned[]){i, next, sides + next, sides + i}, 4);
+        add_loop(facets, (const unsigned[]){i, next, sides + next, sides + i}, 4);
     }
     for (unsigned cap = 0; cap < 2; cap++) {
         lx_facets_add_face(facets, sides);

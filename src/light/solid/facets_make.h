@@ -14,18 +14,12 @@ struct lx_facets *lx_facets_new(size_t corner_count, size_t face_count, size_t l
 /* Ends a face whose corners have been put into the loop behind those of the faces before it. */
 void lx_facets_add_face(struct lx_facets *facets, unsigned count);
 
-/* Appends a face with these corners. */
-void lx_facets_add_loop(struct lx_facets *facets, const unsigned corners[], unsigned count);
-
 /* Finds normals, areas, edges and the sphere around it when corners and faces are there.  `closed`: every edge must
  * have one partner.  Work that is to stop ends as where memory ran out. */
 struct lx_shape_report lx_facets_finish(struct lx_facets *facets, bool closed, const struct lx_asking *asking);
 
 /* Says that corners are only what wide numbers can tell, some sixty operations of them; NULL is harmless. */
 void lx_facets_were_rounded(struct lx_facets *facets);
-
-/* Twice the area of a loop of corners times its normal (Newell's vector), seen from its first corner. */
-lx_wide3 lx_newell(const lx_wide3 *corners_mm, const unsigned *loop, size_t count);
 
 /* The plane that some corners lie in, or nearly so. */
 struct lx_plane {
@@ -38,7 +32,6 @@ struct lx_plane {
 };
 
 struct lx_plane lx_best_plane(const lx_wide3 *corners_mm, const unsigned *loop, size_t count);
-lx_wide lx_height_over(const struct lx_plane *plane, lx_wide3 place_mm);
 
 /* Brings corners into a plane by leaving out a coordinate: what was counter-clockwise about the normal still is. */
 void lx_flatten(const lx_wide3 *corners_mm, const unsigned *loop, size_t count, lx_wide3 normal, lx_wide (*xy)[2]);

@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* Cutting disks, balls and cylinders into parts of equal area, each a Lambertian point. */
 #include <math.h>
-#include <string.h>
 
 #include "../../base/pose.h"
 #include "../law.h"
@@ -12,11 +11,6 @@ struct frame {
     double across[3], upward[3], axis[3];
 };
 
-static void to_doubles(lx_wide3 a, double result[3])
-{
-    result[0] = lx_wide_value(a.x), result[1] = lx_wide_value(a.y), result[2] = lx_wide_value(a.z);
-}
-
 static struct frame frame_of(const struct lx_emitter *emitter)
 {
     double axis[3] = {0, 0, 1}, up[3];
@@ -25,9 +19,9 @@ static struct frame frame_of(const struct lx_emitter *emitter)
     lx_usual_up(axis, up);
     struct lx_pose pose = lx_pose_of(axis, up);
     struct frame frame;
-    to_doubles(pose.across, frame.across);
-    to_doubles(pose.upward, frame.upward);
-    to_doubles(pose.axis, frame.axis);
+    lx_wide3_values(pose.across, frame.across);
+    lx_wide3_values(pose.upward, frame.upward);
+    lx_wide3_values(pose.axis, frame.axis);
     return frame;
 }
 

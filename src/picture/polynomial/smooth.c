@@ -9,7 +9,6 @@
 
 #include "../../base/larger.h"
 #include "../../base/memory.h"
-#include "../../light/solid/extended.h"
 #include "../../world/among.h"
 #include "../../world/blocking.h"
 #include "../../world/general.h"

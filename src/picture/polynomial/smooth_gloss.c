@@ -2,7 +2,6 @@
 /* Whether a polynomial does for the highlights of extended sources over a square of pixels, and the polynomial. */
 #include "smooth_gloss.h"
 
-#include <float.h>
 #include <math.h>
 
 #include "../penumbra.h"

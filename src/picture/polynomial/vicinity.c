@@ -3,7 +3,6 @@
 #include "vicinity.h"
 
 #include <math.h>
-#include <string.h>
 
 #include "../../base/larger.h"
 #include "../../base/vector.h"

@@ -3,7 +3,9 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "../../base/larger.h"
 #include "../../base/memory.h"
+#include "../../light/solid/extended.h"
 #include "along.h"
 
 enum { INNER_PANELS = 256, INNER_PANELS_OF_TABLE = INNER_PANELS + 2 * MOST_LINES };
@@ -22,19 +24,6 @@ static const size_t MOST_PARTS = 4000000;
 static const double HIGHEST = 100;
 
 /* ---- the integrand ---- */
-
-/* r^2 a(r), r in metres: the law relative to the inverse square */
-static double law(const struct lx_emitter *emitter, double distance_mm)
-{
-    double r = distance_mm / 1000;
-    switch (emitter->attenuation) {
-    case LX_INVERSE_SQUARE: return 1;
-    case LX_PRACTICAL: return r * r / (emitter->k_mm / 1000 + r);
-    case LX_POLYNOMIAL: return r * r * lx_by_polynomial(emitter->coefficients, r);
-    case LX_NO_ATTENUATION: break;
-    }
-    return r * r;
-}
 
 /* The logarithm of the lobe towards L, and the relative error that it brings along; -HUGE_VAL where it is 0. */
 static double lobe_log(const struct lx_problem *problem, const double towards[3], double distance_mm, double *error)
@@ -58,8 +47,8 @@ static double opening_at(struct lx_problem *problem, const double towards[3], do
         const double far = lx_sweep_far(problem->sweep, &problem->arc, tau, incidences);
         area = 1 / fmax(incidences[wall == LX_FAR_WALL], LEAST_INCIDENCE);
         if (wall == LX_BOTH_WALLS) /* the weight is for the distance of the near side */
-            area +=
-                law(problem->emitter, far) / law(problem->emitter, distance_mm) / fmax(incidences[1], LEAST_INCIDENCE);
+            area += lx_relative_law(problem->emitter, far) / lx_relative_law(problem->emitter, distance_mm) /
+                    fmax(incidences[1], LEAST_INCIDENCE);
     }
     *error = area * (lx_pointed_slope(luminaire) * (moved + 8 * DBL_EPSILON) + 16 * DBL_EPSILON);
     return area * lx_pointed_near(luminaire, towards, &problem->kept);
@@ -72,7 +61,8 @@ static struct lx_point_value value_at(struct lx_problem *problem, double tau)
     for (int i = 0; i < 3; i++)
         towards[i] = problem->arc.direction[i] * cos_tau + problem->sweep->frame.z[i] * sin_tau;
     double distance = lx_sweep_distance(problem->sweep, &problem->arc, cos_tau, sin_tau, &incidence);
-    double cosine = lx_dot_plain(problem->at.normal, towards), weight = law(problem->emitter, distance) * cos_tau;
+    double cosine = lx_dot_plain(problem->at.normal, towards),
+           weight = lx_relative_law(problem->emitter, distance) * cos_tau;
     double moved = problem->place_error_mm / distance, error = 16 * DBL_EPSILON + 4 * moved;
     const bool is_opening = lx_is_opening(problem->emitter);
     if (moved > 0 && !is_opening)
@@ -292,12 +282,6 @@ static size_t find_places(const struct lx_problem *problem, const struct lx_arc 
     return lx_lobe_peaks(problem->lobe, &problem->at, arc->direction, problem->sweep->frame.z, places);
 }
 
-static int by_value(const void *a, const void *b)
-{
-    double x = *(const double *)a, y = *(const double *)b;
-    return (x > y) - (x < y);
-}
-
 /* The panels of each interval; true: between their ends the integrand is analytic and has no peaks. */
 static bool start_panels(const struct lx_problem *problem, size_t count, struct lx_panels *panels)
 {
@@ -314,7 +298,7 @@ static bool start_panels(const struct lx_problem *problem, size_t count, struct 
                 cuts[cut_count++] = interval->eased ? uneased(share) : share;
         }
         cuts[cut_count++] = 1;
-        qsort(cuts, cut_count, sizeof *cuts, by_value);
+        qsort(cuts, cut_count, sizeof *cuts, lx_by_value);
         double from = 0;
         for (size_t k = 0; k < cut_count; k++) {
             if (cuts[k] - from > NARROWEST)

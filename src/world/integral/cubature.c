@@ -37,11 +37,6 @@ static double error_of(lx_bounded3 a)
     return a.x.error + a.y.error + a.z.error;
 }
 
-static void values_of(lx_bounded3 a, double result[3])
-{
-    result[0] = a.x.value, result[1] = a.y.value, result[2] = a.z.value;
-}
-
 /* ---- where arcs change their kind ---- */
 
 /* Quantities of an arc whose changes of sign are borders for the outer integral. */
@@ -459,29 +454,17 @@ static bool sum_outline(struct lx_problem *problem, lx_bounded *seen)
            seen->value + seen->error <= lx_outline_nothing(problem->occlusion->outline);
 }
 
-struct lx_cubature lx_integrate(const struct lx_emitter *emitter, const struct lx_element *element, bool diffuse,
-                                double known, double tolerance)
-{
-    return lx_integrate_asking(emitter, element, diffuse, known, tolerance, NULL);
-}
-
-struct lx_cubature lx_integrate_asking(const struct lx_emitter *emitter, const struct lx_element *element, bool diffuse,
-                                       double known, double tolerance, const struct lx_asking *asking)
-{
-    return lx_integrate_seen(emitter, element, NULL, diffuse, known, tolerance, asking);
-}
-
-struct lx_cubature lx_integrate_seen(const struct lx_emitter *emitter, const struct lx_element *element,
-                                     struct lx_occlusion *occlusion, bool diffuse, double known, double tolerance,
-                                     const struct lx_asking *asking)
+struct lx_cubature lx_integrate(const struct lx_emitter *emitter, const struct lx_element *element,
+                                struct lx_occlusion *occlusion, bool diffuse, double known, double tolerance,
+                                const struct lx_asking *asking)
 {
     struct lx_cubature result = {.irradiance = lx_exact(0), .specular = lx_exact(0)};
     const struct lx_lobe *lobe = element->lobe;
     double radiance = emitter->radiance.value, place[3], normal[3], view[3];
     struct lx_problem problem = {.emitter = emitter, .tolerance = tolerance, .asking = asking, .occlusion = occlusion};
-    values_of(element->place_mm, place);
-    values_of(element->normal, normal);
-    values_of(element->view, view);
+    lx_values3(element->place_mm, place);
+    lx_values3(element->normal, normal);
+    lx_values3(element->view, view);
     lx_lobe_at_set(normal, view, &problem.at);
     problem.place_error_mm = error_of(element->place_mm) + shape_error(emitter, place);
     problem.at.normal_error = error_of(element->normal) + (lx_is_disk(emitter) ? error_of(emitter->axis) : 0);

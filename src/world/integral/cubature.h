@@ -22,21 +22,14 @@ struct lx_cubature {
 };
 
 /*
- * Integrates over an extended source that does not touch the element.  `diffuse` says whether the irradiance is
- * wanted; the highlight is, where the lobe has one.  `tolerance` is relative to diffuse brightness + highlight;
- * `known` is the share of that sum which is known already (a diffuse part in closed form).  The bounds tell what was
- * reached.
+ * Integrates over what is left of an extended source that does not touch the element, behind what stands in the way
+ * (NULL: nothing).  `diffuse` says whether the irradiance is wanted; the highlight is, where the lobe has one.
+ * `tolerance` is relative to diffuse brightness + highlight; `known` is the share of that sum which is known already (a
+ * diffuse part in closed form).  The bounds tell what was reached.  Where the work is to stop it ends early, with any
+ * result.
  */
-struct lx_cubature lx_integrate(const struct lx_emitter *emitter, const struct lx_element *element, bool diffuse,
-                                double known, double tolerance);
-
-/* The same; where the work is to stop it ends early, with any result. */
-struct lx_cubature lx_integrate_asking(const struct lx_emitter *emitter, const struct lx_element *element, bool diffuse,
-                                       double known, double tolerance, const struct lx_asking *asking);
-
-/* Integrates over what is left of the source behind what stands in the way (NULL: nothing). */
-struct lx_cubature lx_integrate_seen(const struct lx_emitter *emitter, const struct lx_element *element,
-                                     struct lx_occlusion *occlusion, bool diffuse, double known, double tolerance,
-                                     const struct lx_asking *asking);
+struct lx_cubature lx_integrate(const struct lx_emitter *emitter, const struct lx_element *element,
+                                struct lx_occlusion *occlusion, bool diffuse, double known, double tolerance,
+                                const struct lx_asking *asking);
 
 #endif

@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "../../base/larger.h"
 #include "../../base/memory.h"
 #include "../../base/vector.h"
 #include "sweep_make.h"
@@ -16,11 +17,6 @@ double lx_sweep_normalize(double a[3])
     for (int i = 0; i < 3 && length > 0; i++)
         a[i] /= length;
     return length;
-}
-
-static void to_doubles(lx_wide3 a, double result[3])
-{
-    result[0] = lx_wide_value(a.x), result[1] = lx_wide_value(a.y), result[2] = lx_wide_value(a.z);
 }
 
 struct lx_sweep_frame lx_sweep_frame_about(const double x[3], const double across[3])
@@ -53,12 +49,6 @@ int lx_sweeps_append(struct lx_sweeps *sweeps, const struct lx_sweep *sweep)
 struct corner {
     double y, s;
 };
-
-static int by_value(const void *a, const void *b)
-{
-    double x = *(const double *)a, y = *(const double *)b;
-    return (x > y) - (x < y);
-}
 
 /* Where the edge from a to b is at y, between its ends. */
 static double edge_at(struct corner a, struct corner b, double y)
@@ -108,11 +98,11 @@ static int sweep_face(const struct lx_emitter *emitter, const struct lx_face *fa
     lx_wide3 place = lx_wide3_of(place_mm), center = lx_wide3_of(facets->center_mm);
     double height = lx_wide_value(lx_wide3_dot(face->normal, lx_wide3_sub(place, facets->corners_mm[loop[0]])));
     double normal[3], to_center[3];
-    to_doubles(lx_wide3_sub(center, place), to_center);
+    lx_wide3_values(lx_wide3_sub(center, place), to_center);
     height = height_over(emitter, height, facets->radius_mm + sqrt(lx_dot(to_center, to_center)));
     if (!(height > 0))
         return 0;
-    to_doubles(face->normal, normal);
+    lx_wide3_values(face->normal, normal);
     for (int i = 0; i < 3; i++)
         normal[i] = -normal[i];
     struct lx_sweep strip = {
@@ -125,13 +115,13 @@ static int sweep_face(const struct lx_emitter *emitter, const struct lx_face *fa
     int failed = corners && cuts ? 0 : -1;
     for (unsigned i = 0; i < face->count && !failed; i++) {
         double offset[3];
-        to_doubles(lx_wide3_sub(facets->corners_mm[loop[i]], center), offset);
+        lx_wide3_values(lx_wide3_sub(facets->corners_mm[loop[i]], center), offset);
         corners[i] = (struct corner){lx_dot(strip.frame.y, offset), lx_dot(strip.frame.z, offset)};
         cuts[i] = corners[i].y;
     }
     if (!failed) {
         cuts[face->count] = -strip.y_mm; /* the foot: arcs on both sides of it are kept apart */
-        qsort(cuts, face->count + 1, sizeof *cuts, by_value);
+        qsort(cuts, face->count + 1, sizeof *cuts, lx_by_value);
     }
     for (unsigned i = 0; i < face->count && !failed; i++) {
         strip.y1_mm = cuts[i];

@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "../../base/larger.h"
 #include "../../base/vector.h"
 #include "sweep_make.h"
 
@@ -274,12 +275,6 @@ static bool meet(const struct section *section, const double direction[2], doubl
     return solve(cross2(direction, section->a), cross2(direction, section->b), -cross2(direction, section->c), found);
 }
 
-static int by_value(const void *a, const void *b)
-{
-    const double x = *(const double *)a, y = *(const double *)b;
-    return (x > y) - (x < y);
-}
-
 enum { MOST_CUTS = 12 };
 
 static void add_cut(double t, double nearest, double cuts[MOST_CUTS], size_t *count)
@@ -310,7 +305,7 @@ static size_t cut_section(const struct section *section, double nearest, double 
         const double before = direction[0];
         direction[0] = -direction[1], direction[1] = before;
     }
-    qsort(cuts, count, sizeof *cuts, by_value);
+    qsort(cuts, count, sizeof *cuts, lx_by_value);
     return count;
 }
 

@@ -7,6 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "../../base/larger.h"
 #include "../../base/vector.h"
 #include "../../light/solid/extended.h"
 #include "boundary.h"
@@ -15,12 +16,6 @@ enum { MOST_CROSSINGS = 4 * (LX_BOUNDARY_SIDES + LX_BOUNDARY_OBSTACLE_SIDES) };
 
 /* Directions that are nearer than this to a curve lie on it. */
 static const double ON = 1e-12;
-
-static int by_value(const void *a, const void *b)
-{
-    const double x = *(const double *)a, y = *(const double *)b;
-    return (x > y) - (x < y);
-}
 
 /* ---- crossings ---- */
 
@@ -288,7 +283,7 @@ static void walk(const struct lx_boundary *boundary, unsigned b, const struct lx
             if (i != b || are_to_cross(side, &boundary->bodies[i].sides[k]))
                 count += find_crossings(side, &boundary->bodies[i].sides[k], at + count);
     if (count > 2)
-        qsort(at, count, sizeof *at, by_value);
+        qsort(at, count, sizeof *at, lx_by_value);
     for (unsigned i = 0; i + 1 < count; i++) {
         double u[3];
         if (!(at[i + 1] > at[i]))

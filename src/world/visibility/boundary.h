@@ -72,11 +72,6 @@ bool lx_boundary_shape(const struct lx_occlusion *occlusion, const struct lx_emi
 /* Makes a shape an obstacle, so that what others share with it does not count twice; false: there are too many. */
 bool lx_boundary_put_aside(const struct lx_boundary_shape *shape, struct lx_boundary *boundary);
 
-/* The outline of facets as the element sees them, without corners where it sees nothing of them.  False: it has too
- * many. */
-bool lx_boundary_outline(const struct lx_occlusion *occlusion, const struct lx_facets *facets,
-                         struct lx_boundary_polygon *outline);
-
 /* The outline of one face; *away: its normal, away from the element if that sees it. */
 bool lx_boundary_face(const struct lx_occlusion *occlusion, const struct lx_facets *facets, size_t face,
                       struct lx_boundary_polygon *outline, double away[3]);

@@ -5,7 +5,6 @@
 #include <string.h>
 
 #include "../../base/vector.h"
-#include "../../light/solid/extended.h"
 #include "boundary_bodies.h"
 
 /* The side of a cone between two of its edges, which has `inside` on its inner side; false: it has no width. */

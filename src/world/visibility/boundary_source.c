@@ -194,7 +194,9 @@ bool lx_boundary_face(const struct lx_occlusion *occlusion, const struct lx_face
     return true;
 }
 
-bool lx_boundary_outline(const struct lx_occlusion *occlusion, const struct lx_facets *facets,
+/* The outline of facets as the element sees them, without corners where it sees nothing of them.  False: it has too
+ * many. */
+static bool find_outline(const struct lx_occlusion *occlusion, const struct lx_facets *facets,
                          struct lx_boundary_polygon *outline)
 {
     enum { MOST_EDGES = 64 }; /* of bodies whose outlines have few corners */
@@ -276,7 +278,7 @@ bool lx_boundary_shape(const struct lx_occlusion *occlusion, const struct lx_emi
         center[k] = emitter->center_mm[k] - occlusion->place_mm[k];
     if (emitter->facets) {
         shapes->items[0].has_curve = false;
-        if (!lx_boundary_outline(occlusion, emitter->facets, &shapes->items[0].polygon))
+        if (!find_outline(occlusion, emitter->facets, &shapes->items[0].polygon))
             return false;
         shapes->count = shapes->items[0].polygon.count > 0;
         return true;

@@ -4,7 +4,6 @@
  * pole; a place there is seen at tau = atan2(y, x), and the source is the line x = c, or a circle's near side.
  */
 #include <math.h>
-#include <string.h>
 
 #include "../../base/vector.h"
 #include "../../surface/surface.h"

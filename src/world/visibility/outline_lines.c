@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "../../base/larger.h"
 #include "../../base/memory.h"
 #include "../../base/vector.h"
 #include "outline_map.h"
@@ -270,12 +271,6 @@ static int by_low(const void *a, const void *b)
     return (x->low > y->low) - (x->low < y->low);
 }
 
-static int by_value(const void *a, const void *b)
-{
-    const double x = *(const double *)a, y = *(const double *)b;
-    return (x > y) - (x < y);
-}
-
 static int add_crossings(struct map_build *build)
 {
     const struct lx_trapezoid_map *map = build->map;
@@ -316,8 +311,8 @@ int lx_outline_draw(struct map_build *build)
         qsort(map->lines, map->line_count, sizeof *map->lines, by_low);
     if (add_crossings(build))
         return -1;
-    qsort(build->events, build->event_count, sizeof *build->events, by_value);
+    qsort(build->events, build->event_count, sizeof *build->events, lx_by_value);
     if (build->wall_count > 1)
-        qsort(build->walls, build->wall_count, sizeof *build->walls, by_value);
+        qsort(build->walls, build->wall_count, sizeof *build->walls, lx_by_value);
     return 0;
 }

@@ -12,7 +12,6 @@ enum { CHAINS = 12, STEPS = 200000, RUNS = 7, COPIED = 64 << 20 };
 double machine_seconds(void)
 {
     struct timespec now;
-
     clock_gettime(CLOCK_MONOTONIC, &now);
     return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
 }

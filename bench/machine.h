@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* What the machine could do at best, measured: what benchmarks are compared with. */
-#ifndef LUXEL_CLI_MACHINE_H
-#define LUXEL_CLI_MACHINE_H
+#ifndef LUXEL_BENCH_MACHINE_H
+#define LUXEL_BENCH_MACHINE_H
 
 /* Seconds of a clock that only goes forward. */
 double machine_seconds(void);
