@@ -274,13 +274,36 @@ static void test_lines(void **state)
     }
 }
 
-/* Light and dark, the colour that is told for a light is that of its curve; every sixth light has it again. */
+/* Ticks have the mark that is asked for: pictures differ by it where there are fractions, and in nothing where not. */
+static void test_decimal_marks(void **state)
+{
+    (void)state;
+    for (int fractions = 0; fractions < 2; fractions++) {
+        luxel_drawing_style style;
+        const luxel_bar bar = {.low = 0, .high = fractions ? 2.5 : 5000};
+        cairo_t *drawn[2];
+        for (int comma = 0; comma < 2; comma++) {
+            luxel_drawing_style_init(&style, false);
+            assert_int_equal(style.decimal_mark, '.');
+            style.decimal_mark = comma ? ',' : '.';
+            drawn[comma] = begin(400, 80, UNTOUCHED);
+            assert_int_equal(luxel_draw_bar(drawn[comma], &style, &bar, 400, 80), LUXEL_OK);
+        }
+        assert_same_pictures(drawn[0], drawn[1], 400, 80, !fractions);
+        cairo_destroy(drawn[0]);
+        cairo_destroy(drawn[1]);
+    }
+}
+
+/* The colour that is told for a light is that of its curve, the same one on light and dark grounds, as lists beside a
+ * picture and its curves have one for both; every sixth light has it again. */
 static void test_light_colors(void **state)
 {
     (void)state;
     struct profiled made;
     luxel_drawing_style style;
     const int all[] = {0, 0, 400, 300};
+    double on_light[2][3];
     make_profile(&made, 1, 3);
     for (int dark = 0; dark < 2; dark++) {
         double first[3], again[3];
@@ -293,6 +316,9 @@ static void test_light_colors(void **state)
             const uint32_t wanted = (uint32_t)lround(255 * color[0]) << 16 | (uint32_t)lround(255 * color[1]) << 8 |
                                     (uint32_t)lround(255 * color[2]);
             assert_true(find(cairo, wanted, all).count > 80);
+            if (dark)
+                assert_memory_equal(color, on_light[light], sizeof color);
+            memcpy(on_light[light], color, sizeof color);
         }
         assert_int_equal(luxel_light_color(&style, 0, first), LUXEL_OK);
         assert_int_equal(luxel_light_color(&style, 6, again), LUXEL_OK);
@@ -590,6 +616,7 @@ int main(void)
         cmocka_unit_test(test_lines), cmocka_unit_test(test_stacked),        cmocka_unit_test(test_names),
         cmocka_unit_test(test_words), cmocka_unit_test(test_histogram),      cmocka_unit_test(test_refusals),
         cmocka_unit_test(test_sizes), cmocka_unit_test(test_whole_pictures), cmocka_unit_test(test_light_colors),
+        cmocka_unit_test(test_decimal_marks),
         cmocka_unit_test(test_reserved),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
