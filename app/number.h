@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * Numbers as people type them, with a decimal point or comma in every language, as scenes have them, with a point, and as
- * they are shown, with the mark of the language; and lists of numbers that are pasted, "x, y, z; x, y, z".
+ * Numbers as people type them, with a decimal point or comma in every language, as scenes have them, with a point, and
+ * as they are shown, with the mark of the language; and lists of numbers that are pasted, "x, y, z; x, y, z".
  */
 #ifndef LUXEL_APP_NUMBER_H
 #define LUXEL_APP_NUMBER_H

@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* luxel check: is the scene valid, and what would an experienced user look at again? */
 #include <luxel/luxel.h>
-#include <string.h>
 
 #include "advice.h"
 #include "cli.h"
@@ -59,8 +58,8 @@ static int run(const struct options *options)
     struct meshes meshes = {.list = NULL};
     int code = load_scene(options, false, &loaded);
 
-    if (code == EXIT_DONE && options->names) {
-        print_names(loaded.scene, strcmp(options->names, "grids") == 0);
+    if (code == EXIT_DONE && options_given(options, "names")) {
+        print_names(loaded.scene, options->names == 0);
     } else {
         if (code == EXIT_DONE)
             code = advice_check_view(&loaded);

@@ -90,7 +90,7 @@ struct options {
     bool accepts_pixel, by_student;    /* of luxel grade */
     size_t format;                     /* index in option_formats */
     const char *format_word;           /* of --format; NULL: it was not given */
-    const char *names;                 /* luxel check: of what the names are printed; NULL: of nothing */
+    size_t names;                      /* luxel check --names: 0 those of grids, 1 those of lights */
     bool prints_document;              /* luxel explain: whether the explanation goes to standard output */
     char standard_output[32];          /* the name of -o -, which says its format; "": there is none */
     unsigned bits;                     /* of a .png's grey levels; 0: none were given */

@@ -137,12 +137,7 @@ static bool take_precision(struct options *options, const char *argument)
 
 static bool take_names(struct options *options, const char *argument)
 {
-    size_t found;
-
-    if (!take_word("--names", argument, names_words, &found))
-        return false;
-    options->names = names_words[found];
-    return true;
+    return take_word("--names", argument, names_words, &options->names);
 }
 
 static bool take_accept(struct options *options, const char *argument)

@@ -480,7 +480,7 @@ def meshes_as_plates(tap, tool):
                 plate["position" if plate["type"] == "mesh" else "center"] = at
                 name = scene(tool, "m.yaml", light, surfaces=SCENE["surfaces"] + [plate], shadows="all")
                 told.append(probe(tool, name, elements, "--quantity", "irradiance", "--tolerance", "1e-6"))
-            # what is hidden to the last bit of a source is 0 but for the rounding of what would arrive without the plate
+            # what is wholly hidden of a source is 0 but for the rounding of what would arrive without the plate
             bad = [(place, a["value"], a["error"], b["value"], b["error"])
                    for (place, _), a, b, c in zip(elements, *told, whole)
                    if abs(a["value"] - b["value"]) > a["error"] + b["error"] or

@@ -274,29 +274,7 @@ static void test_lines(void **state)
     }
 }
 
-/* Ticks have the mark that is asked for: pictures differ by it where there are fractions, and in nothing where not. */
-static void test_decimal_marks(void **state)
-{
-    (void)state;
-    for (int fractions = 0; fractions < 2; fractions++) {
-        luxel_drawing_style style;
-        const luxel_bar bar = {.low = 0, .high = fractions ? 2.5 : 5000};
-        cairo_t *drawn[2];
-        for (int comma = 0; comma < 2; comma++) {
-            luxel_drawing_style_init(&style, false);
-            assert_int_equal(style.decimal_mark, '.');
-            style.decimal_mark = comma ? ',' : '.';
-            drawn[comma] = begin(400, 80, UNTOUCHED);
-            assert_int_equal(luxel_draw_bar(drawn[comma], &style, &bar, 400, 80), LUXEL_OK);
-        }
-        assert_same_pictures(drawn[0], drawn[1], 400, 80, !fractions);
-        cairo_destroy(drawn[0]);
-        cairo_destroy(drawn[1]);
-    }
-}
-
-/* The colour that is told for a light is that of its curve, the same one on light and dark grounds, as lists beside a
- * picture and its curves have one for both; every sixth light has it again. */
+/* The colour told for a light is that of its curve, on light and dark grounds; every sixth light has it again. */
 static void test_light_colors(void **state)
 {
     (void)state;
@@ -616,7 +594,6 @@ int main(void)
         cmocka_unit_test(test_lines), cmocka_unit_test(test_stacked),        cmocka_unit_test(test_names),
         cmocka_unit_test(test_words), cmocka_unit_test(test_histogram),      cmocka_unit_test(test_refusals),
         cmocka_unit_test(test_sizes), cmocka_unit_test(test_whole_pictures), cmocka_unit_test(test_light_colors),
-        cmocka_unit_test(test_decimal_marks),
         cmocka_unit_test(test_reserved),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -272,14 +272,16 @@ def in_digits_of(value, error, most):
 def reports(tap, tool):
     for name in builtin_scenes(tool):
         scene = coarse(tool, name)
-        result = tool.run("report", *scene, "-o", "r.pdf", "-o", "r.html", "-o", "r.md", "--author", "A. Student", "--group", "4321")
+        result = tool.run("report", *scene, "-o", "r.pdf", "-o", "r.html", "-o", "r.md", "--author", "A. Student",
+                          "--group", "4321")
         tap.equal((result.code, result.out, result.err), (0, "", ""), "report on " + name)
         text, page = " ".join(text_of(tool, "r.pdf").split()), tool.read("r.html").decode()
-        told = [row.strip("|").split("|") for row in tool.read("r.md").decode().splitlines() if re.match(r"\| P\d", row)]
+        told = [row.strip("|").split("|") for row in re.findall(r"^\| P\d.*", tool.read("r.md").decode(), re.M)]
         for i, point in enumerate(tool.run("probe", *scene, "--json").json()["points"]):
             if point["value"]:
                 value, bound = (cell.strip() for cell in told[i][2:4])
-                tap.equal(value, in_digits_of(point["value"], point["error"], 12), "%s: the value of P%d" % (name, i + 1))
+                tap.equal(value, in_digits_of(point["value"], point["error"], 12),
+                          "%s: the value of P%d" % (name, i + 1))
                 rounded = abs(float(in_digits_of(point["value"], point["error"], 17)) - point["value"])
                 tap.equal(bound, "%.2g" % (point["error"] + rounded), "%s: and its error" % name)
                 tap.ok(value in text and value in page, "%s: in the other formats" % name, text[:3000])

@@ -47,7 +47,7 @@ def window_in_russian(tap, desk):
 
 
 def why(tap, desk):
-    """The calculation of a value, which is the library's text, has commas, too, and lists that can be read with them."""
+    """The calculation of a value, the library's text, has commas, too, and lists that can be read with them."""
     russian = translations()
     window = desk.start().window()
     window.click(wait("a button", lambda: window.widget.find(None, russian["Why?"])))
