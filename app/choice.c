@@ -101,8 +101,8 @@ static void fill_fields(AppChoice *self)
     const gboolean holds = self->shown && app_list_read(self->shown, numbers, self->numbers) == self->numbers;
     char text[APP_NUMBER_SIZE];
     for (guint i = 0; i < self->numbers; i++) {
-        gtk_editable_set_text(GTK_EDITABLE(self->fields[i]),
-                              holds ? app_number_write(numbers[i], text) : app_number_round(numbers[i], DIGITS, text));
+        gtk_editable_set_text(GTK_EDITABLE(self->fields[i]), holds ? app_number_show_all(numbers[i], text)
+                                                                   : app_number_show(numbers[i], DIGITS, text));
         mark_field(self->fields[i], FALSE);
     }
 }
@@ -161,13 +161,13 @@ gboolean app_choice_restore(AppChoice *self)
 {
     double numbers[2];
     char text[APP_NUMBER_SIZE];
-    gboolean differs = FALSE;
     if (!takes_numbers(self))
         return FALSE;
     const gboolean holds = self->shown && app_list_read(self->shown, numbers, self->numbers) == self->numbers;
-    for (guint i = 0; i < self->numbers; i++)
-        differs |= !holds || strcmp(gtk_editable_get_text(GTK_EDITABLE(self->fields[i])),
-                                    app_number_write(numbers[i], text)) != 0;
+    gboolean differs = !holds;
+    for (guint i = 0; i < self->numbers && holds; i++)
+        differs |= strcmp(gtk_editable_get_text(GTK_EDITABLE(self->fields[i])),
+                          app_number_show_all(numbers[i], text)) != 0;
     if (!differs)
         return FALSE;
     fill_fields(self);

@@ -69,12 +69,12 @@ static char *figures_of(const luxel_photometry *photometry)
     char flux[APP_NUMBER_SIZE], beam[APP_NUMBER_SIZE], greatest[APP_NUMBER_SIZE];
     if (luxel_photometry_find_figures(photometry, &figures) != LUXEL_OK)
         return g_strdup("");
-    app_number_round(figures.zone_lumens, 4, flux);
-    app_number_round(figures.greatest_cd, 4, greatest);
+    app_number_show(figures.zone_lumens, 4, flux);
+    app_number_show(figures.greatest_cd, 4, greatest);
     if (!isfinite(figures.beam_deg))
         return g_strdup_printf(_("%s lm, at most %s cd"), flux, greatest);
     return g_strdup_printf(_("%s lm, at most %s cd, beam %s°"), flux, greatest,
-                           app_number_round(figures.beam_deg, 3, beam));
+                           app_number_show(figures.beam_deg, 3, beam));
 }
 
 void app_diagram_show(AppDiagram *self, const char *path)

@@ -132,7 +132,8 @@ static void write_number(cairo_t *cairo, PangoLayout *layout, const double at[2]
 {
     char text[APP_NUMBER_SIZE];
     int width, height;
-    pango_layout_set_text(layout, app_number_plain(number, DIGITS, text), -1);
+    app_number_plain(number, DIGITS, text);
+    pango_layout_set_text(layout, app_number_mark(text), -1);
     pango_layout_get_pixel_size(layout, &width, &height);
     if (at[0] - width / 2.0 < room[0] || at[0] + width / 2.0 > room[1])
         return;
@@ -165,7 +166,8 @@ static void draw_ticks(const AppDial *self, cairo_t *cairo, PangoLayout *layout,
     for (int end = 0; end < ENDS; end++) {
         char text[APP_NUMBER_SIZE];
         int length, height;
-        pango_layout_set_text(layout, app_number_plain(bounds[end], DIGITS, text), -1);
+        app_number_plain(bounds[end], DIGITS, text);
+        pango_layout_set_text(layout, app_number_mark(text), -1);
         pango_layout_get_pixel_size(layout, &length, &height);
         const double x =
             end == END_LOW ? MAX(INSET - length / 2.0, 0) : MIN(width - INSET - length / 2.0, width - length);
@@ -411,8 +413,9 @@ static void tell(AppDial *self)
     const AppRange range = shown_range(self);
     char n[2][APP_NUMBER_SIZE], stops[APP_NUMBER_SIZE];
     g_snprintf(stops, sizeof stops, _("%+.2f EV"), display->exposure);
-    app_number_round(range.low, DIGITS, n[0]);
-    app_number_round(range.high, DIGITS, n[1]);
+    app_number_mark(stops);
+    app_number_show(range.low, DIGITS, n[0]);
+    app_number_show(range.high, DIGITS, n[1]);
     tell_slider(self->ends[END_LOW], range.low, -G_MAXDOUBLE, range.high, n[0]);
     tell_slider(self->ends[END_HIGH], range.high, range.low, G_MAXDOUBLE, n[1]);
     tell_slider(self->area, display->exposure, -MOST_STOPS, MOST_STOPS, stops);

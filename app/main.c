@@ -3,6 +3,7 @@
 #include "../front/language.h"
 #include "application.h"
 #include "document.h"
+#include "number.h"
 #include <locale.h>
 #include <string.h>
 
@@ -19,9 +20,10 @@ static char *name_scene(const char *argument)
 
 int main(int count, char **arguments)
 {
-    /* numbers keep their decimal point whatever the language is */
+    /* numbers that are written for programs keep their decimal point whatever the language is */
     gtk_disable_setlocale();
     language_begin();
+    app_number_set_mark(language_decimal_mark());
     /* GLib prints in the encoding of this category: that of the messages, which it could not write otherwise */
     setlocale(LC_CTYPE, setlocale(LC_MESSAGES, NULL));
     g_set_prgname("luxel-app");

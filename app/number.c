@@ -93,6 +93,60 @@ const char *app_number_plain(double value, int digits, char text[APP_NUMBER_SIZE
     return app_number_write(g_ascii_strtod(app_number_round(value, digits, text), NULL), text);
 }
 
+static char decimal_mark = '.';
+
+void app_number_set_mark(char mark)
+{
+    decimal_mark = mark;
+}
+
+const char *app_number_mark(char *text)
+{
+    char *point = strchr(text, '.');
+    if (point)
+        *point = decimal_mark;
+    return text;
+}
+
+const char *app_number_show(double value, int digits, char text[APP_NUMBER_SIZE])
+{
+    app_number_round(value, digits, text);
+    return app_number_mark(text);
+}
+
+const char *app_number_show_all(double value, char text[APP_NUMBER_SIZE])
+{
+    app_number_write(value, text);
+    return app_number_mark(text);
+}
+
+const char *app_number_separator(void)
+{
+    return decimal_mark == ',' ? "; " : ", ";
+}
+
+static gboolean begins_number(const char *text)
+{
+    return g_ascii_isdigit(*text) || *text == '-' || g_str_has_prefix(text, "\u2212");
+}
+
+char *app_text_show(const char *text)
+{
+    GString *shown = g_string_new(NULL);
+    int depth = 0; /* of brackets */
+    for (const char *at = text; *at; at++) {
+        const gboolean after_digit = at > text && g_ascii_isdigit(at[-1]);
+        depth += *at == '(' ? 1 : *at == ')' ? -1 : 0;
+        if (*at == '.' && after_digit && g_ascii_isdigit(at[1]))
+            g_string_append_c(shown, decimal_mark);
+        else if (*at == ',' && decimal_mark == ',' && depth > 0 && after_digit && at[1] == ' ' && begins_number(at + 2))
+            g_string_append_c(shown, ';');
+        else
+            g_string_append_c(shown, *at);
+    }
+    return g_string_free(shown, FALSE);
+}
+
 const char *app_amount_write(double value, double error, char text[APP_AMOUNT_SIZE])
 {
     enum { DIGITS = 7 };
@@ -102,7 +156,7 @@ const char *app_amount_write(double value, double error, char text[APP_AMOUNT_SI
     const double whole = error + fabs(g_ascii_strtod(number, NULL) - value);
     const double grain = whole > 0 ? pow(10, floor(log10(whole)) - 1) : 0;
     app_number_round(grain > 0 ? ceil(whole / grain * (1 - 1e-12)) * grain : 0, 2, bound);
-    g_snprintf(text, APP_AMOUNT_SIZE, "%s ± %s", number, bound);
+    g_snprintf(text, APP_AMOUNT_SIZE, "%s ± %s", app_number_mark(number), app_number_mark(bound));
     return text;
 }
 
@@ -110,9 +164,9 @@ const char *app_number_place(double value, double size, char text[APP_NUMBER_SIZ
 {
     const double grain = size > 0 ? pow(10, floor(log10(size)) - 6) : 0;
     if (!(grain > 0) || !isfinite(value))
-        return app_number_round(value, 7, text);
+        return app_number_show(value, 7, text);
     const double whole = round(value / grain), rounded = grain < 1 ? whole / round(1 / grain) : whole * grain;
-    return app_number_round(rounded, 10, text);
+    return app_number_show(rounded, 10, text);
 }
 
 /* ---- groups ---- */

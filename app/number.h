@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * Numbers as people type them, with a decimal point or comma in every language, and as they are shown, with a point;
- * and lists of numbers that are pasted, "x, y, z; x, y, z".
+ * Numbers as people type them, with a decimal point or comma in every language, as scenes have them, with a point, and
+ * as they are shown, with the mark of the language; and lists of numbers that are pasted, "x, y, z; x, y, z".
  */
 #ifndef LUXEL_APP_NUMBER_H
 #define LUXEL_APP_NUMBER_H
@@ -25,6 +25,27 @@ const char *app_number_round(double value, int digits, char text[APP_NUMBER_SIZE
 /* Rounds it to so many significant digits and writes it as people do, "3000" and not "3e+03"; returns `text`. */
 const char *app_number_plain(double value, int digits, char text[APP_NUMBER_SIZE]);
 
+/* ---- for people alone ---- */
+
+/* The mark in front of fractions of numbers that are shown, '.' at first; once, before any is. */
+void app_number_set_mark(char mark);
+
+/* A number that was written with a point gets that mark; returns `text`. */
+const char *app_number_mark(char *text);
+
+/* As app_number_round() and app_number_write(), to be shown. */
+const char *app_number_show(double value, int digits, char text[APP_NUMBER_SIZE]);
+const char *app_number_show_all(double value, char text[APP_NUMBER_SIZE]);
+
+/* What stands between numbers that are shown: ", ", or "; " where the mark is a comma. */
+const char *app_number_separator(void);
+
+/*
+ * A text of the library as it is shown: its numbers get the mark, and where that is a comma the numbers of a list in
+ * brackets are set apart by semicolons, "(60; −20; 893,2576)"; the caller's.
+ */
+char *app_text_show(const char *text);
+
 /*
  * Writes a number with the bound of its error, "208.33 ± 0.086": no digits beyond those of the bound, which is rounded
  * up and covers the rounding of the number; returns `text`.
@@ -36,6 +57,8 @@ const char *app_amount_write(double value, double error, char text[APP_AMOUNT_SI
  * Writes a place on a screen of this size, of which a millionth part is resolved: what lies below is none, and reads 0.
  */
 const char *app_number_place(double value, double size, char text[APP_NUMBER_SIZE]);
+
+/* ---- lists ---- */
 
 /*
  * Reads groups of `size` numbers with commas, blanks or semicolons between them, the groups set apart by semicolons or

@@ -61,7 +61,7 @@ void app_numbers_set_text(GtkWidget *label, const char *text)
 void app_numbers_set_number(GtkWidget *label, double number)
 {
     char text[APP_NUMBER_SIZE];
-    app_numbers_set_text(label, app_number_round(number, DIGITS, text));
+    app_numbers_set_text(label, app_number_show(number, DIGITS, text));
 }
 
 static void name_cell(GtkWidget *label, const char *column, guint row)
@@ -77,7 +77,8 @@ static void show_point(AppNumbers *self, const AppPoint *point, guint row)
     GtkWidget *value = cell(self, 2, row);
     g_snprintf(text, sizeof text, "P%u", row + 1);
     app_numbers_set_text(cell(self, 0, row), text);
-    g_snprintf(text, sizeof text, "%s, %s", app_number_write(point->x_mm, x), app_number_write(point->y_mm, y));
+    g_snprintf(text, sizeof text, "%s%s%s", app_number_show_all(point->x_mm, x), app_number_separator(),
+               app_number_show_all(point->y_mm, y));
     app_numbers_set_text(cell(self, 1, row), text);
     if (!point->on_surface)
         app_numbers_set_text(value, _("off the surface"));
@@ -87,7 +88,7 @@ static void show_point(AppNumbers *self, const AppPoint *point, guint row)
         app_numbers_set_number(value, point->value);
     else
         app_numbers_set_text(value, "–");
-    g_snprintf(text, sizeof text, "± %.1g", point->error);
+    g_snprintf(text, sizeof text, "± %s", app_number_show(point->error, 1, x));
     gtk_widget_set_tooltip_text(value, point->has_value ? text : NULL);
     name_cell(value, _("value"), row);
     if (point->has_pixel)
@@ -152,6 +153,7 @@ luxel_drawing_style app_numbers_style(GtkWidget *widget, luxel_language *languag
     luxel_drawing_style_init(&style, lightness > 0.5);
     style.letters = 11;
     style.language = language;
+    style.decimal_mark = language_decimal_mark();
     return style;
 }
 

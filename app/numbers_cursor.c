@@ -59,7 +59,7 @@ static void add_shares(GString *text, const luxel_profile *profile, gsize at)
             continue;
         char *color = app_lamp_color_name(i);
         g_string_append_printf(text, "%s<span background=\"%s\" color=\"black\">%zu</span> %s", before, color, i + 1,
-                               app_number_round(share, SHARE_DIGITS, number));
+                               app_number_show(share, SHARE_DIGITS, number));
         before = "  ";
         g_free(color);
     }
@@ -72,12 +72,12 @@ static void tell_sample(AppNumbers *self, Plot plot, GString *text)
     const double place = plot == PLOT_VERTICAL ? sample->y_mm : sample->x_mm;
     char number[APP_NUMBER_SIZE];
     g_string_append_printf(text, "%s = %s %s: ", plot == PLOT_VERTICAL ? "y" : "x",
-                           app_number_round(place, PLACE_DIGITS, number), _("mm"));
+                           app_number_show(place, PLACE_DIGITS, number), _("mm"));
     if (!sample->has_value) {
         g_string_append(text, _("no value"));
         return;
     }
-    g_string_append(text, app_number_round(sample->value, DIGITS, number));
+    g_string_append(text, app_number_show(sample->value, DIGITS, number));
     if (profile->shares)
         add_shares(text, profile, (gsize)self->cursors[plot].at);
 }
@@ -90,9 +90,9 @@ static void tell_bin(AppNumbers *self, GString *text)
     for (gsize i = 0; i < self->bins->bins; i++)
         whole += self->bins->counts[i];
     g_string_append_printf(text, ngettext("%s … %s: %zu pixel, %s %%", "%s … %s: %zu pixels, %s %%", count),
-                           app_number_round(self->bins->edges[at], DIGITS, low),
-                           app_number_round(self->bins->edges[at + 1], DIGITS, high), count,
-                           app_number_round(whole > 0 ? 100.0 * (double)count / (double)whole : 0, 3, percent));
+                           app_number_show(self->bins->edges[at], DIGITS, low),
+                           app_number_show(self->bins->edges[at + 1], DIGITS, high), count,
+                           app_number_show(whole > 0 ? 100.0 * (double)count / (double)whole : 0, 3, percent));
 }
 
 void app_numbers_tell_cursor(AppNumbers *self, Plot plot)

@@ -90,7 +90,7 @@ static double size_of(const luxel_field *field)
 static void show_place(AppNumbers *self, Line line, double x_mm, double y_mm)
 {
     char text[2 * APP_NUMBER_SIZE], x[APP_NUMBER_SIZE], y[APP_NUMBER_SIZE];
-    g_snprintf(text, sizeof text, "%s, %s", app_number_place(x_mm, self->size_mm, x),
+    g_snprintf(text, sizeof text, "%s%s%s", app_number_place(x_mm, self->size_mm, x), app_number_separator(),
                app_number_place(y_mm, self->size_mm, y));
     app_numbers_set_text(self->lines[line], text);
 }
@@ -115,11 +115,12 @@ static void choose_lines(AppNumbers *self, gboolean is_difference)
 /* The bound of what surfaces reflect, where they do; marked where it is larger than it should be. */
 static void show_reflected(AppNumbers *self, const luxel_statistics *statistics, gboolean is_difference)
 {
-    char text[APP_NUMBER_SIZE];
+    char text[APP_NUMBER_SIZE + 8], number[APP_NUMBER_SIZE];
     const gboolean is_missed = !statistics->reflected_reached;
     GtkWidget *label = self->lines[LINE_REFLECTED];
     choose_line(self, LINE_REFLECTED, statistics->has_reflected && !is_difference);
-    g_snprintf(text, sizeof text, "%.2g %%%s", 100 * statistics->reflected_error, is_missed ? " ⚠" : "");
+    g_snprintf(text, sizeof text, "%s %%%s", app_number_show(100 * statistics->reflected_error, 2, number),
+               is_missed ? " ⚠" : "");
     app_numbers_set_text(label, text);
     gtk_widget_set_tooltip_text(label, is_missed ? _("Less exact than it should be: many surfaces stand close to each "
                                                      "other. Values are shown all the same.")

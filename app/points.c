@@ -156,7 +156,8 @@ void app_points_refresh(AppPoints *self)
         char x[APP_NUMBER_SIZE], y[APP_NUMBER_SIZE], *key = key_of(field);
         char *yaml = app_document_get(self->document, key, NULL);
         app_list_read(yaml, place, 2);
-        char *text = g_strdup_printf("%s, %s", app_number_write(place[0], x), app_number_write(place[1], y));
+        char *text = g_strdup_printf("%s%s%s", app_number_show_all(place[0], x), app_number_separator(),
+                                     app_number_show_all(place[1], y));
         if (g_strcmp0(text, g_object_get_data(G_OBJECT(field), "shown")) != 0) {
             gtk_editable_set_text(GTK_EDITABLE(field), text);
             set_wrong(field, FALSE);

@@ -10,7 +10,7 @@ enum { DIGITS = 7 };
 static void add_line(GString *text, const char *name, double value, double x_mm, double y_mm, double size_mm)
 {
     char number[APP_NUMBER_SIZE], x[APP_NUMBER_SIZE], y[APP_NUMBER_SIZE];
-    g_string_append_printf(text, "%s\t%s\tx = %s, y = %s %s\n", name, app_number_round(value, DIGITS, number),
+    g_string_append_printf(text, "%s\t%s\tx = %s, y = %s %s\n", name, app_number_show(value, DIGITS, number),
                            app_number_place(x_mm, size_mm, x), app_number_place(y_mm, size_mm, y), _("mm"));
 }
 
@@ -39,10 +39,10 @@ static void add_point(GString *text, const AppPoint *point, gsize i)
     char number[APP_NUMBER_SIZE], x[APP_NUMBER_SIZE], y[APP_NUMBER_SIZE];
     const char *value = !point->on_surface         ? _("off the surface")
                         : point->source_on_element ? _("a source lies here")
-                        : point->has_value         ? app_number_round(point->value, DIGITS, number)
+                        : point->has_value         ? app_number_show(point->value, DIGITS, number)
                                                    : "–";
-    g_string_append_printf(text, "P%zu\t%s\tx = %s, y = %s %s\n", i + 1, value, app_number_write(point->x_mm, x),
-                           app_number_write(point->y_mm, y), _("mm"));
+    g_string_append_printf(text, "P%zu\t%s\tx = %s, y = %s %s\n", i + 1, value, app_number_show_all(point->x_mm, x),
+                           app_number_show_all(point->y_mm, y), _("mm"));
 }
 
 char *app_results_text(const AppResults *results)

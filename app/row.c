@@ -189,7 +189,7 @@ gboolean app_row_restore(AppRow *self)
     switch (self->kind) {
     case APP_ROW_NUMBER:
     case APP_ROW_WHOLE:
-        restored = restore_text(self, self->is_empty ? "" : app_number_write(self->value, text));
+        restored = restore_text(self, self->is_empty ? "" : app_number_show_all(self->value, text));
         app_row_say_state(self);
         return restored;
     case APP_ROW_TEXT:

@@ -43,7 +43,7 @@ void app_row_show_number(AppRow *self)
         char text[APP_NUMBER_SIZE];
         gtk_range_set_value(GTK_RANGE(self->slider), to_slider(self, self->value));
         gtk_accessible_update_property(GTK_ACCESSIBLE(self->slider), GTK_ACCESSIBLE_PROPERTY_VALUE_TEXT,
-                                       app_number_write(self->value, text), -1);
+                                       app_number_show_all(self->value, text), -1);
     }
     self->is_updating = FALSE;
     app_row_say_state(self);
@@ -70,8 +70,8 @@ static void refuse(AppRow *self, const char *typed)
         text = g_strdup_printf(_("%s is not a whole number"), typed);
     else {
         char low[APP_NUMBER_SIZE], high[APP_NUMBER_SIZE];
-        app_number_write(self->legal.low, low);
-        app_number_write(self->legal.high, high);
+        app_number_show_all(self->legal.low, low);
+        app_number_show_all(self->legal.high, high);
         text = isinf(self->legal.high)
                    ? g_strdup_printf(self->legal.low_open ? _("must be above %s") : _("must be at least %s"), low)
                    /* TRANSLATORS: the bounds of what is allowed */
@@ -108,7 +108,7 @@ static gboolean write_field(GtkSpinButton *spin, AppRow *self)
     char text[APP_NUMBER_SIZE];
     if (self->is_wrong && !self->is_updating)
         return TRUE; /* it stays as it was typed */
-    app_number_write(gtk_spin_button_get_value(spin), text);
+    app_number_show_all(gtk_spin_button_get_value(spin), text);
     if (self->is_empty)
         *text = '\0';
     if (strcmp(text, gtk_editable_get_text(GTK_EDITABLE(spin))) != 0)

@@ -55,7 +55,7 @@ static void app_share_snapshot(GtkWidget *widget, GtkSnapshot *snapshot)
     app_lamp_color(self->light, color);
     const GdkRGBA fill = {(float)color[0], (float)color[1], (float)color[2], 1};
     gtk_snapshot_append_color(snapshot, &fill, &GRAPHENE_RECT_INIT(0, (HEIGHT - BAR) / 2.0f, (float)(bar * part), BAR));
-    draw_text(widget, snapshot, app_number_round(self->share, 4, number), width - PERCENT_WIDTH - GAP);
+    draw_text(widget, snapshot, app_number_show(self->share, 4, number), width - PERCENT_WIDTH - GAP);
     g_snprintf(percent, sizeof percent, "%.*f %%", part < 0.9995 ? 1 : 0, 100 * part); /* "100.0 %" is too wide */
     draw_text(widget, snapshot, percent, width);
 }
@@ -87,7 +87,7 @@ static void tell(AppShare *self)
 {
     char number[APP_NUMBER_SIZE];
     char *text = isfinite(self->share) ? g_strdup_printf(_("Share %s, %.1f %%"),
-                                                         app_number_round(self->share, 4, number), 100 * part_of(self))
+                                                         app_number_show(self->share, 4, number), 100 * part_of(self))
                                        : g_strdup(_("Share"));
     gtk_accessible_update_property(GTK_ACCESSIBLE(self), GTK_ACCESSIBLE_PROPERTY_LABEL, text, -1);
     g_free(text);

@@ -97,10 +97,10 @@ void app_source_row_set_gives(AppSourceRow *self, const AppSource *source, const
     char number[APP_NUMBER_SIZE];
     GString *text = g_string_new(NULL);
     if (source && isfinite(source->flux))
-        g_string_append_printf(text, "Φ %s %s", app_number_round(source->flux, 4, number), flux_unit);
+        g_string_append_printf(text, "Φ %s %s", app_number_show(source->flux, 4, number), flux_unit);
     if (source && isfinite(source->irradiance))
         g_string_append_printf(text, "%sE %s %s", text->len ? "   " : "",
-                               app_number_round(source->irradiance, 4, number), unit);
+                               app_number_show(source->irradiance, 4, number), unit);
     if (g_strcmp0(text->str, gtk_label_get_text(GTK_LABEL(self->gives))) != 0)
         gtk_label_set_text(GTK_LABEL(self->gives), text->str);
     g_string_free(text, TRUE);

@@ -5,6 +5,7 @@
 
 #include "../front/words.h"
 #include "lamp.h"
+#include "number.h"
 #include "space_lines.h"
 #include "stage_private.h"
 
@@ -282,7 +283,7 @@ static void draw_scale(const Sheet *sheet, double width, double height)
     const double wanted = width / 5 / sheet->stage->map.scale, power = pow(10, floor(log10(wanted)));
     const double length = power * (wanted / power < 2 ? 1 : wanted / power < 5 ? 2 : 5);
     const double right = width - 8, left = right - length * sheet->stage->map.scale, y = height - 6.5;
-    char *text = g_strdup_printf(_("%g mm"), length);
+    char number[APP_NUMBER_SIZE], *text = g_strdup_printf("%s %s", app_number_show_all(length, number), _("mm"));
     set_ink(sheet, 0.7);
     cairo_set_line_width(sheet->cairo, 1);
     cairo_move_to(sheet->cairo, left, y - 3);

@@ -9,6 +9,7 @@
 #include <math.h>
 
 #include "../front/words.h"
+#include "number.h"
 
 enum { CELL_SIZE = 32, GAP = 8 };
 static const double SPACING = 0.25; /* as catalogues have it */
@@ -28,6 +29,7 @@ static const char *rating_text(double rating, char text[CELL_SIZE])
     if (isnan(rating))
         return "—";
     g_snprintf(text, CELL_SIZE, "%.1f", rating);
+    app_number_mark(text);
     return text;
 }
 
@@ -35,7 +37,7 @@ static const char *rating_text(double rating, char text[CELL_SIZE])
 static int add_block(GtkWidget *grid, const luxel_ugr_table *table, int way, const char *title, int row)
 {
     const char *const parts[] = {_("ceiling, %"), _("walls, %"), _("floor, %")};
-    char text[CELL_SIZE];
+    char text[CELL_SIZE], x[APP_NUMBER_SIZE], y[APP_NUMBER_SIZE];
     put(grid, title, 0, row++, 1 + LUXEL_UGR_REFLECTANCES, TRUE);
     for (size_t part = 0; part < G_N_ELEMENTS(parts); part++, row++) {
         put(grid, parts[part], 0, row, 1, FALSE);
@@ -45,7 +47,8 @@ static int add_block(GtkWidget *grid, const luxel_ugr_table *table, int way, con
         }
     }
     for (size_t room = 0; room < LUXEL_UGR_ROOMS; room++, row++) {
-        g_snprintf(text, sizeof text, "%.3gH × %.3gH", luxel_ugr_room(room, 0), luxel_ugr_room(room, 1));
+        g_snprintf(text, sizeof text, "%sH × %sH", app_number_show(luxel_ugr_room(room, 0), 3, x),
+                   app_number_show(luxel_ugr_room(room, 1), 3, y));
         put(grid, text, 0, row, 1, FALSE);
         for (size_t i = 0; i < LUXEL_UGR_REFLECTANCES; i++)
             put(grid, rating_text(table->ratings[room][way][i], text), (int)i + 1, row, 1, FALSE);

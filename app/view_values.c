@@ -35,6 +35,6 @@ void app_draw_values(GtkSnapshot *snapshot, GtkWidget *widget, const AppMap *map
             char text[APP_NUMBER_SIZE];
             double value;
             if (app_picture_value(picture, column, row, &value))
-                app_draw_text(snapshot, widget, middle, app_number_round(value, DIGITS, text));
+                app_draw_text(snapshot, widget, middle, app_number_show(value, DIGITS, text));
         }
 }

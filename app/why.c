@@ -91,7 +91,7 @@ static void explain(GTask *task, gpointer source, gpointer data, GCancellable *c
         return;
     }
     char *text = luxel_document_write_text(document, LUXEL_DOCUMENT_TEXT);
-    g_task_return_pointer(task, g_strdup(text), g_free);
+    g_task_return_pointer(task, text ? app_text_show(text) : NULL, g_free);
     luxel_text_free(text);
     luxel_document_free(document);
 }
@@ -113,8 +113,8 @@ static void explained(GObject *source, GAsyncResult *result, gpointer data)
     g_free(self->text);
     self->text = text;
     self->serial = place->shot->moment->serial;
-    char *where = g_strdup_printf(_("x = %s, y = %s mm"), app_number_round(place->x_mm, 4, x),
-                                  app_number_round(place->y_mm, 4, y));
+    char *where = g_strdup_printf(_("x = %s, y = %s mm"), app_number_show(place->x_mm, 4, x),
+                                  app_number_show(place->y_mm, 4, y));
     gtk_label_set_text(GTK_LABEL(self->where), where);
     g_free(where);
     show_formula(self);

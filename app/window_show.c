@@ -71,8 +71,8 @@ static void show_comparison(AppWindow *self, const AppPicture *picture)
         char difference[APP_NUMBER_SIZE], x[APP_NUMBER_SIZE], y[APP_NUMBER_SIZE], share[APP_NUMBER_SIZE];
         const double size = picture->area.high[0] - picture->area.low[0];
         text = g_strdup_printf(_("largest difference %s (%s %% of the maximum) at x = %s, y = %s mm"),
-                               app_number_round(comparison->largest.value, DIGITS, difference),
-                               app_number_round(100 * comparison->largest_relative, 3, share),
+                               app_number_show(comparison->largest.value, DIGITS, difference),
+                               app_number_show(100 * comparison->largest_relative, 3, share),
                                app_number_place(comparison->largest.x_mm, size, x),
                                app_number_place(comparison->largest.y_mm, size, y));
     } else if (picture->shot->is_fine)
@@ -88,7 +88,8 @@ static void show_zoom(AppWindow *self)
     char text[APP_NUMBER_SIZE + 4], percent[APP_NUMBER_SIZE];
     if (!self->picture->shot->is_fine)
         return;
-    g_snprintf(text, sizeof text, "%s %%", app_number_plain(100 * app_view_magnification(self->view), 3, percent));
+    app_number_plain(100 * app_view_magnification(self->view), 3, percent);
+    g_snprintf(text, sizeof text, "%s %%", app_number_mark(percent));
     if (strcmp(gtk_label_get_text(GTK_LABEL(self->zoom_label)), text) != 0)
         gtk_label_set_text(GTK_LABEL(self->zoom_label), text);
 }
@@ -103,7 +104,7 @@ void app_window_rest(AppWindow *self)
     }
     char share[APP_NUMBER_SIZE];
     char *text = g_strdup_printf(_("Reflected light is less exact than it should be: within %s %% of the maximum"),
-                                 app_number_round(100 * statistics->reflected_error, 2, share));
+                                 app_number_show(100 * statistics->reflected_error, 2, share));
     gtk_label_set_text(GTK_LABEL(self->status_label), text);
     g_free(text);
 }
@@ -187,7 +188,7 @@ static void add_shares(GString *text, const AppReading *reading)
     while (shown < reading->share_count && shown < MOST_SHARES && reading->shares[order[shown]] != 0) {
         char *color = app_lamp_color_name(order[shown]);
         g_string_append_printf(text, "%s<span background=\"%s\" color=\"black\">%zu</span>: %s", shown ? ", " : "",
-                               color, order[shown] + 1, app_number_round(reading->shares[order[shown]], 4, number));
+                               color, order[shown] + 1, app_number_show(reading->shares[order[shown]], 4, number));
         g_free(color);
         shown++;
     }
@@ -207,9 +208,9 @@ static void add_difference(GString *text, const AppReading *reading)
         g_string_append_printf(text, "\t%s", _("no value in both pictures"));
         return;
     }
-    g_string_append_printf(text, "\tA %s   B %s   B − A %s %s", app_number_round(a->value, DIGITS, n[0]),
-                           app_number_round(b->value, DIGITS, n[1]),
-                           app_number_round(b->value - a->value, DIGITS, n[2]),
+    g_string_append_printf(text, "\tA %s   B %s   B − A %s %s", app_number_show(a->value, DIGITS, n[0]),
+                           app_number_show(b->value, DIGITS, n[1]),
+                           app_number_show(b->value - a->value, DIGITS, n[2]),
                            gettext(app_moment_unit(reading->moment, reading->quantity)));
 }
 
@@ -219,13 +220,14 @@ static void add_value(GString *text, const AppReading *reading, gboolean is_shor
     char n[7][APP_NUMBER_SIZE];
     for (int i = 0; i < 3; i++) {
         app_number_place(value->position_mm[i], 1000, n[i]);
-        app_number_round(value->normal[i], 3, n[3 + i]);
+        app_number_show(value->normal[i], 3, n[3 + i]);
     }
-    g_string_append_printf(text, "\tP (%s, %s, %s)\t", n[0], n[1], n[2]);
+    const char *then = app_number_separator();
+    g_string_append_printf(text, "\tP (%s%s%s%s%s)\t", n[0], then, n[1], then, n[2]);
     if (!is_short)
-        g_string_append_printf(text, "N (%s, %s, %s)\t", n[3], n[4], n[5]);
+        g_string_append_printf(text, "N (%s%s%s%s%s)\t", n[3], then, n[4], then, n[5]);
     if (value->has_value)
-        g_string_append_printf(text, "%s %s", app_number_round(value->value, DIGITS, n[6]),
+        g_string_append_printf(text, "%s %s", app_number_show(value->value, DIGITS, n[6]),
                                gettext(app_moment_unit(reading->moment, reading->quantity)));
     else
         g_string_append(text, _("a source lies here"));
@@ -296,8 +298,8 @@ void app_window_show_reading(const AppReading *reading, gpointer owner)
     /* The shares of several sources are worth more than the normal, which Why? tells. */
     const gboolean is_short = reading->share_count > 1 && gtk_widget_get_width(self->status_label) < self->status_width;
     app_view_set_surface(self->view, value->on_surface ? (gssize)value->surface : -1);
-    g_string_append_printf(text, "x %s  y %s %s%s", app_number_round(reading->x_mm, 5, n[0]),
-                           app_number_round(reading->y_mm, 5, n[1]), _("mm"), pinned ? "   A:" : "");
+    g_string_append_printf(text, "x %s  y %s %s%s", app_number_show(reading->x_mm, 5, n[0]),
+                           app_number_show(reading->y_mm, 5, n[1]), _("mm"), pinned ? "   A:" : "");
     if (reading->has_minus && (value->on_surface || reading->minus.on_surface))
         add_difference(text, reading);
     else if (!value->on_surface)

@@ -43,8 +43,8 @@ static gboolean is_read(const AppWindow *self, const AppVersion *version)
 void app_window_await_reading(AppWindow *self)
 {
     char n[2][APP_NUMBER_SIZE];
-    char *text = g_strdup_printf("x %s  y %s %s\t%s", app_number_round(self->pointer_mm[0], 5, n[0]),
-                                 app_number_round(self->pointer_mm[1], 5, n[1]), _("mm"), _("being computed…"));
+    char *text = g_strdup_printf("x %s  y %s %s\t%s", app_number_show(self->pointer_mm[0], 5, n[0]),
+                                 app_number_show(self->pointer_mm[1], 5, n[1]), _("mm"), _("being computed…"));
     gtk_label_set_text(GTK_LABEL(self->status_label), self->is_stale ? "" : text);
     g_free(text);
     app_dial_set_needle(APP_DIAL(self->bar), (double)NAN);

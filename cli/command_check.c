@@ -19,6 +19,21 @@ static void print_text(const struct loaded *loaded, const struct meshes *meshes,
     message_diagnostics(stdout, loaded->diagnostics, LUXEL_SEVERITY_ADVICE, LUXEL_SEVERITY_ADVICE);
 }
 
+/* Of the scene's grids or lights, one a line; those without are left out. */
+static void print_names(const luxel_scene *scene, bool of_grids)
+{
+    const size_t count = of_grids ? luxel_scene_grid_count(scene) : luxel_scene_light_count(scene);
+
+    for (size_t i = 0; i < count; i++) {
+        const char *name = of_grids ? luxel_scene_grid_name(scene, i) : luxel_scene_light_name(scene, i);
+
+        if (name) {
+            text_print_escaped(stdout, name);
+            fputc('\n', stdout);
+        }
+    }
+}
+
 /* A scene that could not be read at all has no result. */
 static int report(const struct options *options, const struct loaded *loaded, struct meshes *meshes, int code)
 {
@@ -43,9 +58,13 @@ static int run(const struct options *options)
     struct meshes meshes = {.list = NULL};
     int code = load_scene(options, false, &loaded);
 
-    if (code == EXIT_DONE)
-        code = advice_check_view(&loaded);
-    code = report(options, &loaded, &meshes, code);
+    if (code == EXIT_DONE && options_given(options, "names")) {
+        print_names(loaded.scene, options->names == 0);
+    } else {
+        if (code == EXIT_DONE)
+            code = advice_check_view(&loaded);
+        code = report(options, &loaded, &meshes, code);
+    }
     meshes_clear(&meshes);
     load_clear(&loaded);
     return code;

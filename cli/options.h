@@ -90,6 +90,7 @@ struct options {
     bool accepts_pixel, by_student;    /* of luxel grade */
     size_t format;                     /* index in option_formats */
     const char *format_word;           /* of --format; NULL: it was not given */
+    size_t names;                      /* luxel check --names: 0 those of grids, 1 those of lights */
     bool prints_document;              /* luxel explain: whether the explanation goes to standard output */
     char standard_output[32];          /* the name of -o -, which says its format; "": there is none */
     unsigned bits;                     /* of a .png's grey levels; 0: none were given */
@@ -105,6 +106,8 @@ enum option_value {
     VALUE_ASSIGNMENT, /* KEY=VALUE */
     VALUE_PALETTE,    /* a name of luxel_palette_name() */
     VALUE_ROOM,       /* a room of the UGR table */
+    VALUE_GRIDS,      /* the name of a measuring grid of the scene */
+    VALUE_LIGHTS,     /* names of its lights, with commas between them */
     VALUE_OPTIONAL    /* one of `words`, or no argument at all */
 };
 

@@ -16,6 +16,7 @@
 #include "text.h"
 
 static const char *const quantity_words[] = {"brightness", "irradiance", "luminance", "illuminance", NULL};
+static const char *const names_words[] = {"grids", "lights", NULL};
 static const char *const precision_words[] = {"single", "double", NULL};
 static const char *const csv_words[] = {"rfc4180", "excel-ru", NULL};
 static const char *const accept_words[] = {"pixel", NULL};
@@ -132,6 +133,11 @@ static bool take_precision(struct options *options, const char *argument)
         return false;
     options->settings.precision = found == 0 ? LUXEL_SINGLE : LUXEL_DOUBLE;
     return true;
+}
+
+static bool take_names(struct options *options, const char *argument)
+{
+    return take_word("--names", argument, names_words, &options->names);
 }
 
 static bool take_accept(struct options *options, const char *argument)
@@ -491,7 +497,7 @@ static const struct option_row rows[] = {
     {"palette", 0, N_("NAME"), COMMAND_FIGURE | COMMAND_REPORT, KEEPS(drawing.palette), .value = VALUE_PALETTE,
      .help = N_("the colours: viridis (default) or another of --palettes")},
     {"palettes", 0, NULL, COMMAND_FIGURE, SETS(drawing.palettes), .help = N_("list the palettes")},
-    {"grid", 0, N_("NAME"), COMMAND_FIGURE, KEEPS(drawing.grid),
+    {"grid", 0, N_("NAME"), COMMAND_FIGURE, KEEPS(drawing.grid), .value = VALUE_GRIDS,
      .help = N_("draw the plane of a measuring grid, by its name or number, from 1 on: its irradiance with the values "
                 "at its points, where lights stand before it, average, minimum, maximum and U0")},
     {"section", 0, N_("PLACE"), COMMAND_FIGURE, TAKES(take_section), .value = VALUE_OPTIONAL, .words = section_words,
@@ -566,9 +572,11 @@ static const struct option_row rows[] = {
          N_("error that reflected light may have, above 0 and below 1: relative to the value of a probe or of a grid's "
             "cell, the default 0.001, or to the maximum of a picture, the default 0.01; exit code 5 where it is not "
             "reached")},
-    {"lights", 0, N_("LIST"), PICTURES, SHARED, KEEPS(lights),
+    {"lights", 0, N_("LIST"), PICTURES, SHARED, KEEPS(lights), .value = VALUE_LIGHTS,
      .help = N_("the lights that alone give light, whether they are enabled or not: names, or numbers as of lights[0], "
                 "with commas between them")},
+    {"names", 0, N_("LIST"), COMMAND_CHECK, TAKES(take_names), WORDS(names_words),
+     .help = N_("print nothing but the names of the scene's grids or lights, one a line")},
     {"strict", 0, NULL, SCENES, SHARED, SETS(strict), .help = N_("treat advice about the scene as an error")},
     {"json", 0, NULL, COMMAND_ANY, SHARED, SETS(json), .help = N_("print the results as one JSON object")},
     {"quiet", 'q', NULL, COMMAND_ANY, SHARED, SETS(quiet),

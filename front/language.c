@@ -108,6 +108,14 @@ const char *language_code(void)
     return _("en");
 }
 
+char language_decimal_mark(void)
+{
+    static const char mark[] = "decimal point";
+
+    /* TRANSLATORS: to be translated where your language has a comma there, and left out where it has a point */
+    return strcmp(_("decimal point"), mark) == 0 ? '.' : ',';
+}
+
 const char *language_reason(int number)
 {
     const char *english = strerrordesc_np(number);

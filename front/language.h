@@ -15,6 +15,9 @@ const char *language_translate(const char *english, void *data);
 /* The code of the language that messages are in, such as "ru". */
 const char *language_code(void);
 
+/* The sign that parts a number from its fraction in that language, '.' or ',': for what people read alone. */
+char language_decimal_mark(void);
+
 /* Why a system call failed, in the user's language. */
 const char *language_reason(int number);
 

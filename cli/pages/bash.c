@@ -77,7 +77,9 @@ static void print_values(FILE *out, bool optional)
                                         [VALUE_OUTPUT] = "output",
                                         [VALUE_FILE] = "file",
                                         [VALUE_ASSIGNMENT] = "assignment",
-                                        [VALUE_PALETTE] = "free"};
+                                        [VALUE_PALETTE] = "free",
+                                        [VALUE_GRIDS] = "grids",
+                                        [VALUE_LIGHTS] = "lights"};
     const struct option_row *row;
     char buffer[512];
     const char *words;

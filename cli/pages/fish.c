@@ -67,6 +67,10 @@ static void print_option(FILE *out, const struct option_row *row)
         fputs(" -r -F", out);
     } else if (row->value == VALUE_ASSIGNMENT) {
         fputs(" -x -a '(__luxel_assignments)'", out);
+    } else if (row->value == VALUE_GRIDS) {
+        fputs(" -x -a '(__luxel_names grids)'", out);
+    } else if (row->value == VALUE_LIGHTS) {
+        fputs(" -x -a '(__luxel_lights)'", out);
     } else if (row->argument) {
         fputs(" -x", out);
     }

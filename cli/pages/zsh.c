@@ -66,7 +66,9 @@ static void print_option(FILE *out, const struct option_row *row, bool is_long, 
                                           [VALUE_OUTPUT] = "_luxel_output",
                                           [VALUE_FILE] = "_files",
                                           [VALUE_ASSIGNMENT] = "_luxel_assignment",
-                                          [VALUE_PALETTE] = " "};
+                                          [VALUE_PALETTE] = " ",
+                                          [VALUE_GRIDS] = "_luxel_grids",
+                                          [VALUE_LIGHTS] = "_luxel_lights"};
     char buffer[512];
     const char *words = pages_option_words(row, buffer);
     char *line = NULL;

@@ -30,6 +30,7 @@ typedef struct luxel_drawing_style {
     double ink[3];    /* of letters and lines: red, green and blue from 0 to 1; near black or white */
     double ground[3]; /* what is drawn on, as colours are chosen to stand out from it; white or near black */
     const luxel_language *language; /* NULL: English */
+    char decimal_mark;              /* in front of the fractions of ticks; '.' */
     void *reserved[4];              /* for later versions: NULL */
 } luxel_drawing_style;
 

@@ -87,12 +87,24 @@ static bool stand_apart(const struct lx_canvas *canvas, const struct lx_ticks *t
     return true;
 }
 
+/* Ticks with the canvas's mark in front of fractions. */
+static struct lx_ticks marked_ticks(const struct lx_canvas *canvas, const struct lx_scale *scale, size_t wanted)
+{
+    struct lx_ticks ticks = lx_ticks_of(scale, wanted);
+    for (size_t i = 0; i < ticks.count; i++) {
+        char *point = strchr(ticks.texts[i], '.');
+        if (point)
+            *point = canvas->decimal_mark;
+    }
+    return ticks;
+}
+
 struct lx_ticks lx_ticks_along(const struct lx_canvas *canvas, const struct lx_scale *scale, double length, double size,
                                bool upright, size_t most)
 {
     struct lx_ticks ticks = {.count = 0};
     for (size_t wanted = most; wanted > 0; wanted--) {
-        ticks = lx_ticks_of(scale, wanted);
+        ticks = marked_ticks(canvas, scale, wanted);
         if (stand_apart(canvas, &ticks, scale, length, size, upright))
             break;
     }

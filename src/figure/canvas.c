@@ -35,7 +35,7 @@ struct lx_canvas lx_canvas_of(cairo_t *cairo, bool dark)
 
 struct lx_canvas lx_canvas_in(cairo_t *cairo, const double ink[3], const double ground[3])
 {
-    struct lx_canvas canvas = {.cairo = cairo, .fonts = fonts_of(cairo)};
+    struct lx_canvas canvas = {.cairo = cairo, .fonts = fonts_of(cairo), .decimal_mark = '.'};
     for (int i = 0; i < 3; i++) {
         canvas.ink[i] = ink[i];
         canvas.ground[i] = ground[i];

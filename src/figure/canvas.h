@@ -11,6 +11,7 @@ struct lx_canvas {
     cairo_t *cairo;
     void *fonts; /* a PangoContext; made and freed with the canvas */
     double ink[3], ground[3], faint[3];
+    char decimal_mark; /* of ticks */
 };
 
 struct lx_pane {

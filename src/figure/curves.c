@@ -9,13 +9,10 @@ static const unsigned char colors[][3] = {{230, 159, 0},   {86, 180, 233}, {0, 1
                                           {204, 121, 167}, {213, 94, 0},   {0, 114, 178}};
 enum { COLORS = sizeof colors / sizeof colors[0] };
 
-void lx_light_color(const double ground[3], size_t light, double color[3])
+void lx_light_color(size_t light, double color[3])
 {
     for (int i = 0; i < 3; i++)
         color[i] = colors[light % COLORS][i] / 255.0;
-    if (lx_lightness(ground) < 0.5)
-        for (int i = 0; i < 3; i++)
-            color[i] = 1 - (1 - color[i]) * 0.8;
 }
 
 void lx_light_line(const struct lx_canvas *canvas, size_t light, bool stacked, double size, double color[3])
@@ -23,7 +20,7 @@ void lx_light_line(const struct lx_canvas *canvas, size_t light, bool stacked, d
     const size_t count = COLORS;
     const double dashes[][4] = {{0.7, 0.35, 0.7, 0.35}, {0.2, 0.25, 0.2, 0.25}, {0.9, 0.25, 0.2, 0.25}};
     double lengths[4];
-    lx_light_color(canvas->ground, light, color);
+    lx_light_color(light, color);
     if (stacked) /* areas have no dashes: they become paler */
         for (int i = 0; i < 3; i++) {
             color[i] = colors[light % count][i] / 255.0;

@@ -9,7 +9,7 @@
 
 void luxel_drawing_style_init(luxel_drawing_style *style, bool dark)
 {
-    *style = (luxel_drawing_style){.letters = 10};
+    *style = (luxel_drawing_style){.letters = 10, .decimal_mark = '.'};
     for (int i = 0; i < 3; i++) {
         style->ink[i] = dark ? 0.93 : 0.1;
         style->ground[i] = dark ? 0.08 : 1;
@@ -47,7 +47,7 @@ luxel_status luxel_light_color(const luxel_drawing_style *style, size_t i, doubl
 {
     if (!style_goes(style) || !color)
         return LUXEL_ERROR_ARGUMENT;
-    lx_light_color(style->ground, i, color);
+    lx_light_color(i, color);
     return LUXEL_OK;
 }
 
@@ -83,7 +83,9 @@ struct lx_canvas lx_drawing_begin(cairo_t *cairo, const luxel_drawing_style *sty
     cairo_set_line_cap(cairo, CAIRO_LINE_CAP_BUTT);
     cairo_set_line_join(cairo, CAIRO_LINE_JOIN_MITER);
     cairo_set_operator(cairo, CAIRO_OPERATOR_OVER);
-    return lx_canvas_in(cairo, style->ink, style->ground);
+    struct lx_canvas canvas = lx_canvas_in(cairo, style->ink, style->ground);
+    canvas.decimal_mark = style->decimal_mark;
+    return canvas;
 }
 
 luxel_status lx_drawing_end(struct lx_canvas *canvas)

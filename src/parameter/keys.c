@@ -99,6 +99,24 @@ static const char *usual_key(const char *key, const struct lx_table *const *tabl
     return NULL;
 }
 
+/* "z:1500", a key and its value without a space between them, is one word to YAML. */
+static bool hint_colon(luxel_diagnostics *diagnostics, const char *key, const struct lx_table *const *tables,
+                       size_t count)
+{
+    const char *colon = strchr(key, ':');
+    struct lx_text name = {0};
+    bool is_known = false;
+    if (!colon || !colon[1])
+        return false;
+    lx_text_printf(&name, "%.*s", (int)(colon - key), key);
+    for (size_t t = 0; t < count && name.bytes; t++)
+        is_known |= lx_find_parameter(tables[t], name.bytes) != NULL;
+    if (is_known)
+        lx_hint(diagnostics, LX_MSG_HINT_COLON, NULL);
+    lx_text_clear(&name);
+    return is_known;
+}
+
 const char *lx_hint_unknown_key(luxel_diagnostics *diagnostics, const char *key, const struct lx_table *const *tables,
                                 size_t count, const struct lx_parameter *list)
 {
@@ -107,7 +125,7 @@ const char *lx_hint_unknown_key(luxel_diagnostics *diagnostics, const char *key,
         lx_hint(diagnostics, LX_MSG_DID_YOU_MEAN, LX_ARGS(usual));
         return usual;
     }
-    if (hint_other_types(diagnostics, key, tables, count, list))
+    if (hint_other_types(diagnostics, key, tables, count, list) || hint_colon(diagnostics, key, tables, count))
         return NULL;
     char *groups = groups_with(tables, count, key);
     if (groups && groups[0]) {

@@ -226,6 +226,26 @@ static void writes_amounts(void **state)
     }
 }
 
+/* What is shown has the mark of the language, and lists that can be read with it; the last test, as the mark stays. */
+static void shows_with_the_mark(void **state)
+{
+    (void)state;
+    static const char text[] = "N = (P − C) / R = (0.2, −0.06666667, 3), lights[0].axis = 1.5, 2.5; v. 2 (see 3, 4)";
+    char number[APP_NUMBER_SIZE], amount[APP_AMOUNT_SIZE], *shown = app_text_show(text);
+    assert_string_equal(shown, "N = (P − C) / R = (0.2, −0.06666667, 3), lights[0].axis = 1.5, 2.5; v. 2 (see 3, 4)");
+    g_free(shown);
+    app_number_set_mark(',');
+    shown = app_text_show(text);
+    assert_string_equal(shown, "N = (P − C) / R = (0,2; −0,06666667; 3), lights[0].axis = 1,5, 2,5; v. 2 (see 3; 4)");
+    g_free(shown);
+    assert_string_equal(app_number_show(2.5, 4, number), "2,5");
+    assert_string_equal(app_number_show_all(1e-7, number), "1e-07");
+    assert_string_equal(app_number_place(-12.25, 500, number), "-12,25");
+    assert_string_equal(app_amount_write(208.3341, 0.0853, amount), "208,334 \u00b1 0,086");
+    assert_string_equal(app_number_write(0.5, number), "0.5"); /* of scenes */
+    assert_string_equal(app_number_separator(), "; ");
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -234,6 +254,7 @@ int main(void)
         cmocka_unit_test(writes_what_reads_back),
         cmocka_unit_test(reads_lists),   cmocka_unit_test(names_the_fault_of_a_list),
         cmocka_unit_test(reads_pairs),   cmocka_unit_test(reads_yaml_lists),
+        cmocka_unit_test(shows_with_the_mark),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

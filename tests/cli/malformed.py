@@ -245,6 +245,7 @@ PIECES = [
     # the text
     ("equals sign", RADIUS, "^radius = 200", "colon space"),
     ("no blank behind the colon", RADIUS, "^radius:200", "colon space"),
+    ("no blank behind a colon in braces", LIGHT, LIGHT.replace("intensity: 10", "^intensity:10"), "colon space"),
     ("no-break space behind the colon", RADIUS, "^radius:\u00a0200", "\\u00A0 colon"),
     ("no-break space before a key", RADIUS, "^\u00a0radius: 200", "\\u00A0 radius"),
     ("space of no width in a key", RADIUS, "^rad\u200bius: 200", "\\u200B radius"),

@@ -9,13 +9,16 @@ import re
 import shlex
 import shutil
 import subprocess
+import sys
 
 from terminal import Terminal
 
 
 def environment(folder):
-    return {"PATH": os.environ["PATH"], "HOME": folder, "TERM": "xterm", "LC_ALL": "C.UTF-8", "INPUTRC": "/dev/null",
-            "ZDOTDIR": folder, "XDG_CONFIG_HOME": folder, "XDG_DATA_HOME": folder}
+    """The tool that is tried comes first in the path, as completions ask it for the names of a scene."""
+    return {"PATH": os.path.dirname(os.path.abspath(sys.argv[1])) + ":" + os.environ["PATH"], "HOME": folder,
+            "TERM": "xterm", "LC_ALL": "C.UTF-8", "INPUTRC": "/dev/null", "ZDOTDIR": folder,
+            "XDG_CONFIG_HOME": folder, "XDG_DATA_HOME": folder}
 
 
 def after_tab(shell, folder, line):

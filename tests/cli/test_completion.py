@@ -40,6 +40,14 @@ EXACT = [
     ("luxel render --set screen.samp", "screen.sampling="),
     ("luxel render -s lights.3.att", "lights.3.attenuation="),
     ("luxel render -s surfaces.0.material.over", "surfaces.0.material.over_pi="),
+    ("luxel figure office --grid f", "floor"),
+    ("luxel figure named.yaml --grid ", "desk"),
+    ("luxel figure -q named.yaml --title x --grid d", "desk"),
+    ("luxel render named.yaml --lights ", "key fill"),
+    ("luxel probe --quantity irradiance named.yaml --lights f", "fill"),
+    ("luxel figure two-spheres --grid ", ""),
+    ("luxel figure broken.yaml --grid ", ""),
+    ("luxel check --names ", "grids lights"),
 ]
 
 # (line, words that are offered, words that are not)
@@ -78,11 +86,31 @@ INSERTED = [
     ("luxel check my", "luxel check my.yaml ", None),
     ("luxel check 'two w", "luxel check 'two words.yaml' ", None),
     ("luxel check pi", "luxel check pic/", None),
+    ("luxel figure office --grid fl", "luxel figure office --grid floor ", None),
+    ("luxel figure office --grid desk", r"luxel figure office --grid desk\ at\ the\ w", None),
+    ("luxel figure office --grid 'desk at the wi", "luxel figure office --grid 'desk at the window' ", None),
+    ("luxel render named.yaml --lights key,f", "luxel render named.yaml --lights key,fill ",
+     "luxel render named.yaml --lights key,fill"),
 ]
+
+NAMED = """luxel: 1
+screen: {width: 500, height: 500, resolution: [50, 50]}
+observer: {z: 2000}
+surfaces: [{type: sphere, center: [0, 0, 1000], radius: 200}]
+lights:
+  - {type: point, name: key, position: [900, 900, 2000], intensity: 10}
+  - {type: point, position: [0, 900, 2000], intensity: 5}
+  - {type: point, name: fill, position: [-900, 0, 2000], intensity: 5}
+grids: [{name: desk, center: [0, 0, 0], size: [100, 100], n: [2, 2]}]
+"""
 
 
 def files(folder):
     os.makedirs(os.path.join(folder, "pic"))
+    with open(os.path.join(folder, "named.yaml"), "w") as file:
+        file.write(NAMED)
+    with open(os.path.join(folder, "broken.yaml"), "w") as file:
+        file.write("lights: [")
     for name in "my.yaml", "-odd.yaml", "notes.txt", "two words.yaml":
         open(os.path.join(folder, name), "w").close()
 

@@ -274,13 +274,14 @@ static void test_lines(void **state)
     }
 }
 
-/* Light and dark, the colour that is told for a light is that of its curve; every sixth light has it again. */
+/* The colour told for a light is that of its curve, on light and dark grounds; every sixth light has it again. */
 static void test_light_colors(void **state)
 {
     (void)state;
     struct profiled made;
     luxel_drawing_style style;
     const int all[] = {0, 0, 400, 300};
+    double on_light[2][3];
     make_profile(&made, 1, 3);
     for (int dark = 0; dark < 2; dark++) {
         double first[3], again[3];
@@ -293,6 +294,9 @@ static void test_light_colors(void **state)
             const uint32_t wanted = (uint32_t)lround(255 * color[0]) << 16 | (uint32_t)lround(255 * color[1]) << 8 |
                                     (uint32_t)lround(255 * color[2]);
             assert_true(find(cairo, wanted, all).count > 80);
+            if (dark)
+                assert_memory_equal(color, on_light[light], sizeof color);
+            memcpy(on_light[light], color, sizeof color);
         }
         assert_int_equal(luxel_light_color(&style, 0, first), LUXEL_OK);
         assert_int_equal(luxel_light_color(&style, 6, again), LUXEL_OK);

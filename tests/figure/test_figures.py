@@ -263,18 +263,31 @@ def refused(tap, tool):
     tap.equal(tool.files(), [], "nothing was written")
 
 
+def in_digits_of(value, error, most):
+    """In the digits that an error leaves: down to the second one of its own."""
+    digits = math.floor(math.log10(abs(value))) - math.floor(math.log10(error)) + 2 if error > 0 else most
+    return "%.*g" % (min(digits, most), value)
+
+
 def reports(tap, tool):
     for name in builtin_scenes(tool):
         scene = coarse(tool, name)
-        result = tool.run("report", *scene, "-o", "r.pdf", "-o", "r.html", "--author", "A. Student", "--group", "4321")
+        result = tool.run("report", *scene, "-o", "r.pdf", "-o", "r.html", "-o", "r.md", "--author", "A. Student",
+                          "--group", "4321")
         tap.equal((result.code, result.out, result.err), (0, "", ""), "report on " + name)
         text, page = " ".join(text_of(tool, "r.pdf").split()), tool.read("r.html").decode()
+        told = [row.strip("|").split("|") for row in re.findall(r"^\| P\d.*", tool.read("r.md").decode(), re.M)]
         for i, point in enumerate(tool.run("probe", *scene, "--json").json()["points"]):
             if point["value"]:
-                tap.ok("%.12g" % point["value"] in text and "%.12g" % point["value"] in page,
-                       "%s: the value of P%d" % (name, i + 1), text[:3000])
-        maximum = tool.run("stats", *scene, "--json").json()["maximum"]["value"]
-        tap.ok("%.7g" % maximum in page, "%s: the true maximum" % name)
+                value, bound = (cell.strip() for cell in told[i][2:4])
+                tap.equal(value, in_digits_of(point["value"], point["error"], 12),
+                          "%s: the value of P%d" % (name, i + 1))
+                rounded = abs(float(in_digits_of(point["value"], point["error"], 17)) - point["value"])
+                tap.equal(bound, "%.2g" % (point["error"] + rounded), "%s: and its error" % name)
+                tap.ok(value in text and value in page, "%s: in the other formats" % name, text[:3000])
+        maximum = tool.run("stats", *scene, "--json").json()["maximum"]
+        tap.ok(" %s " % in_digits_of(maximum["value"], maximum["error"], 7) in text and
+               ">%s<" % in_digits_of(maximum["value"], maximum["error"], 7) in page, "%s: the true maximum" % name)
         tap.ok(not re.search(r"(src|href)=\"(?!data:|#)", page) and "<script" not in page,
                "%s: no outside links" % name)
 

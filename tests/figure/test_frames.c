@@ -148,12 +148,38 @@ static void small_and_refused(void **state)
     assert_int_equal(luxel_histogram_frame(&style, &histogram, NULL, NULL, 200, 100, NULL), LUXEL_ERROR_ARGUMENT);
 }
 
+/* Ticks have the mark that is asked for: drawings differ by it where there are fractions, and in nothing where not. */
+static void decimal_marks(void **state)
+{
+    (void)state;
+    for (int fractions = 0; fractions < 2; fractions++) {
+        const luxel_bar bar = {.low = 0, .high = fractions ? 2.5 : 5000};
+        cairo_surface_t *drawn[2];
+        for (int comma = 0; comma < 2; comma++) {
+            luxel_drawing_style style;
+            cairo_t *cairo = begin(&style, 10);
+            assert_int_equal(style.decimal_mark, '.');
+            style.decimal_mark = comma ? ',' : '.';
+            assert_int_equal(luxel_draw_bar(cairo, &style, &bar, WIDTH, HEIGHT), LUXEL_OK);
+            drawn[comma] = cairo_surface_reference(cairo_get_target(cairo));
+            cairo_surface_flush(drawn[comma]);
+            cairo_destroy(cairo);
+        }
+        const size_t size = (size_t)cairo_image_surface_get_stride(drawn[0]) * HEIGHT;
+        const int same = memcmp(cairo_image_surface_get_data(drawn[0]), cairo_image_surface_get_data(drawn[1]), size);
+        assert_int_equal(same != 0, fractions);
+        cairo_surface_destroy(drawn[0]);
+        cairo_surface_destroy(drawn[1]);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(profiles),
         cmocka_unit_test(histograms),
         cmocka_unit_test(small_and_refused),
+        cmocka_unit_test(decimal_marks),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

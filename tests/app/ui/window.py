@@ -145,8 +145,8 @@ class Window:
 
     def place_said(self):
         """The place under the pointer, in millimetres, as that line says it; None where it says none."""
-        return next((tuple(map(float, match.groups())) for match in (PLACE.match(label.name) for label in self.edge())
-                     if match), None)
+        return next((tuple(float(number.replace(",", ".")) for number in match.groups())
+                     for match in (PLACE.match(label.name) for label in self.edge()) if match), None)
 
     def edges(self):
         """The upper left corner of what areas are measured from, on the screen."""

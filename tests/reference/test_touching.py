@@ -1,0 +1,461 @@
+# SPDX-License-Identifier: MIT
+"""Every light with every body, apart and touching: direct light against sums over many points of the source, and
+reflected light in furnaces.
+
+The truth shares no code and no method with the library: stratified points of the lamp, each with its ray, which is
+tried against each body; and in a closed room of one reflectance, whatever stands in it, ambient light E makes
+E / (1 - rho) everywhere.  test_touching.py LUXEL 300 60 2000 tries 300 scenes and 60 furnaces from the seed 2000 on;
+LUXEL_CAMPAIGN is the share of the usual number in per cent.
+"""
+import json
+import math
+import os
+import random
+import resource
+import subprocess
+import sys
+import tempfile
+
+import numpy as np
+
+from tap import Tap
+
+SETS, SIDE = 16, 80       # sets of points of a lamp, and points along a side of each
+CERTAIN = 8               # standard errors of the sums that are granted
+NEAR = 1e-7               # of the way of a ray that is neither its begin nor its end
+SHOWN = 12
+PROCESSOR_S = 120         # for a scene
+FEW = 30                  # scenes, in which bodies may chance to hide nothing
+MATT = {"model": "lambert", "diffuse": 0.5}
+TOUCHES = ("apart", "tangent", "in one plane", "reaching in", "in a wall")
+
+
+# ---- vectors ----
+
+def unit(a):
+    return np.asarray(a, float) / np.linalg.norm(a)
+
+
+def beside(axis):
+    """Two directions at right angles to an axis and to each other."""
+    axis = unit(axis)
+    first = unit(np.cross(axis, np.eye(3)[np.argmin(np.abs(axis))]))
+    return first, np.cross(axis, first)
+
+
+# ---- what rays meet: whether a body lies between NEAR and 1 - NEAR of ways from a place ----
+
+def between(share):
+    return (share > NEAR) & (share < 1 - NEAR)
+
+
+def by_plane(place, ways, center, axis):
+    with np.errstate(divide="ignore", invalid="ignore"):
+        share = ((center - place) @ axis) / (ways @ axis)
+        met = place + share[:, None] * ways - center
+    return between(share), met
+
+
+def hides_rectangle(body, place, ways):
+    axis = unit(body["axis"])
+    up = np.array(body["up"], float)
+    up = unit(up - (up @ axis) * axis)
+    hit, met = by_plane(place, ways, np.array(body["center"]), axis)
+    return hit & (abs(met @ np.cross(up, axis)) < body["size"][0] / 2) & (abs(met @ up) < body["size"][1] / 2)
+
+
+def hides_disk(body, place, ways):
+    hit, met = by_plane(place, ways, np.array(body["center"]), unit(body["axis"]))
+    return hit & ((met * met).sum(1) < body["radius"] ** 2)
+
+
+def roots(a, b, c):
+    """Of a t^2 + 2 b t + c."""
+    with np.errstate(divide="ignore", invalid="ignore"):
+        root = np.sqrt(np.maximum(b * b - a * c, 0))
+        return b * b > a * c, (-b - root) / a, (-b + root) / a
+
+
+def hides_sphere(body, place, ways):
+    away = place - np.array(body["center"])
+    real, near, far = roots((ways * ways).sum(1), ways @ away, away @ away - body["radius"] ** 2)
+    return real & (between(near) | between(far))
+
+
+def hides_cylinder(body, place, ways):
+    axis, away = unit(body["axis"]), place - np.array(body["center"])
+    flat, start = ways - np.outer(ways @ axis, axis), away - (away @ axis) * axis
+    real, near, far = roots((flat * flat).sum(1), flat @ start, start @ start - body["radius"] ** 2)
+    hidden = np.zeros(len(ways), bool)
+    for share in near, far:
+        hidden |= real & between(share) & (abs(away @ axis + share * (ways @ axis)) < body["height"] / 2)
+    return hidden
+
+
+def hides_box(body, place, ways):
+    """The entrance or the exit lies between."""
+    half, away = np.array(body["size"]) / 2, place - np.array(body["center"])
+    with np.errstate(divide="ignore", invalid="ignore"):
+        low, high = (-half - away) / ways, (half - away) / ways
+    enters, leaves = np.fmin(low, high).max(1), np.fmax(low, high).min(1)
+    return (enters < leaves) & (between(enters) | between(leaves))
+
+
+def hides_mesh(body, place, ways):
+    hidden = np.zeros(len(ways), bool)
+    corners = np.array(body["corners"])
+    for face in body["faces"]:
+        a, b, c = corners[list(face)]
+        normal = np.cross(b - a, c - a)
+        hit, met = by_plane(place, ways, a, unit(normal))
+        inside = np.ones(len(ways), bool)
+        for p, q in ((a, b), (b, c), (c, a)):
+            inside &= (met + a - p) @ np.cross(normal, q - p) > 0
+        hidden |= hit & inside
+    return hidden
+
+
+HIDES = {"rectangle": hides_rectangle, "disk": hides_disk, "sphere": hides_sphere, "cylinder": hides_cylinder,
+         "box": hides_box, "mesh": hides_mesh}
+
+
+# ---- points of lamps, with their normals and areas ----
+
+def on_parallelogram(corner, a, b, u, v):
+    normal = np.cross(a, b)
+    area = np.linalg.norm(normal)
+    return corner + np.outer(u, a) + np.outer(v, b), np.tile(normal / area, (len(u), 1)), np.full(len(u), area)
+
+
+def points_of(light, u, v):
+    """Points of a lamp's surface for places of the unit square, their normals, and the area per unit of the square."""
+    shape, what = next((key, light[key]) for key in ("rectangle", "disk", "vertices", "box", "sphere", "cylinder")
+                       if key in light)
+    if shape == "rectangle":
+        axis = unit(what["axis"])
+        up = np.array(what["up"], float)
+        up = unit(up - (up @ axis) * axis)
+        right = np.cross(up, axis) * what["size"][0]
+        up = up * what["size"][1]
+        return on_parallelogram(np.array(what["center"]) - right / 2 - up / 2, right, up, u, v)
+    if shape == "disk":
+        axis, (first, second) = unit(what["axis"]), beside(what["axis"])
+        r, t = what["radius"] * np.sqrt(u), 2 * math.pi * v
+        return (np.array(what["center"]) + np.outer(r * np.cos(t), first) + np.outer(r * np.sin(t), second),
+                np.tile(axis, (len(u), 1)), np.full(len(u), math.pi * what["radius"] ** 2))
+    if shape == "vertices":  # convex
+        corners, parts = np.array(what, float), []
+        for i in range(1, len(corners) - 1):
+            a, b = corners[i] - corners[0], corners[i + 1] - corners[0]
+            normal, root = np.cross(a, b), np.sqrt(u)
+            parts.append((corners[0] + np.outer(root * (1 - v), a) + np.outer(root * v, b),
+                          np.tile(unit(normal), (len(u), 1)), np.full(len(u), np.linalg.norm(normal) / 2)))
+        return tuple(np.concatenate(each) for each in zip(*parts))
+    center = np.array(what["center"], float)
+    if shape == "box":
+        size, parts = np.array(what["size"], float), []
+        for axis in range(3):
+            for sign in -1, 1:
+                a, b, c = (np.eye(3)[(axis + k) % 3] * size[(axis + k) % 3] for k in (1, 2, 0))
+                a, c = a * sign, c * sign
+                parts.append(on_parallelogram(center + c / 2 - a / 2 - b / 2, a, b, u, v))
+        return tuple(np.concatenate(each) for each in zip(*parts))
+    if shape == "sphere":
+        height, turn = 2 * u - 1, 2 * math.pi * v
+        flat = np.sqrt(1 - height * height)
+        normals = np.stack([flat * np.cos(turn), flat * np.sin(turn), height], 1)
+        return center + what["radius"] * normals, normals, np.full(len(u), 4 * math.pi * what["radius"] ** 2)
+    axis, (first, second), turn = unit(what["axis"]), beside(what["axis"]), 2 * math.pi * v
+    around = np.outer(np.cos(turn), first) + np.outer(np.sin(turn), second)
+    side = (center + what["radius"] * around + np.outer((u - 0.5) * what["height"], axis), around,
+            np.full(len(u), 2 * math.pi * what["radius"] * what["height"]))
+    ends = [(center + sign * axis * what["height"] / 2 + (what["radius"] * np.sqrt(u))[:, None] * around,
+             np.tile(sign * axis, (len(u), 1)), np.full(len(u), math.pi * what["radius"] ** 2)) for sign in (-1, 1)]
+    return tuple(np.concatenate(each) for each in zip(side, *ends))
+
+
+def truth(scene, place, normal, rng):
+    """The irradiance by each set of points, and that without bodies."""
+    sums, whole = [], []
+    light = scene["lights"][0]
+    for _ in range(SETS):
+        steps = np.arange(SIDE)
+        u, v = (grid.ravel() for grid in np.meshgrid(steps, steps))
+        u, v = (u + rng.random(len(u))) / SIDE, (v + rng.random(len(v))) / SIDE
+        points, normals, areas = points_of(light, u, v)
+        ways = points - place
+        squares = (ways * ways).sum(1)
+        given = np.maximum(ways @ normal, 0) * np.maximum(-(ways * normals).sum(1), 0) / squares ** 2 * areas
+        given *= light["radiance"] / len(u)
+        shines = given > 0
+        ways, given = ways[shines], given[shines]
+        whole.append(given.sum())
+        seen = np.ones(len(ways), bool)
+        for body in scene["surfaces"]:
+            seen &= ~HIDES[body["type"]](body, place, ways)
+        sums.append(given[seen].sum())
+    return np.array(sums), np.mean(whole)
+
+
+# ---- scenes ----
+
+def number(rng, low, high, is_round):
+    value = rng.uniform(low, high)
+    return round(value / 50) * 50.0 if is_round else value
+
+
+def direction(rng, is_round):
+    if is_round:
+        return [float(x) for x in rng.choice([(1, 0, 0), (0, 1, 0), (0, 0, 1), (0, 0, -1), (-1, 0, 0), (1, 0, 1)])]
+    return list(unit([rng.gauss(0, 1) for _ in range(3)]))
+
+
+def lamp_of(kind, rng, is_round):
+    """A lamp around (0, 0, 1000), most of which shine down."""
+    axis = [0.0, 0.0, -1.0] if rng.random() < 0.6 else direction(rng, is_round)
+    up = list(beside(axis)[0]) if rng.random() < 0.5 else list(beside(axis)[1])
+    center, size = [0.0, 0.0, 1000.0], [max(number(rng, 100, 600, is_round), 50) for _ in range(3)]
+    shapes = {"rectangle": {"center": center, "size": size[:2], "axis": axis, "up": up},
+              "disk": {"center": center, "radius": size[0] / 2, "axis": axis},
+              "box": {"center": center, "size": size}, "sphere": {"center": center, "radius": size[0] / 2},
+              "cylinder": {"center": center, "radius": size[0] / 4, "height": size[1], "axis": axis}}
+    if kind == "vertices":
+        first, second = beside(axis)
+        turns = sorted(rng.uniform(0, 2 * math.pi) for _ in range(rng.randint(3, 6)))
+        what = [list(np.array(center) + size[0] / 2 * (math.cos(t) * first + math.sin(t) * second)) for t in turns]
+    else:
+        what = shapes[kind]
+    is_flat = kind in ("rectangle", "disk", "vertices")
+    return {"type": "planar" if is_flat else "volume", kind: what, "radiance": 100.0}, axis
+
+
+def body_of(kind, rng, is_round, center, axis, scale):
+    size = [max(number(rng, 0.3 * scale, 1.6 * scale, is_round), 50) for _ in range(3)]
+    first, second = beside(axis)
+    center, axis = [float(x) for x in center], [float(x) for x in axis]
+    if kind == "mesh":  # a tetrahedron or a plate of two triangles, turned by the axis
+        a, b, c = first * size[0] / 2, second * size[1] / 2, unit(axis) * size[2] / 2
+        middle = np.array(center)
+        if rng.random() < 0.5:
+            corners, faces = [middle - a - b, middle + a - b, middle + a + b, middle - a + b], [(0, 1, 2), (0, 2, 3)]
+        else:
+            corners = [middle - c, middle + a, middle + b, middle - a - b]
+            faces = [(0, 2, 1), (0, 3, 2), (0, 1, 3), (1, 2, 3)]
+        return {"type": "mesh", "corners": [[float(x) for x in p] for p in corners], "faces": faces}
+    return {"type": kind, "center": center, **{
+        "rectangle": {"size": size[:2], "axis": axis, "up": list(first)}, "disk": {"radius": size[0] / 2, "axis": axis},
+        "sphere": {"radius": size[0] / 2}, "cylinder": {"radius": size[0] / 4, "height": size[1], "axis": axis},
+        "box": {"size": size}}[kind]}
+
+
+def reach(body, way):
+    """How far a body reaches from its centre along a direction."""
+    way = unit(way)
+    if body["type"] == "sphere":
+        return body["radius"]
+    if body["type"] == "box":
+        return float(np.abs(way) @ np.array(body["size"]) / 2)
+    if body["type"] == "mesh":
+        return 0.0
+    axis = unit(body["axis"])
+    flat = math.sqrt(max(1 - (way @ axis) ** 2, 0))
+    if body["type"] == "disk":
+        return body["radius"] * flat
+    if body["type"] == "cylinder":
+        return body["radius"] * flat + abs(way @ axis) * body["height"] / 2
+    up = np.array(body["up"])
+    return float(abs(way @ up) * body["size"][1] + abs(way @ np.cross(up, axis)) * body["size"][0]) / 2
+
+
+def make(lamp, bodies, touch, rng):
+    is_round = rng.random() < 0.5
+    light, axis = lamp_of(lamp, rng, is_round)
+    what = {"type": lamp, **light[lamp]} if lamp != "vertices" else None
+    surfaces = []
+    for kind in bodies:
+        way = unit([rng.gauss(0, 1), rng.gauss(0, 1), -abs(rng.gauss(0, 2))]) if not is_round else np.array(
+            rng.choice([(0, 0, -1), (1, 0, 0), (0, 1, 0), (0, 0, -1)]), float)
+        facing = axis if touch in ("in one plane", "in a wall") or rng.random() < 0.3 else direction(rng, is_round)
+        body = body_of(kind, rng, is_round, (0, 0, 0), facing, 400)
+        if touch == "apart":
+            away = rng.uniform(500, 700) * way
+        elif touch == "tangent" and what:
+            away = (reach(what, way) + reach(body, way)) * way
+        elif touch in ("in one plane", "in a wall"):
+            first, second = beside(axis)
+            away = 0 * first if touch == "in a wall" else number(rng, 100, 500, is_round) * first + number(
+                rng, -200, 200, is_round) * second
+        else:
+            away = number(rng, 0, 300, is_round) * way
+        center = np.array([0, 0, 1000.0]) + away
+        if kind == "mesh":
+            body["corners"] = [[float(x) for x in np.array(p) + center] for p in body["corners"]]
+        else:
+            body["center"] = [float(x) for x in center]
+        surfaces.append(body)
+    elements = []
+    for _ in range(4):
+        place = [number(rng, -500, 500, is_round), number(rng, -500, 500, is_round), number(rng, 0, 600, is_round)]
+        normal = [0.0, 0.0, 1.0] if rng.random() < 0.6 else [rng.gauss(0, 0.5), rng.gauss(0, 0.5), 1.0]
+        elements.append((place, [float(x) for x in unit(normal)]))
+    return {"lights": [light], "surfaces": surfaces}, elements
+
+
+# ---- the trial ----
+
+def ask(luxel, scene, elements, folder, *options):
+    """What luxel tells of the elements."""
+    surfaces = []
+    for i, body in enumerate(scene["surfaces"]):
+        if body["type"] == "mesh":
+            with open(os.path.join(folder, "body%d.off" % i), "w") as file:
+                file.write("OFF\n%d %d 0\n" % (len(body["corners"]), len(body["faces"])))
+                file.writelines("%r %r %r\n" % tuple(corner) for corner in body["corners"])
+                file.writelines("3 %d %d %d\n" % tuple(face) for face in body["faces"])
+            body = {"type": "mesh", "file": "body%d.off" % i, "normals": "flat",
+                    **({"material": body["material"]} if "material" in body else {})}
+        surfaces.append({"material": MATT, **body})
+    with open(os.path.join(folder, "scene.yaml"), "w") as file:
+        json.dump({"luxel": 1, "shadows": "all", "screen": {"width": 4000, "height": 4000, "resolution": [40, 40]},
+                   "observer": {"z": 9000}, **scene, "surfaces": surfaces}, file)
+    with open(os.path.join(folder, "places.csv"), "w") as file:
+        file.write("x,y,z,nx,ny,nz\n")
+        file.writelines(",".join("%.17g" % x for x in place + normal) + "\n" for place, normal in elements)
+    done = subprocess.run([luxel, "probe", "scene.yaml", "--points", "places.csv", "--quantity", "irradiance", "--json",
+                           *options], cwd=folder, capture_output=True, encoding="utf-8",
+                          preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_CPU, (PROCESSOR_S, PROCESSOR_S)))
+    if done.returncode not in (0, 5):
+        raise RuntimeError(done.stderr or "ended by %d" % done.returncode)
+    return json.loads(done.stdout)["points"]
+
+
+def direct(tap, luxel, count, seed):
+    """No error is larger than the bound that is told, and no bound larger than what arrives without bodies."""
+    lamps, kinds = ("rectangle", "disk", "vertices", "box", "sphere", "cylinder"), list(HIDES)
+    false, wide, answered, hidden = [], [], 0, 0
+    for i in range(count):
+        rng, points = random.Random(seed + i), np.random.default_rng(seed + i)
+        lamp, touch = lamps[i % len(lamps)], TOUCHES[i // len(lamps) % len(TOUCHES)]
+        bodies = [kinds[i // (len(lamps) * len(TOUCHES)) % len(kinds)] if i < 180 else rng.choice(kinds)]
+        bodies += [rng.choice(kinds)] if rng.random() < 0.3 else []
+        scene, elements = make(lamp, bodies, touch, rng)
+        with tempfile.TemporaryDirectory() as folder:
+            try:
+                told = ask(luxel, scene, elements, folder)
+            except RuntimeError as fault:
+                false.append("%d: %s, %s %s: %s" % (seed + i, lamp, ", ".join(bodies), touch, str(fault)[:300]))
+                continue
+        for (place, normal), point in zip(elements, told):
+            if point.get("value") is None:
+                continue
+            sums, whole = truth(scene, np.array(place), np.array(normal), points)
+            doubt = CERTAIN * sums.std(ddof=1) / math.sqrt(SETS)
+            answered += 1
+            hidden += bool(sums.mean() < 0.999 * whole)
+            words = "%d: %s, %s %s at %s %s: told %.9g ± %.2g, is %.9g ± %.2g of %.6g" % (
+                seed + i, lamp, ", ".join(bodies), touch, place, [round(x, 4) for x in normal], point["value"],
+                point["error"], sums.mean(), doubt, whole)
+            if abs(point["value"] - sums.mean()) > point["error"] + doubt + 1e-9 * whole:
+                false.append(words)
+            if point["error"] > 1.01 * whole + 1e-12:
+                wide.append(words)
+    tap.ok(not false, "%d places of %d scenes are within their bounds" % (answered, count), *false[:SHOWN])
+    tap.ok(not wide, "no bound is larger than what arrives without bodies", *wide[:SHOWN])
+    tap.ok(hidden > answered / 8 or count < FEW, "bodies hide something of the lamp", hidden, answered)
+
+
+# ---- furnaces ----
+
+ROOM_MM = (4000.0, 3000.0, 2500.0)  # around (0, 0, 1250)
+
+
+def is_within(body, place):
+    """Whether a place lies in a body or so near that it is doubtful; for a mesh, in its box."""
+    away = np.array(place) - np.array(body.get("center", (0, 0, 0)))
+    if body["type"] == "mesh":
+        corners = np.array(body["corners"])
+        return bool(((corners.min(0) - 20 < place) & (place < corners.max(0) + 20)).all())
+    if body["type"] == "sphere":
+        return np.linalg.norm(away) < body["radius"] + 20
+    if body["type"] == "box":
+        return bool((np.abs(away) < np.array(body["size"]) / 2 + 20).all())
+    axis = unit(body["axis"])
+    along, aside = abs(away @ axis), math.sqrt(max(away @ away - (away @ axis) ** 2, 0))
+    if body["type"] == "cylinder":
+        return along < body["height"] / 2 + 20 and aside < body["radius"] + 20
+    return along < 20
+
+
+def furnace(rng, kinds):
+    """A room of one reflectance with bodies that stand on its floor, in its walls, on or in each other, or free."""
+    material = {"model": "lambert", "diffuse": rng.choice([0.2, 0.5, 0.7, 0.8]), "over_pi": True}
+    is_round, surfaces = rng.random() < 0.6, []
+    for kind in kinds:
+        axis = direction(rng, is_round)
+        body = body_of(kind, rng, is_round, (0, 0, 0), axis, 500)
+        away = np.array([number(rng, -1200, 1200, is_round), number(rng, -800, 800, is_round), 1250.0])
+        where = rng.choice(["free", "on the floor", "in a wall", "at another"])
+        if where == "on the floor":
+            away[2] = reach(body, (0, 0, 1))
+        elif where == "in a wall":
+            away[0] = 2000.0
+        elif where == "at another" and surfaces and "center" in surfaces[-1]:
+            way = np.array(rng.choice([(1, 0, 0), (0, 1, 0), (0, 0, 1)]), float)
+            share = rng.choice([1, 0.5, 0.9])
+            away = np.array(surfaces[-1]["center"]) + share * (reach(body, way) + reach(surfaces[-1], way)) * way
+        if kind == "mesh":
+            body["corners"] = [[float(x) for x in np.array(p) + away] for p in body["corners"]]
+        else:
+            body["center"] = [float(x) for x in away]
+        surfaces.append({**body, "material": material})
+    elements = []
+    while len(elements) < 3:
+        place = [rng.uniform(-1900, 1900), rng.uniform(-1400, 1400), rng.choice([0.0, rng.uniform(100, 2400)])]
+        if not any(is_within(body, place) for body in surfaces):
+            elements.append((place, [0.0, 0.0, 1.0] if place[2] == 0 else [float(x) for x in unit(
+                [rng.gauss(0, 1) for _ in range(3)])]))
+    room = {"type": "room", "center": [0.0, 0.0, ROOM_MM[2] / 2], "size": list(ROOM_MM), "material": material}
+    scene = {"reflections": "all", "lights": [{"type": "ambient", "irradiance": 100}], "surfaces": [room, *surfaces]}
+    return scene, elements, 100 / (1 - material["diffuse"])
+
+
+def furnaces(tap, luxel, count, seed):
+    """Every value is that of the furnace within its bound, and the bound no larger than that value."""
+    kinds, false, wide, answered = list(HIDES), [], [], 0
+    for i in range(count):
+        rng = random.Random(seed + i)
+        bodies = [kinds[i % len(kinds)]] + [rng.choice(kinds) for _ in range(rng.randint(0, 2))]
+        scene, elements, value = furnace(rng, bodies)
+        with tempfile.TemporaryDirectory() as folder:
+            try:
+                told = ask(luxel, scene, elements, folder, "--reflected-error", "0.01")
+            except RuntimeError as fault:
+                false.append("%d: %s: %s" % (seed + i, ", ".join(bodies), str(fault)[-300:]))
+                continue
+        for (place, normal), point in zip(elements, told):
+            if point.get("value") is None:
+                continue
+            answered += 1
+            words = "%d: %s at %s %s: told %.9g ± %.2g, is %.9g" % (
+                seed + i, ", ".join(bodies), place, [round(x, 4) for x in normal], point["value"], point["error"],
+                value)
+            if abs(point["value"] - value) > point["error"] + 1e-9 * value:
+                false.append(words)
+            if point["error"] > value:
+                wide.append(words)
+    tap.ok(not false, "%d places of %d furnaces are within their bounds" % (answered, count), *false[:SHOWN])
+    tap.ok(not wide, "no bound is larger than the value", *wide[:SHOWN])
+
+
+def main():
+    share = int(os.environ.get("LUXEL_CAMPAIGN", "100")) / 100
+    counts = [max(round(usual * share), 3) for usual in (60, 12)]
+    given = [int(word) for word in sys.argv[2:]] + [1000]
+    counts[:len(given) - 1] = given[:-1][:2]
+    tap, luxel, seed = Tap(), os.path.abspath(sys.argv[1]), given[2] if len(given) > 3 else 1000
+    tap.run(direct, tap, luxel, counts[0], seed)
+    tap.run(furnaces, tap, luxel, counts[1], seed)
+    tap.finish()
+
+
+main()
