@@ -11,6 +11,7 @@
 #include "../light/distribution.h"
 #include "../light/placed.h"
 #include "../parameter/words.h"
+#include "../world/albedo.h"
 #include "../world/camera.h"
 #include "explain.h"
 #include "parameter_tables.h"
@@ -111,6 +112,23 @@ static void explain_height(const struct lx_steps *steps, const struct lx_surface
     end(steps, &line);
 }
 
+/* What the material reflects in all. */
+static void explain_albedo(const struct lx_steps *steps)
+{
+    const struct lx_element *element = steps->element;
+    char number[LX_NUMBER_SIZE];
+    const double albedo = lx_material_albedo(element->own->material, lx_dot3(element->normal, element->view).value);
+    if (!(albedo >= 0))
+        return;
+    lx_document_paragraph(steps->document,
+                          albedo > 1 ? LX_N("Of light that came from all sides alike the material would send {0} % "
+                                            "this way: more than falls in, as highlights do that nothing keeps in "
+                                            "bounds.")
+                                     : LX_N("Of light that came from all sides alike the material would send {0} % "
+                                            "this way."),
+                          LX_SPANS(LX_PLAIN(lx_write_digits(100 * albedo, 4, number))));
+}
+
 void lx_explain_place(const struct lx_steps *steps, double x_mm, double y_mm)
 {
     const struct lx_camera *camera = &steps->prepared->camera;
@@ -145,6 +163,8 @@ void lx_explain_place(const struct lx_steps *steps, double x_mm, double y_mm)
                                    : "\\mathbf{V} = \\frac{\\mathbf{O} - \\mathbf{P}}{|\\mathbf{O} - \\mathbf{P}|} = ");
     vector(&line, &element->view);
     end(steps, &line);
+    if (steps->quantity == LUXEL_BRIGHTNESS)
+        explain_albedo(steps);
 }
 
 /* ---- a point-like light ---- */
@@ -328,7 +348,7 @@ static void explain_diffuse(const struct lx_steps *steps, const struct lx_sample
                             const luxel_light_share *share)
 {
     const struct lx_lobe *lobe = steps->element->lobe;
-    double cosine = dot(&steps->element->normal, &sample->towards);
+    double cosine = dot(&steps->element->normal, &sample->towards), factor = 1;
     struct line line = {{0}};
     say(&line, "\\mathbf{N} \\cdot \\mathbf{L} = ");
     number(&line, cosine);
@@ -348,9 +368,21 @@ static void explain_diffuse(const struct lx_steps *steps, const struct lx_sample
     end(steps, &line);
     if (steps->quantity == LUXEL_IRRADIANCE)
         return;
-    say(&line, "B_d = p\\, k_d E = ");
+    if (lx_lobe_is_rough(lobe)) {
+        const struct lx_lobe rough = lx_lobe_of_diffuse(lobe);
+        const struct lx_lobe_kind *kind = lx_lobe_kind_of(&rough);
+        factor = kind->value(&rough, steps->element->normal, steps->element->view, sample->towards).value;
+        say(&line, kind->words.step);
+        number(&line, factor);
+        end(steps, &line);
+    }
+    say(&line, lx_lobe_is_rough(lobe) ? "B_d = p\\, k_d\\, D\\, E = " : "B_d = p\\, k_d E = ");
     number(&line, lobe->diffuse.value);
     say(&line, " \\cdot ");
+    if (lx_lobe_is_rough(lobe)) {
+        number(&line, factor);
+        say(&line, " \\cdot ");
+    }
     number(&line, share->irradiance);
     say(&line, " = ");
     number(&line, share->diffuse);
@@ -450,7 +482,8 @@ static void explain_sum(const struct lx_steps *steps, const luxel_light_share *s
     say(&line, "E = ");
     number(&line, share->irradiance);
     if (steps->quantity == LUXEL_BRIGHTNESS) {
-        say(&line, ", \\qquad B_d = p\\, k_d E = ");
+        say(&line, lx_lobe_is_rough(steps->element->lobe) ? ", \\qquad B_d = p\\, k_d \\int D\\, dE = "
+                                                          : ", \\qquad B_d = p\\, k_d E = ");
         number(&line, share->diffuse);
         if (lx_lobe_kind_of(steps->element->lobe)->value) {
             say(&line, ", \\qquad B_s = ");
