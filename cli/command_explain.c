@@ -106,6 +106,7 @@ static int write_point(struct json *json, const struct options *options, const s
             json_null(json, "error");
         }
         result_write_reflected(json, probe);
+        result_write_albedo(json, loaded->scene, probe);
         json_open(json, "alternatives", '[');
         for (size_t i = 0; i < alternatives->count; i++)
             write_alternative(json, &alternatives->list[i]);

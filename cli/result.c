@@ -136,6 +136,9 @@ static void write_share(struct json *json, const struct light_strengths *lights,
     json_close(json, '}');
 }
 
+/* Of more places than these none is told: it is an integral for each. */
+enum { MOST_ALBEDOS = 1000 };
+
 static void write_number_if(struct json *json, const char *key, bool exists, double value)
 {
     if (exists)
@@ -172,7 +175,9 @@ static void write_element(struct json *json, const luxel_probe *probe)
         json_null(json, "inside");
 }
 
-static void write_probe(struct json *json, const struct light_strengths *lights, const luxel_probe *probe)
+/* `scene`: NULL where nobody waits for the albedo. */
+static void write_probe(struct json *json, const luxel_scene *scene, const struct light_strengths *lights,
+                        const luxel_probe *probe)
 {
     char reason[TEXT_SIZE];
 
@@ -188,6 +193,8 @@ static void write_probe(struct json *json, const struct light_strengths *lights,
     write_number_if(json, "error", probe->has_value, probe->error);
     write_numbers_if(json, "position", probe->on_surface, probe->position_mm, 3);
     write_numbers_if(json, "normal", probe->on_surface, probe->normal, 3);
+    if (scene)
+        result_write_albedo(json, scene, probe);
     if (!probe->has_screen)
         write_element(json, probe);
     json_open(json, "lights", '[');
@@ -229,6 +236,13 @@ void result_write_conventions(struct json *json, const luxel_scene *scene, const
     luxel_conventions_free(conventions);
 }
 
+void result_write_albedo(struct json *json, const luxel_scene *scene, const luxel_probe *probe)
+{
+    const double albedo = luxel_probe_albedo(scene, probe);
+
+    write_number_if(json, "albedo", albedo >= 0, albedo);
+}
+
 void result_write_json(FILE *stream, const struct result *result)
 {
     struct json json = {.stream = stream};
@@ -243,7 +257,8 @@ void result_write_json(FILE *stream, const struct result *result)
     write_statistics(&json, result->statistics);
     json_open(&json, "points", '[');
     for (size_t i = 0; i < result->count; i++)
-        write_probe(&json, &lights, luxel_probes_get(result->probes, i));
+        write_probe(&json, result->count <= MOST_ALBEDOS ? result->scene : NULL, &lights,
+                    luxel_probes_get(result->probes, i));
     json_close(&json, ']');
     if (result->statistics && result->statistics->has_reflected)
         json_number(&json, "reflected_error", result->statistics->reflected_error);

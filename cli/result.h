@@ -41,6 +41,9 @@ void result_write_extremum(struct json *json, const char *key, const luxel_extre
 /* Writes what is reflected to a probe as the member `reflected`; nothing where the scene reflects no light. */
 void result_write_reflected(struct json *json, const luxel_probe *probe);
 
+/* Writes the directional albedo of a probe's material at its view as the member `albedo`; null where it has none. */
+void result_write_albedo(struct json *json, const luxel_scene *scene, const luxel_probe *probe);
+
 /* Writes the object of SPEC's `--json`, and prints it on standard output. */
 void result_write_json(FILE *stream, const struct result *result);
 void result_print_json(const struct result *result);

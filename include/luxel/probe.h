@@ -113,6 +113,13 @@ LUXEL_API luxel_status luxel_probe_element(const luxel_scene *scene, const luxel
 LUXEL_API luxel_status luxel_probe_place(const luxel_scene *scene, const luxel_settings *settings,
                                          const luxel_place *place, luxel_diagnostics *diagnostics, luxel_probe **probe);
 
+/*
+ * What the probe's material reflects towards its view of light that comes from all sides alike, as a share of that: the
+ * directional albedo, above 1 where more is sent back than falls in.  It is that of the weights divided by pi, whether
+ * or not the material is over_pi.  NaN: off every surface, seen from behind, or not one of this scene.
+ */
+LUXEL_API double luxel_probe_albedo(const luxel_scene *scene, const luxel_probe *probe);
+
 /* Frees a probe with its shares; NULL is harmless. */
 LUXEL_API void luxel_probe_free(luxel_probe *probe);
 

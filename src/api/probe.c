@@ -12,7 +12,9 @@
 #include "../base/memory.h"
 #include "../base/number.h"
 #include "../base/rows.h"
+#include "../scene/materials.h"
 #include "../scene/scene.h"
+#include "../world/albedo.h"
 #include "../world/bodies.h"
 #include "../world/camera.h"
 #include "../world/evaluate.h"
@@ -53,6 +55,16 @@ void luxel_probes_free(luxel_probes *probes)
     free(probes->named);
     free((void *)probes->surface_names);
     free(probes);
+}
+
+double luxel_probe_albedo(const luxel_scene *scene, const luxel_probe *probe)
+{
+    if (!scene || !luxel_scene_is_committed(scene) || !probe || !probe->on_surface ||
+        probe->surface >= lx_scene_parameters(scene)->surfaces.count)
+        return (double)NAN;
+    const double *n = probe->normal, *v = probe->view;
+    const struct lx_scene_material at = lx_material_of(lx_scene_parameters(scene), probe->surface, probe->part);
+    return lx_material_albedo(at.material, n[0] * v[0] + n[1] * v[1] + n[2] * v[2]);
 }
 
 void luxel_probe_free(luxel_probe *probe)

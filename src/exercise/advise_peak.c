@@ -11,6 +11,7 @@
 #include "../material/lobe.h"
 #include "../scene/materials.h"
 #include "../surface/part.h"
+#include "../world/albedo.h"
 #include "adviser.h"
 
 /* Below this the highlight raises the maximum by too little to be told from the diffuse light. */
@@ -136,6 +137,29 @@ static void advise_place(struct lx_adviser *adviser)
     for (size_t i = 0; i < adviser->parameters->lights.count && i < 8; i++)
         if (i != now->strongest && lx_try_places(adviser, peaks_inside, i))
             return;
+}
+
+/* ---- how much is reflected ---- */
+
+/* A material that sends back more light than falls in, which a highlight without a norm easily does. */
+static void advise_albedo(struct lx_adviser *adviser)
+{
+    for (struct lx_scene_material at = {0}; lx_next_material(adviser->parameters, &at);) {
+        char words[LX_ADVICE_SIZE], number[LX_NUMBER_SIZE], key[LX_MATERIAL_KEY_SIZE];
+        const double albedo = lx_material_albedo(at.material, 1);
+        struct lx_material matt = *at.material;
+        matt.specular = 0;
+        const double diffuse = lx_material_albedo(&matt, 1), glossy = albedo - diffuse;
+        if (!(albedo > 1 + 1e-9) || !(glossy > 0))
+            continue;
+        lx_advise(adviser, about_material(&at, "specular"), LX_MSG_ALBEDO_ABOVE_ONE,
+                  lx_write_digits(100 * albedo, 4, number));
+        const double left = floor(100 * at.material->specular * (1 - diffuse) / glossy) / 100;
+        if (!(left > 0))
+            continue;
+        snprintf(words, sizeof words, "%s.specular=%s", lx_material_key(&at, key), lx_write_number(left, number));
+        lx_suggest(adviser, (const char *const[]){words, NULL});
+    }
 }
 
 /* ---- the highlight ---- */
@@ -316,6 +340,7 @@ luxel_status luxel_scene_advise_peak(const luxel_scene *scene, luxel_diagnostics
     if (status != LUXEL_OK)
         return status;
     lx_advise_distances(&adviser);
+    advise_albedo(&adviser);
     if (!look(&adviser, NULL, &adviser.now) || !adviser.now.is_seen)
         return adviser.out_of_memory ? lx_out_of_memory(diagnostics) : LUXEL_OK;
     if (adviser.now.maximum < LX_LEAST_LIT) {

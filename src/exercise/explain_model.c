@@ -303,7 +303,7 @@ static void explain_ambient(struct luxel_document *document, const struct lx_pre
 /* Whether two materials reflect by one formula, whatever numbers stand in it. */
 static bool is_alike(const struct lx_material *one, const struct lx_material *other)
 {
-    return one->model == other->model && one->over_pi == other->over_pi &&
+    return one->model == other->model && one->diffuse_model == other->diffuse_model && one->over_pi == other->over_pi &&
            (!lx_power_lobe_of((enum lx_model)one->model) ||
             (one->highlight == other->highlight && one->normalized == other->normalized));
 }
@@ -329,17 +329,33 @@ static void name_alike(struct luxel_document *document, const struct lx_scene_pa
     lx_text_clear(&names);
 }
 
+/* The weight of the diffuse part in formulas. */
+#define KD "k_d"
+
 static void explain_material(struct luxel_document *document, const struct lx_material *material)
 {
     const struct lx_lobe_kind *kind = lx_lobe_kinds[material->model];
+    const struct lx_lobe_kind *diffuse = lx_lobe_kinds[LX_LAMBERT + material->diffuse_model];
     const bool is_normalized = material->normalized && kind->words.normalized;
+    const char *words = is_normalized ? kind->words.normalized : kind->words.brightness;
+    const char *lambertian = material->diffuse_model != 0 ? strstr(words, KD) : NULL;
+    struct lx_text formula = {0};
     if (kind->words.definition)
         lx_document_formula(document, kind->words.definition);
-    lx_show_formula(document, "B = $E_{\\perp} $", material->over_pi ? "\\frac{1}{\\pi}\\, " : "",
-                    is_normalized ? kind->words.normalized : kind->words.brightness);
+    lx_add_notation(&formula, "B = $E_{\\perp} ", material->over_pi ? "\\frac{1}{\\pi}\\, " : "");
+    if (lambertian) /* D stands behind its weight */
+        lx_text_printf(&formula, "%.*s" KD "\\, D %s", (int)(lambertian - words), words, lambertian + strlen(KD));
+    else
+        lx_add_notation(&formula, "$", words);
+    lx_end_formula(document, &formula);
+    if (lambertian) {
+        lx_document_paragraph(document, LX_N("Its diffuse part is that of a rough surface:"), NULL);
+        lx_document_formula(document, diffuse->words.definition);
+        lx_document_formula(document, diffuse->words.constant);
+    }
     if (kind->power)
         explain_weight(document, material);
-    if (is_normalized)
+    if (kind->words.constant && (is_normalized || !kind->words.normalized))
         lx_document_formula(document, kind->words.constant);
 }
 

@@ -12,6 +12,7 @@
 #include "../light/distribution.h"
 #include "../light/placed.h"
 #include "../parameter/words.h"
+#include "../world/albedo.h"
 #include "../world/camera.h"
 #include "explain.h"
 #include "parameter_tables.h"
@@ -125,6 +126,23 @@ static void explain_height(const struct lx_steps *steps, const struct lx_surface
     lx_end_formula(steps->document, &text);
 }
 
+/* What the material reflects in all. */
+static void explain_albedo(const struct lx_steps *steps)
+{
+    const struct lx_element *element = steps->element;
+    char number[LX_NUMBER_SIZE];
+    const double albedo = lx_material_albedo(element->own->material, lx_dot3(element->normal, element->view).value);
+    if (!(albedo >= 0))
+        return;
+    lx_document_paragraph(steps->document,
+                          albedo > 1 ? LX_N("Of light that came from all sides alike the material would send {0} % "
+                                            "this way: more than falls in, as highlights do that nothing keeps in "
+                                            "bounds.")
+                                     : LX_N("Of light that came from all sides alike the material would send {0} % "
+                                            "this way."),
+                          LX_SPANS(LX_PLAIN(lx_write_digits(100 * albedo, 4, number))));
+}
+
 void lx_explain_place(const struct lx_steps *steps, double x_mm, double y_mm)
 {
     const struct lx_camera *camera = &steps->prepared->camera;
@@ -151,6 +169,8 @@ void lx_explain_place(const struct lx_steps *steps, double x_mm, double y_mm)
                         ? "\\mathbf{V} = @"
                         : "\\mathbf{V} = \\frac{\\mathbf{O} - \\mathbf{P}}{|\\mathbf{O} - \\mathbf{P}|} = @",
                     &element->view);
+    if (steps->quantity == LUXEL_BRIGHTNESS)
+        explain_albedo(steps);
 }
 
 /* ---- a point-like light ---- */
@@ -298,9 +318,19 @@ static void explain_diffuse(const struct lx_steps *steps, const struct lx_sample
     }
     lx_show_formula(steps->document, "E = E_{\\perp} \\max(0, \\mathbf{N} \\cdot \\mathbf{L}) = # \\cdot # = #",
                     sample->e_perp.value, fmax(0, cosine), share->irradiance);
-    if (steps->quantity == LUXEL_BRIGHTNESS)
+    if (steps->quantity == LUXEL_IRRADIANCE)
+        return;
+    if (!lx_lobe_is_rough(lobe)) {
         lx_show_formula(steps->document, "B_d = p\\, k_d E = # \\cdot # = #", lobe->diffuse.value, share->irradiance,
                         share->diffuse);
+        return;
+    }
+    const struct lx_lobe rough = lx_lobe_of_diffuse(lobe);
+    const struct lx_lobe_kind *kind = lx_lobe_kind_of(&rough);
+    const double factor = kind->value(&rough, steps->element->normal, steps->element->view, sample->towards).value;
+    lx_show_formula(steps->document, "$#", kind->words.step, factor);
+    lx_show_formula(steps->document, "B_d = p\\, k_d\\, D\\, E = # \\cdot # \\cdot # = #", lobe->diffuse.value, factor,
+                    share->irradiance, share->diffuse);
 }
 
 /* S of a power, with the vector that it depends on; returns the lobe's f. */
@@ -368,7 +398,9 @@ static void explain_sum(const struct lx_steps *steps, const luxel_light_share *s
         lx_document_paragraph(steps->document, LX_N("The integral over the source has a closed form."), NULL);
     lx_add_notation(&text, "E = #", share->irradiance);
     if (steps->quantity == LUXEL_BRIGHTNESS)
-        lx_add_notation(&text, ", \\qquad B_d = p\\, k_d E = #", share->diffuse);
+        lx_add_notation(&text, lx_lobe_is_rough(steps->element->lobe) ? ", \\qquad B_d = p\\, k_d \\int D\\, dE = #"
+                                                                      : ", \\qquad B_d = p\\, k_d E = #",
+                        share->diffuse);
     if (steps->quantity == LUXEL_BRIGHTNESS && lx_lobe_kind_of(steps->element->lobe)->value)
         lx_add_notation(&text, ", \\qquad B_s = #", share->specular);
     lx_end_formula(steps->document, &text);

@@ -59,12 +59,11 @@ static double climb(const struct lx_lobe_at *at, const double first[3], const do
  * N.H is the same on both sides of the plane of N and V: its ridge is where the circle crosses that plane.  Near
  * L = -V it changes within the distance from there.
  */
-static size_t peaks(const struct lx_lobe *lobe, const struct lx_lobe_at *at, const double a[3], const double b[3],
-                    double tau[LX_MOST_PEAKS])
+size_t lx_half_peaks(bool is_sharp, const struct lx_lobe_at *at, const double a[3], const double b[3],
+                     double tau[LX_MOST_PEAKS])
 {
-    static const double SHARP = 8, NEAR = 0.9;
+    static const double NEAR = 0.9;
     const double back_a = -lx_dot(at->view, a), back_b = -lx_dot(at->view, b);
-    const bool is_sharp = lobe->exponent > SHARP;
     size_t count = 0;
     if (is_sharp || hypot(back_a, back_b) > NEAR)
         tau[count++] = atan2(back_b, back_a);
@@ -77,6 +76,13 @@ static size_t peaks(const struct lx_lobe *lobe, const struct lx_lobe_at *at, con
     tau[count++] = crossing;
     tau[count++] = climb(at, a, b, crossing);
     return count;
+}
+
+static size_t peaks(const struct lx_lobe *lobe, const struct lx_lobe_at *at, const double a[3], const double b[3],
+                    double tau[LX_MOST_PEAKS])
+{
+    static const double SHARP = 8;
+    return lx_half_peaks(lobe->exponent > SHARP, at, a, b, tau);
 }
 
 static const double *end(const struct lx_lobe_at *at, double *limit)

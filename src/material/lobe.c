@@ -8,9 +8,11 @@
 
 #define LX_DECLARE_LOBE(number, lobe, name) extern const struct lx_lobe_kind lobe;
 LX_MODELS(LX_DECLARE_LOBE)
+LX_DIFFUSE_MODELS(LX_DECLARE_LOBE)
 
 #define LX_LIST_LOBE(number, lobe, name) &lobe,
-const struct lx_lobe_kind *const lx_lobe_kinds[LX_MODEL_COUNT] = {LX_MODELS(LX_LIST_LOBE)};
+const struct lx_lobe_kind *const lx_lobe_kinds[LX_LOBE_COUNT] = {LX_MODELS(LX_LIST_LOBE)
+                                                                     LX_DIFFUSE_MODELS(LX_LIST_LOBE)};
 
 void lx_lobe_at_set(const double normal[3], const double view[3], struct lx_lobe_at *at)
 {
@@ -21,6 +23,33 @@ void lx_lobe_at_set(const double normal[3], const double view[3], struct lx_lobe
         at->view[i] = view[i];
         at->mirrored[i] = 2 * at->n_dot_v * normal[i] - view[i];
     }
+}
+
+struct lx_lobe lx_lobe_of_diffuse(const struct lx_lobe *lobe)
+{
+    struct lx_lobe rough = {
+        .model = (enum lx_model)(LX_LAMBERT + lobe->diffuse_model),
+        .highlight = LX_HIGHLIGHT_COSINE,
+        .diffuse = lx_exact(0),
+        .specular = lobe->diffuse,
+        .ambient = lx_exact(0),
+        .exponent = 1,
+    };
+    for (size_t i = 0; i < sizeof rough.own / sizeof rough.own[0]; i++)
+        rough.own[i] = lobe->diffuse_own[i];
+    return rough;
+}
+
+/* What the diffuse model makes of the material; that of Lambert is left out. */
+static void prepare_diffuse(const struct lx_material *material, struct lx_lobe *lobe)
+{
+    lobe->diffuse_model = material->diffuse_model;
+    struct lx_lobe rough = lx_lobe_of_diffuse(lobe);
+    if (lx_lobe_kind_of(&rough)->prepare)
+        lx_lobe_kind_of(&rough)->prepare(material, &rough);
+    lobe->diffuse_model = (int)rough.model - LX_LAMBERT;
+    for (size_t i = 0; i < sizeof rough.own / sizeof rough.own[0]; i++)
+        lobe->diffuse_own[i] = rough.own[i];
 }
 
 struct lx_lobe lx_lobe_prepare(const struct lx_material *material)
@@ -38,6 +67,7 @@ struct lx_lobe lx_lobe_prepare(const struct lx_material *material)
         .ambient = lx_mul(p, lx_exact(lx_material_ambient(material))),
         .exponent = material->shininess,
     };
+    prepare_diffuse(material, &lobe);
     if (kind->prepare)
         kind->prepare(material, &lobe);
     return lobe;
@@ -74,6 +104,10 @@ struct lx_reflection lx_lobe_reflect(const struct lx_lobe *lobe, lx_bounded3 nor
     const lx_bounded n_dot_l = lx_dot3(normal, towards);
     struct lx_reflection result = {.cosine = lx_positive(n_dot_l)};
     result.diffuse = lx_mul(lobe->diffuse, result.cosine);
+    if (lx_lobe_is_rough(lobe)) {
+        const struct lx_lobe rough = lx_lobe_of_diffuse(lobe);
+        result.diffuse = lx_mul(result.diffuse, lx_lobe_kind_of(&rough)->value(&rough, normal, view, towards));
+    }
     if (lx_lobe_shines(lobe))
         result.specular = lx_mul(lx_mul(lobe->specular, highlight_weight(lobe, n_dot_l)),
                                  lx_lobe_kind_of(lobe)->value(lobe, normal, view, towards));
@@ -106,4 +140,10 @@ size_t lx_lobe_peaks(const struct lx_lobe *lobe, const struct lx_lobe_at *at, co
         return kind->peaks(lobe, at, a, b, tau);
     tau[0] = atan2(lx_dot(at->mirrored, b), lx_dot(at->mirrored, a));
     return 1;
+}
+
+size_t lx_lobe_kinks(const struct lx_lobe *lobe, const struct lx_lobe_at *at, struct lx_border kinks[LX_MOST_KINKS])
+{
+    const struct lx_lobe_kind *kind = lx_lobe_kind_of(lobe);
+    return kind->kinks ? kind->kinks(at, kinks) : 0;
 }

@@ -7,7 +7,8 @@
  * The factors hold p, kd, ks, ka and c of the material; w is the highlight's weight, 1, 1 above the horizon or
  * max(0, N.L); f is the model's, in one file each with the source of its formula: it is not negative, and it is all
  * that a model without a diffuse part has.  Most are powers S^n of a cosine, which kernels and their bounds know
- * (struct lx_power_lobe); any other f is summed by the reference alone.
+ * (struct lx_power_lobe); any other f is summed by the reference alone.  A diffuse part that is not Lambert's is such
+ * an f, too, D of its diffuse model: it is a lobe of its own (lx_lobe_of_diffuse()), and N.L above is D N.L.
  *
  * Whoever wants to know something of a lobe asks here.  N, V and L are unit vectors: the normal, the way to the
  * observer, the way to the light; M is V mirrored at N.  Angles are in radians.
@@ -27,8 +28,10 @@ struct lx_lobe {
     enum lx_model model;
     enum lx_highlight highlight;
     lx_bounded diffuse, specular, ambient;
-    double exponent; /* n */
-    double own[2];   /* the model's to use */
+    double exponent;   /* n */
+    double own[3];     /* the model's to use */
+    int diffuse_model; /* 0: Lambert's; else LX_LAMBERT and so many */
+    double diffuse_own[3];
 };
 
 /* An element as a lobe sees it. */
@@ -40,8 +43,13 @@ struct lx_lobe_at {
 
 void lx_lobe_at_set(const double normal[3], const double view[3], struct lx_lobe_at *at);
 
-/* The most peaks that a lobe may have on a great circle. */
-enum { LX_MOST_PEAKS = 4 };
+/* The most peaks that a lobe may have on a great circle, and the most planes on which it may have kinks. */
+enum { LX_MOST_PEAKS = 4, LX_MOST_KINKS = 2 };
+
+/* The plane g.L = limit. */
+struct lx_border {
+    double g[3], limit;
+};
 
 /*
  * Lobes f = S^n, S the cosine between two unit vectors: those that kernels are compiled for.  `half` is the length of
@@ -75,7 +83,8 @@ struct lx_lobe_words {
     const char *constant;   /* c, where it is normalised */
     const char *vector;     /* of a power: its moving vector, and S */
     const char *cosine;
-    const char *step; /* of any other f: what it gives, "B_s = ... = ", as E_perp, the factor, w and f follow */
+    const char *step; /* of any other f: what it gives, "B_s = ... = ", as E_perp, the factor, w and f follow; of a
+                       * diffuse model "D = ... = ", as D follows */
 };
 
 struct lx_lobe_kind {
@@ -90,6 +99,9 @@ struct lx_lobe_kind {
     /* c: what makes a lobe over pi with the cosine reflect exactly ks at normal view. */
     lx_bounded (*normalization)(double exponent);
 
+    /* The integral of D max(0, N.L)/pi, of a diffuse model, over all L above the horizon, for N.V. */
+    double (*albedo)(const struct lx_lobe *lobe, double n_dot_v);
+
     /* f, with the error that it has by those of the vectors; NULL: it has no highlight. */
     lx_bounded (*value)(const struct lx_lobe *lobe, lx_bounded3 normal, lx_bounded3 view, lx_bounded3 towards);
 
@@ -103,6 +115,9 @@ struct lx_lobe_kind {
     size_t (*peaks)(const struct lx_lobe *lobe, const struct lx_lobe_at *at, const double a[3], const double b[3],
                     double tau[LX_MOST_PEAKS]);
 
+    /* Planes on which f is continuous, but its slope is not; their number.  NULL: there are none. */
+    size_t (*kinks)(const struct lx_lobe_at *at, struct lx_border kinks[LX_MOST_KINKS]);
+
     /* The vector g for which f = 0 where g.L <= *limit.  NULL: f ends nowhere but at the horizon. */
     const double *(*end)(const struct lx_lobe_at *at, double *limit);
 
@@ -110,7 +125,7 @@ struct lx_lobe_kind {
 };
 
 /* The tables, by model. */
-extern const struct lx_lobe_kind *const lx_lobe_kinds[LX_MODEL_COUNT];
+extern const struct lx_lobe_kind *const lx_lobe_kinds[LX_LOBE_COUNT];
 
 static inline const struct lx_lobe_kind *lx_lobe_kind_of(const struct lx_lobe *lobe)
 {
@@ -128,6 +143,13 @@ struct lx_lobe lx_lobe_prepare(const struct lx_material *material);
 /* The lobe that makes the irradiance itself: diffuse and ambient 1, no highlight. */
 struct lx_lobe lx_lobe_irradiance(void);
 
+/* Whether its diffuse part is not Lambert's; and that as a lobe of its own, whose highlight it is. */
+static inline bool lx_lobe_is_rough(const struct lx_lobe *lobe)
+{
+    return lobe->diffuse_model != 0;
+}
+struct lx_lobe lx_lobe_of_diffuse(const struct lx_lobe *lobe);
+
 /* Whether there is any highlight. */
 static inline bool lx_lobe_shines(const struct lx_lobe *lobe)
 {
@@ -143,7 +165,7 @@ static inline bool lx_lobe_reaches_below(const struct lx_lobe *lobe)
 /* Whether kernels can sum it; else the reference has to. */
 static inline bool lx_lobe_has_kernels(const struct lx_lobe *lobe)
 {
-    return !lx_lobe_shines(lobe) || lx_lobe_kind_of(lobe)->power;
+    return !lx_lobe_is_rough(lobe) && (!lx_lobe_shines(lobe) || lx_lobe_kind_of(lobe)->power);
 }
 
 /* The model by which kernels sum it: without a highlight, or with one that they do not know, that of a lobe that has
@@ -153,11 +175,12 @@ enum lx_model lx_lobe_kernel_model(const struct lx_lobe *lobe);
 /* w, for N.L */
 double lx_lobe_weight(const struct lx_lobe *lobe, double n_dot_l);
 
-/* log_value, and peaks, of any lobe. */
+/* log_value, peaks and kinks of any lobe. */
 double lx_lobe_log(const struct lx_lobe *lobe, const struct lx_lobe_at *at, const double towards[3], double moved,
                    double *error);
 size_t lx_lobe_peaks(const struct lx_lobe *lobe, const struct lx_lobe_at *at, const double a[3], const double b[3],
                      double tau[LX_MOST_PEAKS]);
+size_t lx_lobe_kinks(const struct lx_lobe *lobe, const struct lx_lobe_at *at, struct lx_border kinks[LX_MOST_KINKS]);
 
 /* What a lobe makes of light from L (unit), for the normal N and view V (units). */
 struct lx_reflection {

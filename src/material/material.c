@@ -1,10 +1,14 @@
 /* SPDX-License-Identifier: MIT */
 /* The authored material: how a surface turns the light that falls on it into brightness. */
 
+#include "../base/number.h"
+#include "../parameter/check.h"
+#include "../parameter/words.h"
 #include "material.h"
 
 #define LX_NAME_MODEL(number, lobe, name) name,
 static const char *const model_names[] = {LX_MODELS(LX_NAME_MODEL) NULL};
+static const char *const diffuse_names[] = {"lambert", LX_DIFFUSE_MODELS(LX_NAME_MODEL) NULL};
 static const char *const highlight_names[] = {"plain", "gated", "cosine", NULL};
 
 static const struct lx_parameter material_parameters[] = {
@@ -15,7 +19,39 @@ static const struct lx_parameter material_parameters[] = {
         .offset = offsetof(struct lx_material, model),
         .choices = model_names,
         .initial = "blinn-phong",
-        .meaning = "the shape of the highlight: by the half vector, by the mirrored ray, or no highlight (lambert)",
+        .meaning = "the shape of the highlight: by the half vector, by the mirrored ray, of small facets (ggx), or no "
+                   "highlight (lambert)",
+    },
+    {
+        .name = "diffuse_model",
+        .label = "Diffuse model",
+        .type = LX_CHOICE,
+        .offset = offsetof(struct lx_material, diffuse_model),
+        .choices = diffuse_names,
+        .initial = "lambert",
+        .meaning = "how what is no highlight is reflected: to all sides alike (lambert), or as rough surfaces do, of "
+                   "grooves (oren-nayar) or so that no light is lost between them (eon)",
+    },
+    {
+        .name = "sigma",
+        .label = "Slopes sigma",
+        .type = LX_REAL,
+        .offset = offsetof(struct lx_material, sigma_degrees),
+        .unit = LX_UNIT_DEGREES,
+        .initial = "20",
+        .legal = LX_BETWEEN(0, 90),
+        .advised = {LX_BETWEEN(0, 45)},
+        .meaning = "the standard deviation of the slopes of a rough surface: with 0 it is Lambert's",
+    },
+    {
+        .name = "roughness",
+        .label = "Roughness",
+        .type = LX_REAL,
+        .offset = offsetof(struct lx_material, roughness),
+        .initial = "0.5",
+        .legal = LX_BETWEEN(0, 1),
+        .advised = {LX_BETWEEN(0, 1)},
+        .meaning = "how rough the surface is: with 0 it is Lambert's",
     },
     {
         .name = "diffuse",
@@ -46,6 +82,26 @@ static const struct lx_parameter material_parameters[] = {
         .legal = LX_ABOVE(0),
         .advised = {LX_BETWEEN(1, 500)},
         .meaning = "n, the exponent of the highlight: the larger, the smaller and sharper it is",
+    },
+    {
+        .name = "alpha",
+        .label = "Facets' roughness alpha",
+        .type = LX_REAL,
+        .offset = offsetof(struct lx_material, alpha),
+        .initial = "0.25",
+        .legal = {.given = true, .low = 0, .high = 1, .low_open = true},
+        .advised = {LX_BETWEEN(0.02, 1)},
+        .meaning = "how rough the facets of the highlight stand: the smaller, the smaller and sharper it is",
+    },
+    {
+        .name = "f0",
+        .label = "Reflectance straight on F0",
+        .type = LX_REAL,
+        .offset = offsetof(struct lx_material, f0),
+        .initial = "0.04",
+        .legal = LX_BETWEEN(0, 1),
+        .advised = {LX_BETWEEN(0.02, 1)},
+        .meaning = "what a facet reflects of light that falls straight on it: 0.04 is glass, paint or plastic",
     },
     {
         .name = "ambient",
@@ -85,11 +141,25 @@ static const struct lx_parameter material_parameters[] = {
 };
 
 static const struct lx_rule material_rules[] = {
-    {LX_RULE_USED, "specular", "model", "blinn-phong|phong"},
+    {LX_RULE_USED, "sigma", "diffuse_model", "oren-nayar"},
+    {LX_RULE_USED, "roughness", "diffuse_model", "eon"},
+    {LX_RULE_USED, "specular", "model", "blinn-phong|phong|ggx"},
+    {LX_RULE_USED, "alpha", "model", "ggx"},
+    {LX_RULE_USED, "f0", "model", "ggx"},
     {LX_RULE_USED, "shininess", "model", "blinn-phong|phong"},
     {LX_RULE_USED, "highlight", "model", "blinn-phong|phong"},
     {LX_RULE_USED, "normalized", "model", "blinn-phong|phong"},
 };
+
+/* Multiple scattering adds up only where less is sent back than falls in. */
+static void check_material(const struct lx_check *check, void *parameters)
+{
+    const struct lx_material *material = parameters;
+    char number[LX_NUMBER_SIZE];
+    if (material->diffuse_model == LX_EON - LX_LAMBERT && material->diffuse > 1)
+        lx_check_report(check, "diffuse", LX_ALL_OF_IT, LX_MSG_EON_ABOVE_ONE,
+                        (const char *const[]){lx_write_number(material->diffuse, number), NULL});
+}
 
 const struct lx_table lx_material_table = {
     .parameters = material_parameters,
@@ -97,6 +167,7 @@ const struct lx_table lx_material_table = {
     .rules = material_rules,
     .rule_count = LX_COUNT(material_rules),
     .size = sizeof(struct lx_material),
+    .check = check_material,
 };
 
 double lx_material_ambient(const struct lx_material *material)

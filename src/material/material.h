@@ -8,7 +8,9 @@
 
 struct lx_material {
     uint64_t given;
-    int model; /* enum lx_model */
+    int model;         /* enum lx_model */
+    int diffuse_model; /* that from LX_LAMBERT on */
+    double sigma_degrees, roughness, alpha, f0;
     double diffuse, specular, shininess;
     double ambient; /* meaningful where given; else the diffuse weight counts */
     bool over_pi;

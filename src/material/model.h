@@ -10,10 +10,16 @@
 #define LX_MODELS(X)                                                                                                   \
     X(LX_BLINN_PHONG, lx_blinn_phong_lobe, "blinn-phong")                                                              \
     X(LX_PHONG, lx_phong_lobe, "phong")                                                                                \
+    X(LX_GGX, lx_ggx_lobe, "ggx")                                                                                      \
     X(LX_LAMBERT, lx_lambert_lobe, "lambert")
 
+/* So is a model of a diffuse part other than Lambert's, which is a lobe of its own with the weight N.L. */
+#define LX_DIFFUSE_MODELS(X)                                                                                           \
+    X(LX_OREN_NAYAR, lx_oren_nayar_lobe, "oren-nayar")                                                                 \
+    X(LX_EON, lx_eon_lobe, "eon")
+
 #define LX_MODEL_NUMBER(number, lobe, name) number,
-enum lx_model { LX_MODELS(LX_MODEL_NUMBER) LX_MODEL_COUNT };
+enum lx_model { LX_MODELS(LX_MODEL_NUMBER) LX_DIFFUSE_MODELS(LX_MODEL_NUMBER) LX_LOBE_COUNT };
 #undef LX_MODEL_NUMBER
 
 enum lx_highlight { LX_HIGHLIGHT_PLAIN, LX_HIGHLIGHT_GATED, LX_HIGHLIGHT_COSINE };

@@ -15,6 +15,10 @@ lx_bounded lx_power_value(const struct lx_lobe *lobe, lx_bounded3 normal, lx_bou
 /* The logarithm of S^n, and its relative error where S's angle is off by `off`; -HUGE_VAL where S <= 0. */
 double lx_power_log(double exponent, double cosine, double sine_squared, double off, double *error);
 
+/* Where N.H may be greatest on the great circle of directions a cos(tau) + b sin(tau), as in struct lx_lobe_kind. */
+size_t lx_half_peaks(bool is_sharp, const struct lx_lobe_at *at, const double a[3], const double b[3],
+                     double tau[LX_MOST_PEAKS]);
+
 /* The square of the length of a x b. */
 double lx_cross_square(const double a[3], const double b[3]);
 

@@ -6,7 +6,7 @@
 
 #include "../base/memory.h"
 #include "../world/among.h"
-#include "../world/reference.h"
+#include "../world/world.h"
 #include "openings.h"
 #include "shader_memory.h"
 
@@ -278,29 +278,52 @@ static const struct lx_cut *find_cut(const struct lx_plan *plan, struct lx_shade
 
 /* ---- lobes that kernels do not know ---- */
 
-/* Sums all light over the gathered block, element by element; a light that lies on one gives it nothing. */
+/* What all light gives one element; a light that lies on it gives it nothing. */
+static double light_one(const struct lx_prepared *prepared, const struct lx_element *element,
+                        const struct lx_asking *asking)
+{
+    double sum = 0;
+    for (size_t e = 0; e < prepared->emitters.count && lx_asking_goes_on(asking); e++) {
+        struct lx_emitter room;
+        const struct lx_lighting light =
+            lx_light_element(prepared, element, lx_emitter_at(&prepared->emitters, e, &room));
+        sum += light.on_element ? 0 : light.diffuse.value + light.specular.value;
+    }
+    return sum;
+}
+
+/* Sums all light over the gathered block, in batches of the world. */
 static void light_by_reference(const struct lx_plan *plan, const struct lx_planned_surface *surface,
                                struct lx_shader_memory *memory, size_t count, const struct lx_asking *asking)
 {
     const struct lx_block_double *block = &memory->seen.block;
     const double *anchor = surface->shape.anchor_mm;
     struct lx_prepared prepared = *plan->prepared;
+    const struct lx_world world = {.prepared = &prepared, .kernels = lx_element_kernels_of(plan->kernels)};
+    struct lx_elements elements;
+    struct lx_received received;
     prepared.tolerance = plan->tolerance;
     plan->kernels->set_all(memory->sum, lx_padded(count), 0);
-    for (size_t i = 0; i < count && (!memory->portion || memory->portion->lights); i++) {
-        const struct lx_element element = {
-            .place_mm =
-                lx_exact3((double[]){anchor[0] + block->px[i], anchor[1] + block->py[i], anchor[2] + block->pz[i]}),
-            .normal = lx_exact3((double[]){block->nx[i], block->ny[i], block->nz[i]}),
-            .view = lx_exact3((double[]){block->vx[i], block->vy[i], block->vz[i]}),
-            .lobe = &surface->lobe,
-            .own = &prepared.surfaces[surface - plan->surfaces],
-        };
-        for (size_t e = 0; e < prepared.emitters.count && lx_asking_goes_on(asking); e++) {
-            struct lx_emitter room;
-            const struct lx_lighting light =
-                lx_light_element(&prepared, &element, lx_emitter_at(&prepared.emitters, e, &room));
-            memory->sum[i] += light.on_element ? 0 : light.diffuse.value + light.specular.value;
+    for (size_t start = 0; start < count && (!memory->portion || memory->portion->lights); start += LX_BATCH) {
+        const size_t end = start + LX_BATCH < count ? start + LX_BATCH : count;
+        lx_elements_begin(&elements, &surface->lobe, false);
+        for (size_t i = start; i < end; i++) {
+            const struct lx_element element = {
+                .place_mm =
+                    lx_exact3((double[]){anchor[0] + block->px[i], anchor[1] + block->py[i], anchor[2] + block->pz[i]}),
+                .normal = lx_exact3((double[]){block->nx[i], block->ny[i], block->nz[i]}),
+                .view = lx_exact3((double[]){block->vx[i], block->vy[i], block->vz[i]}),
+                .own = &prepared.surfaces[surface - plan->surfaces],
+            };
+            lx_elements_append(&prepared, &elements, &element);
+        }
+        lx_elements_end(&elements);
+        lx_world_light(&world, &elements, LX_WANT_BRIGHTNESS, asking, &received);
+        for (size_t i = start; i < end; i++) {
+            const struct lx_element element = lx_elements_get(&prepared, &elements, i - start);
+            memory->sum[i] = received.on_element[i - start]
+                                 ? light_one(&prepared, &element, asking)
+                                 : received.diffuse.value[i - start] + received.specular.value[i - start];
         }
     }
 }

@@ -176,10 +176,10 @@ static const char *word_of_value(const struct lx_parameter *parameter, const voi
     return NULL;
 }
 
-/* Direct light alone, sources as their files say and rooms that stand upright are no conventions. */
+/* Direct light alone, sources as their files say, rooms that stand upright and Lambert's law are no conventions. */
 static bool goes_without_saying(const struct lx_parameter *parameter, const char *word)
 {
-    static const char *const names[] = {"reflections", "maintenance_factor", "up"};
+    static const char *const names[] = {"reflections", "maintenance_factor", "up", "diffuse_model"};
     for (size_t i = 0; i < sizeof names / sizeof names[0]; i++)
         if (strcmp(parameter->name, names[i]) == 0)
             return strcmp(word, parameter->initial) == 0;

@@ -79,6 +79,12 @@ static void check_materials(struct lx_walk *walk, const luxel_scene *scene)
             report_material(walk, &at, "model", LX_MSG_REFLECTS_BY_MODEL, lx_chosen(model, at.material));
             lx_hint(walk->diagnostics, LX_MSG_HINT_LAMBERT, NULL);
         }
+        const struct lx_lobe lobe = lx_lobe_prepare(at.material);
+        if (lx_lobe_is_rough(&lobe)) {
+            const struct lx_parameter *model = lx_find_parameter(&lx_material_table, "diffuse_model");
+            report_material(walk, &at, "diffuse_model", LX_MSG_REFLECTS_BY_MODEL, lx_chosen(model, at.material));
+            lx_hint(walk->diagnostics, LX_MSG_HINT_DIFFUSE_LAMBERT, NULL);
+        }
         if (!at.material->over_pi) {
             report_material(walk, &at, "over_pi", LX_MSG_REFLECTS_BY_WEIGHT, NULL);
             lx_hint(walk->diagnostics, LX_MSG_HINT_OVER_PI, NULL);

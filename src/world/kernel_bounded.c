@@ -162,6 +162,26 @@ LX_LANE struct sample sample_point(const struct lx_emitter *emitter, struct boun
     return sample;
 }
 
+/* f of a lobe that is no power, lane by lane as the reference has it. */
+static struct bounded lobe_value(const struct lx_lobe *lobe, struct bounded3 normal, struct bounded3 view,
+                                 struct bounded3 towards)
+{
+    const struct lx_lobe_kind *kind = lx_lobe_kind_of(lobe);
+    struct bounded made = exactly(all_double(0));
+    const struct bounded3 *vectors[3] = {&normal, &view, &towards};
+    for (int i = 0; i < LX_WIDTH_double; i++) {
+        lx_bounded3 one[3];
+        for (int k = 0; k < 3; k++)
+            one[k] = (lx_bounded3){{vectors[k]->x.value[i], vectors[k]->x.error[i]},
+                                   {vectors[k]->y.value[i], vectors[k]->y.error[i]},
+                                   {vectors[k]->z.value[i], vectors[k]->z.error[i]}};
+        const lx_bounded value = kind->value(lobe, one[0], one[1], one[2]);
+        made.value[i] = value.value;
+        made.error[i] = value.error;
+    }
+    return made;
+}
+
 /* S^n by the cosine and the squared sine of the angle that S is the cosine of. */
 LX_LANE struct bounded lobe_power(const struct lx_lobe *lobe, struct bounded3 normal, struct bounded3 view,
                                   struct bounded3 towards)
@@ -210,6 +230,8 @@ static void light(const struct lx_emitter *emitter, const struct lx_elements *el
                   enum lx_wanted wanted, struct lx_received *received)
 {
     const struct lx_lobe *lobe = elements->lobe;
+    const bool is_rough = lx_lobe_is_rough(lobe), is_power = lx_power_lobe_of(lobe->model);
+    const struct lx_lobe rough = is_rough ? lx_lobe_of_diffuse(lobe) : *lobe;
     const struct sample everywhere_same = {everywhere3(emitter->towards), exactly(all_double(emitter->strength))};
     if (lx_is_uniform(emitter)) {
         light_uniform(emitter, elements, wanted, received);
@@ -228,11 +250,16 @@ static void light(const struct lx_emitter *emitter, const struct lx_elements *el
             add_to(&received->irradiance, i, times(e_perp, cosine));
         if (!(wanted & LX_WANT_BRIGHTNESS))
             continue;
+        const struct bounded3 view = load_bounded3(&elements->view, i);
         struct bounded specular = exactly(all_double(0));
         if (lobe->specular.value > 0)
             specular = times(times(everywhere(lobe->specular), highlight_weight(lobe, n_dot_l)),
-                             lobe_power(lobe, normal, load_bounded3(&elements->view, i), sample.towards));
-        add_to(&received->diffuse, i, times(e_perp, times(everywhere(lobe->diffuse), cosine)));
+                             is_power ? lobe_power(lobe, normal, view, sample.towards)
+                                      : lobe_value(lobe, normal, view, sample.towards));
+        struct bounded diffuse = times(everywhere(lobe->diffuse), cosine);
+        if (is_rough)
+            diffuse = times(diffuse, lobe_value(&rough, normal, view, sample.towards));
+        add_to(&received->diffuse, i, times(e_perp, diffuse));
         add_to(&received->specular, i, times(e_perp, specular));
     }
 }

@@ -115,6 +115,19 @@ lx_bounded lx_openness_of(const struct lx_prepared *prepared, const struct lx_el
     return open;
 }
 
+/* The diffuse part where it is not Lambert's: the highlight of a lobe of its own. */
+static void light_rough(const struct lx_prepared *prepared, const struct lx_element *element,
+                        const struct lx_emitter *emitter, struct lx_occlusion *occlusion, struct lx_lighting *lighting)
+{
+    const struct lx_lobe lobe = lx_lobe_of_diffuse(element->lobe);
+    struct lx_element rough = *element;
+    rough.lobe = &lobe;
+    const struct lx_cubature integral =
+        lx_integrate_seen(emitter, &rough, occlusion, false, 0, prepared->tolerance, NULL);
+    lighting->diffuse = integral.specular;
+    lighting->parts += integral.parts;
+}
+
 /* In closed form where there is one, else to the tolerance; behind obstacles to the tolerance. */
 static struct lx_lighting light_around(const struct lx_prepared *prepared, const struct lx_element *element,
                                        const struct lx_emitter *emitter, struct lx_occlusion *occlusion)
@@ -133,7 +146,10 @@ static struct lx_lighting light_around(const struct lx_prepared *prepared, const
         lighting.specular = integral.specular;
         lighting.parts = integral.parts;
     }
-    lighting.diffuse = lx_mul(lobe->diffuse, lighting.irradiance);
+    if (lx_lobe_is_rough(lobe))
+        light_rough(prepared, element, emitter, occlusion, &lighting);
+    else
+        lighting.diffuse = lx_mul(lobe->diffuse, lighting.irradiance);
     return lighting;
 }
 
@@ -153,12 +169,14 @@ static struct lx_lighting light_behind(const struct lx_prepared *prepared, const
 {
     struct lx_lighting seen = light_around(prepared, element, emitter, occlusion);
     const double wanted = prepared->tolerance;
+    const bool is_rough = lx_lobe_is_rough(element->lobe);
     if (!lx_is_occluded(occlusion) || (seen.irradiance.error <= wanted * seen.irradiance.value &&
+                                       (!is_rough || seen.diffuse.error <= wanted * seen.diffuse.value) &&
                                        seen.specular.error <= wanted * seen.specular.value))
         return seen;
     const struct lx_lighting all = light_around(prepared, element, emitter, NULL);
     seen.irradiance = within(seen.irradiance, all.irradiance);
-    seen.diffuse = lx_mul(element->lobe->diffuse, seen.irradiance);
+    seen.diffuse = is_rough ? within(seen.diffuse, all.diffuse) : lx_mul(element->lobe->diffuse, seen.irradiance);
     seen.specular = within(seen.specular, all.specular);
     return seen;
 }

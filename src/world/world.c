@@ -13,12 +13,10 @@
 /* Emitters between two questions whether to go on. */
 enum { BETWEEN_CHECKS = 64 };
 
-/* Whether a batch has the light of an emitter by vectors; of extended sources, luminaires and highlights that are no
- * powers it asks the reference. */
-static bool is_vectored(const struct lx_emitter *emitter, const struct lx_lobe *lobe, enum lx_wanted wanted)
+/* Whether a batch has the light of an emitter by vectors; of extended sources and luminaires it asks the reference. */
+static bool is_vectored(const struct lx_emitter *emitter)
 {
-    const bool knows_lobe = !(wanted & LX_WANT_BRIGHTNESS) || lx_lobe_has_kernels(lobe);
-    return !lx_is_extended(emitter) && !emitter->profile.luminaire && knows_lobe;
+    return !lx_is_extended(emitter) && !emitter->profile.luminaire;
 }
 
 unsigned lx_world_batch(const struct lx_world *world)
@@ -297,7 +295,7 @@ static void add_emitter(const struct lx_world *world, const struct lx_elements *
                         struct lx_received *received)
 {
     struct lx_openness openness;
-    if (is_vectored(emitter, elements->lobe, wanted)) {
+    if (is_vectored(emitter)) {
         const struct lx_column *open = find_open(world, elements, emitter, &openness);
         world->kernels->light(emitter, elements, open, wanted, received);
         return;

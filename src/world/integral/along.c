@@ -113,10 +113,10 @@ static double ease_slope(double t)
 }
 
 /* On the arc, g.L = amplitude cos(tau - peak). */
-void lx_along_arc(const struct lx_condition *condition, const struct lx_sweep *sweep, const struct lx_arc *arc,
+void lx_along_arc(const struct lx_border *border, const struct lx_sweep *sweep, const struct lx_arc *arc,
                   double *amplitude, double *peak)
 {
-    double a = lx_dot_plain(condition->g, arc->direction), b = lx_dot_plain(condition->g, sweep->frame.z);
+    double a = lx_dot_plain(border->g, arc->direction), b = lx_dot_plain(border->g, sweep->frame.z);
     *amplitude = hypot(a, b);
     *peak = atan2(b, a);
 }
@@ -274,12 +274,21 @@ static double arc_target(void *data, const struct lx_integral *integral)
     return lx_goes_on(problem) ? fmax(wanted, integral->inherited) : HUGE_VAL;
 }
 
-/* Where the lobe may have peaks on the arc. */
+/* Where the lobe may have peaks on the arc, and has kinks. */
 static size_t find_places(const struct lx_problem *problem, const struct lx_arc *arc, double places[MOST_PLACES])
 {
     if (!problem->lobe)
         return 0;
-    return lx_lobe_peaks(problem->lobe, &problem->at, arc->direction, problem->sweep->frame.z, places);
+    size_t count = lx_lobe_peaks(problem->lobe, &problem->at, arc->direction, problem->sweep->frame.z, places);
+    for (size_t i = 0; i < problem->kink_count; i++) {
+        double amplitude, peak;
+        lx_along_arc(&problem->kinks[i], problem->sweep, arc, &amplitude, &peak);
+        if (!(fabs(problem->kinks[i].limit) < amplitude))
+            continue;
+        places[count++] = peak - acos(problem->kinks[i].limit / amplitude);
+        places[count++] = peak + acos(problem->kinks[i].limit / amplitude);
+    }
+    return count;
 }
 
 /* The panels of each interval; true: between their ends the integrand is analytic and has no peaks. */

@@ -20,12 +20,7 @@
 #include "adaptive.h"
 #include "sweep.h"
 
-enum { MOST_CONDITIONS = 2, MOST_INTERVALS = 2 * MOST_CONDITIONS + 1, MOST_PLACES = LX_MOST_PEAKS };
-
-/* g.L > limit */
-struct lx_condition {
-    double g[3], limit;
-};
+enum { MOST_CONDITIONS = 2, MOST_INTERVALS = 2 * MOST_CONDITIONS + 1, MOST_PLACES = LX_MOST_PEAKS + 2 * LX_MOST_KINKS };
 
 /* Where the integrand begins like a power or a root, the variable is eased in: x = from + (to - from) ease(t). */
 struct lx_arc_stretch {
@@ -48,8 +43,10 @@ struct lx_problem {
     const struct lx_lobe *lobe; /* NULL: N.L is integrated, without the lobe */
     struct lx_lobe_at at;
     double place_error_mm;
-    struct lx_condition conditions[MOST_CONDITIONS];
+    struct lx_border conditions[MOST_CONDITIONS]; /* g.L > limit */
     size_t condition_count;
+    struct lx_border kinks[LX_MOST_KINKS]; /* of the lobe */
+    size_t kink_count;
     const struct lx_sweeps *sweeps;
     struct lx_piece *pieces;
     size_t piece_count;
@@ -92,7 +89,7 @@ bool lx_outgrew_top(const struct lx_problem *problem);
 bool lx_goes_on(struct lx_problem *problem);
 
 /* On the arc, g.L = amplitude cos(tau - peak). */
-void lx_along_arc(const struct lx_condition *condition, const struct lx_sweep *sweep, const struct lx_arc *arc,
+void lx_along_arc(const struct lx_border *border, const struct lx_sweep *sweep, const struct lx_arc *arc,
                   double *amplitude, double *peak);
 
 /* Room for what obstacles leave of an arc; 0, or -1 when memory ran out.  free() room and panels. */

@@ -41,22 +41,32 @@ static double error_of(lx_bounded3 a)
 
 /* Quantities of an arc whose changes of sign are borders for the outer integral. */
 enum { ENDS = 2, EXTREMES = 2, LONGITUDES = 2, APPROACHES = 1 };
-enum { MARKS = MOST_CONDITIONS * (ENDS + EXTREMES) + LONGITUDES + APPROACHES };
+enum { MARKS = (MOST_CONDITIONS + LX_MOST_KINKS) * (ENDS + EXTREMES) + LONGITUDES + APPROACHES };
+
+/* Those of one border on an arc: at its ends, and what is greatest and least on it. */
+static size_t mark_border(const struct lx_border *border, const struct lx_sweep *sweep, const struct lx_arc *arc,
+                          double marks[ENDS + EXTREMES])
+{
+    double amplitude, peak, limit = border->limit, to = arc->from + arc->width;
+    size_t m = 0;
+    lx_along_arc(border, sweep, arc, &amplitude, &peak);
+    double first = amplitude * cos(arc->from - peak) - limit, last = amplitude * cos(to - peak) - limit;
+    double low = peak - M_PI > arc->from ? peak - M_PI : peak + M_PI;
+    marks[m++] = first;
+    marks[m++] = last;
+    marks[m++] = peak > arc->from && peak < to ? amplitude - limit : fmax(first, last);
+    marks[m++] = low > arc->from && low < to ? -amplitude - limit : fmin(first, last);
+    return m;
+}
 
 static void marks_of(const struct lx_problem *problem, const struct lx_sweep *sweep, double x, double marks[MARKS])
 {
     struct lx_arc arc = lx_sweep_arc(sweep, x);
     size_t m = 0;
-    for (size_t i = 0; i < problem->condition_count; i++) {
-        double amplitude, peak, limit = problem->conditions[i].limit, to = arc.from + arc.width;
-        lx_along_arc(&problem->conditions[i], sweep, &arc, &amplitude, &peak);
-        double first = amplitude * cos(arc.from - peak) - limit, last = amplitude * cos(to - peak) - limit;
-        double low = peak - M_PI > arc.from ? peak - M_PI : peak + M_PI;
-        marks[m++] = first;
-        marks[m++] = last;
-        marks[m++] = peak > arc.from && peak < to ? amplitude - limit : fmax(first, last);
-        marks[m++] = low > arc.from && low < to ? -amplitude - limit : fmin(first, last);
-    }
+    for (size_t i = 0; i < problem->condition_count; i++)
+        m += mark_border(&problem->conditions[i], sweep, &arc, marks + m);
+    for (size_t i = 0; i < problem->kink_count; i++)
+        m += mark_border(&problem->kinks[i], sweep, &arc, marks + m);
     const double *special[LONGITUDES] = {problem->at.mirrored, problem->at.view};
     for (size_t i = 0; problem->lobe && i < LONGITUDES; i++) {
         const struct lx_sweep_frame *frame = &sweep->frame;
@@ -66,6 +76,14 @@ static void marks_of(const struct lx_problem *problem, const struct lx_sweep *sw
     marks[m++] = lx_sweep_approach(sweep, x);
     while (m < MARKS)
         marks[m++] = 1;
+}
+
+/* Whether a change of a mark is one of where an arc's parts are: not where a kink only comes over an end of it. */
+static bool is_border(const struct lx_problem *problem, size_t mark)
+{
+    const size_t conditions = problem->condition_count * (ENDS + EXTREMES);
+    const size_t kinks = conditions + problem->kink_count * (ENDS + EXTREMES);
+    return mark < conditions || (mark < kinks && mark % (ENDS + EXTREMES) >= ENDS);
 }
 
 /* The place between two where a mark changes its sign. */
@@ -157,8 +175,7 @@ static size_t cut_sweep(struct lx_problem *problem, const struct lx_sweep *sweep
         marks_of(problem, sweep, x, marks);
         for (size_t m = 0; i > 0 && m < MARKS; m++)
             if ((marks[m] > 0) != (before[m] > 0) && count < MOST_CUTS - 1)
-                cuts[count++] = (struct cut){find_change(problem, sweep, m, previous, x),
-                                             m < problem->condition_count * (ENDS + EXTREMES)};
+                cuts[count++] = (struct cut){find_change(problem, sweep, m, previous, x), is_border(problem, m)};
         for (size_t m = 0; m < MARKS; m++)
             before[m] = marks[m];
         if (problem->lobe)
@@ -300,7 +317,10 @@ static double largest_integrand(const struct lx_problem *problem, const double p
         if (sweep->kind != LX_SWEEP_STRIP && sweep->kind != LX_SWEEP_DISK) /* the axis may go through the place */
             by_area = fmax(by_area, away / fmax(sweep->height_mm, sweep->radius_mm));
     }
-    return by_law * by_area * (problem->lobe ? fmin(BETWEEN * exp(fmax(problem->highest, problem->top)), 1) : 1);
+    if (!problem->lobe)
+        return by_law * by_area;
+    const double met = BETWEEN * exp(fmax(problem->highest, problem->top));
+    return by_law * by_area * (lx_lobe_kind_of(problem->lobe)->power ? fmin(met, 1) : met);
 }
 
 /*
@@ -424,7 +444,7 @@ static lx_bounded integrate(struct lx_problem *problem, const double place_mm[3]
 
 static void set_condition(struct lx_problem *problem, const double g[3], double limit)
 {
-    struct lx_condition *condition = &problem->conditions[problem->condition_count++];
+    struct lx_border *condition = &problem->conditions[problem->condition_count++];
     for (int i = 0; i < 3; i++)
         condition->g[i] = g[i];
     condition->limit = limit;
@@ -491,6 +511,7 @@ struct lx_cubature lx_integrate(const struct lx_emitter *emitter, const struct l
         problem.tolerance = tolerance / caution_for(lobe);
         problem.is_coarse = (lx_is_occluded(occlusion) || lx_is_opening(emitter)) && problem.tolerance >= COARSE;
         set_conditions(&problem);
+        problem.kink_count = lx_lobe_kinks(lobe, &problem.at, problem.kinks);
         result.specular = lx_mul(strength, integrate(&problem, place));
     }
     result.parts += problem.parts;
