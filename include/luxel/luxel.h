@@ -16,6 +16,7 @@
 
 #include <luxel/alternatives.h>
 #include <luxel/balance.h>
+#include <luxel/colour.h>
 #include <luxel/compare.h>
 #include <luxel/conventions.h>
 #include <luxel/diagnostics.h>

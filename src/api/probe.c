@@ -12,10 +12,12 @@
 #include "../base/memory.h"
 #include "../base/number.h"
 #include "../base/rows.h"
+#include "../scene/lit.h"
 #include "../scene/scene.h"
 #include "../world/bodies.h"
 #include "../world/camera.h"
 #include "../world/evaluate.h"
+#include "coloring.h"
 #include "probe_pixels.h"
 #include "reflecting.h"
 #include "session.h"
@@ -392,8 +394,39 @@ static luxel_status open(struct probing *probing, const luxel_settings *settings
     return status == LUXEL_OK && sees ? luxel_scene_check_view(scene, diagnostics) : status;
 }
 
+luxel_status lx_probes_new(const luxel_scene *scene, const luxel_settings *settings, size_t count,
+                           luxel_diagnostics *diagnostics, luxel_probe **probes)
+{
+    struct probes *made = NULL;
+    bool *on = lx_lights_on(lx_scene_parameters(scene), settings);
+    luxel_status status =
+        on ? new_probes(lx_scene_parameters(scene), on, count, diagnostics, &made) : lx_out_of_memory(diagnostics);
+    free(on);
+    *probes = made ? made->list : NULL;
+    return status;
+}
+
+void lx_probe_take_place(luxel_probe *probes, size_t i, const luxel_probe *from)
+{
+    const struct probes *all = (const struct probes *)(void *)((char *)probes - offsetof(struct probes, list));
+    luxel_light_share *shares = probes[i].shares;
+    probes[i] = *from;
+    probes[i].shares = shares;
+    probes[i].share_count = from->on_surface ? all->named_count : 0;
+    if (from->surface_name)
+        probes[i].surface_name = all->surface_names[from->surface];
+}
+
 luxel_status luxel_probe_many(const luxel_scene *scene, const luxel_settings *settings, const luxel_place *places,
                               size_t count, luxel_diagnostics *diagnostics, luxel_probe **probes)
+{
+    return luxel_scene_has_color(scene) && probes && count > 0
+               ? lx_probe_in_color(scene, settings, places, count, diagnostics, probes)
+               : lx_probe_grey(scene, settings, places, count, diagnostics, probes);
+}
+
+luxel_status lx_probe_grey(const luxel_scene *scene, const luxel_settings *settings, const luxel_place *places,
+                           size_t count, luxel_diagnostics *diagnostics, luxel_probe **probes)
 {
     struct lx_session session;
     struct lx_control control = {.rows = count < UINT_MAX / 2 ? 2 * (unsigned)count : UINT_MAX};
