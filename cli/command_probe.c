@@ -122,6 +122,8 @@ static void print_point(const struct result *result, size_t i)
     }
     printf("%s: %s %s\n", result_point_name(result, i, name), text_value_bound(value, 15, probe->value, probe->error),
            text_unit(result_unit(result)));
+    if (probe->color.exists)
+        printf(_("  colour %s\n"), result_color_text(&probe->color, name));
     printf(_("  position %s mm, normal (%.9g, %.9g, %.9g)\n"), text_lengths(probe->position_mm, 3, position),
            probe->normal[0] + 0.0, probe->normal[1] + 0.0, probe->normal[2] + 0.0);
     print_surface(result, probe);

@@ -43,8 +43,9 @@ static void explain_minimum(const luxel_statistics *statistics)
 static void print_statistics(const struct result *result)
 {
     const luxel_statistics *statistics = result->statistics;
-    /* where points are taken together it is not looked for */
-    const bool is_known = statistics->minimum_reached.exists || !(result->options->settings.light_error > 0.0);
+    /* where points are taken together, and in colour, it may not have been looked for */
+    const bool is_known = statistics->minimum_reached.exists ||
+                          !(result->options->settings.light_error > 0.0 || luxel_scene_has_color(result->scene));
     struct text_table *table = text_table_new("lrrr");
     char heading[TEXT_SIZE], mean[TEXT_SIZE], lit[TEXT_SIZE], reflected[TEXT_SIZE];
 
@@ -133,7 +134,11 @@ static int compute(const struct options *options, const struct loaded *loaded, l
     work.settings.minimum_reached = true;
     status = luxel_render_files(loaded->scene, &work.settings, options->outputs, options->output_count, &how,
                                 loaded->diagnostics, statistics);
-    return work_end(&work, status, loaded->diagnostics);
+    const int code = work_end(&work, status, loaded->diagnostics);
+
+    if (code == EXIT_DONE && luxel_scene_has_color(loaded->scene))
+        message_passed_over(loaded->diagnostics, options->quiet); /* what was clipped */
+    return code;
 }
 
 /* Grey levels are of .png files alone. */

@@ -52,13 +52,15 @@ static void write_numbers_if(struct csv *csv, bool exist, const double *numbers,
             csv_blank(csv);
 }
 
-static void write_line(struct csv *csv, const luxel_probe *probe, size_t number)
+static void write_line(struct csv *csv, const luxel_probe *probe, size_t number, bool in_color)
 {
     csv_whole(csv, number);
     write_numbers_if(csv, probe->has_screen, (const double[]){probe->x_mm, probe->y_mm}, 2);
     write_numbers_if(csv, probe->on_surface, probe->position_mm, 3);
     write_numbers_if(csv, probe->on_surface, probe->normal, 3);
     write_numbers_if(csv, probe->has_value, (const double[]){probe->value, probe->error}, 2);
+    if (in_color)
+        write_numbers_if(csv, probe->color.exists, probe->color.rgb, 3);
     if (probe->on_surface && probe->surface != SIZE_MAX)
         csv_whole(csv, probe->surface);
     else
@@ -70,6 +72,8 @@ static void write_csv(FILE *stream, const struct result *result)
 {
     static const char *const names[] = {"point", "screen_x_mm", "screen_y_mm", "x_mm", "y_mm",
                                         "z_mm",  "nx",          "ny",          "nz"};
+    static const char *const channels[] = {"red", "green", "blue"};
+    const bool in_color = luxel_scene_has_color(result->scene);
     struct csv csv;
 
     csv_begin(&csv, stream, CSV_RFC4180);
@@ -77,10 +81,12 @@ static void write_csv(FILE *stream, const struct result *result)
         csv_text(&csv, names[i]);
     csv_heading(&csv, "value", result_unit(result));
     csv_heading(&csv, "error", result_unit(result));
+    for (size_t c = 0; in_color && c < COUNT_OF(channels); c++)
+        csv_heading(&csv, channels[c], result_unit(result));
     csv_text(&csv, "surface");
     csv_end_line(&csv);
     for (size_t i = 0; i < result->count; i++)
-        write_line(&csv, luxel_probes_get(result->probes, i), i + 1);
+        write_line(&csv, luxel_probes_get(result->probes, i), i + 1, in_color);
 }
 
 /* NPY 1.0: magic, version, length of the header, the header with blanks up to a multiple of 64, numbers. */

@@ -177,7 +177,7 @@ static void write_element(struct json *json, const luxel_probe *probe)
 
 /* `scene`: NULL where nobody waits for the albedo. */
 static void write_probe(struct json *json, const luxel_scene *scene, const struct light_strengths *lights,
-                        const luxel_probe *probe)
+                        const luxel_probe *probe, bool in_color)
 {
     char reason[TEXT_SIZE];
 
@@ -191,6 +191,8 @@ static void write_probe(struct json *json, const luxel_scene *scene, const struc
     write_number_if(json, "value", probe->has_value, probe->value);
     write_number_if(json, "pixel_value", probe->on_surface && probe->has_pixel_value, probe->pixel_value);
     write_number_if(json, "error", probe->has_value, probe->error);
+    if (in_color)
+        result_write_color(json, &probe->color);
     write_numbers_if(json, "position", probe->on_surface, probe->position_mm, 3);
     write_numbers_if(json, "normal", probe->on_surface, probe->normal, 3);
     if (scene)
@@ -205,6 +207,46 @@ static void write_probe(struct json *json, const luxel_scene *scene, const struc
     if (probe->source_on_element)
         json_text(json, "reason", text_format(reason, on_element, probe->blocking_light));
     json_close(json, '}');
+}
+
+static void write_seen(struct json *json, const luxel_chromaticity *seen)
+{
+    write_numbers_if(json, "xy", seen->has_xy, seen->xy, 2);
+    write_number_if(json, "cct", seen->has_cct, seen->cct_k);
+    write_number_if(json, "duv", seen->has_cct, seen->duv);
+}
+
+void result_write_color(struct json *json, const luxel_color *color)
+{
+    luxel_chromaticity seen = {.has_xy = false};
+
+    if (color->exists) {
+        luxel_find_chromaticity(color->rgb, &seen);
+        json_open(json, "rgb", '{');
+        json_numbers(json, "value", color->rgb, 3);
+        json_numbers(json, "error", color->error, 3);
+        json_close(json, '}');
+    } else {
+        json_null(json, "rgb");
+    }
+    write_seen(json, &seen);
+}
+
+const char *result_color_text(const luxel_color *color, char buffer[TEXT_SIZE])
+{
+    luxel_chromaticity seen;
+    char channels[TEXT_SIZE];
+
+    luxel_find_chromaticity(color->rgb, &seen);
+    text_format(channels, "R, G, B %.6g, %.6g, %.6g", color->rgb[0], color->rgb[1], color->rgb[2]);
+    if (seen.has_cct)
+        text_format(buffer, _("%s; x, y %.5f, %.5f; %.0f K, Duv %.4f (nearest black body in u, v)"), channels,
+                    seen.xy[0], seen.xy[1], seen.cct_k, seen.duv + 0.0);
+    else if (seen.has_xy)
+        text_format(buffer, _("%s; x, y %.5f, %.5f; no colour temperature"), channels, seen.xy[0], seen.xy[1]);
+    else
+        text_format(buffer, "%s", channels);
+    return buffer;
 }
 
 void result_write_reflected(struct json *json, const luxel_probe *probe)
@@ -258,7 +300,7 @@ void result_write_json(FILE *stream, const struct result *result)
     json_open(&json, "points", '[');
     for (size_t i = 0; i < result->count; i++)
         write_probe(&json, result->count <= MOST_ALBEDOS ? result->scene : NULL, &lights,
-                    luxel_probes_get(result->probes, i));
+                    luxel_probes_get(result->probes, i), luxel_scene_has_color(result->scene));
     json_close(&json, ']');
     if (result->statistics && result->statistics->has_reflected)
         json_number(&json, "reflected_error", result->statistics->reflected_error);

@@ -38,6 +38,10 @@ luxel_conventions_use result_use_of_screen(const struct options *options, bool p
 /* Writes an extremum as SPEC's `max` and `min` are written; null where there is none. */
 void result_write_extremum(struct json *json, const char *key, const luxel_extremum *extremum);
 
+/* The channels of a value, its x, y, colour temperature and Duv, null where there are none; and the same in a line. */
+void result_write_color(struct json *json, const luxel_color *color);
+const char *result_color_text(const luxel_color *color, char buffer[TEXT_SIZE]);
+
 /* Writes what is reflected to a probe as the member `reflected`; nothing where the scene reflects no light. */
 void result_write_reflected(struct json *json, const luxel_probe *probe);
 

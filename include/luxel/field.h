@@ -58,6 +58,8 @@ LUXEL_API void luxel_field_free(luxel_field *field);
 LUXEL_API unsigned luxel_field_columns(const luxel_field *field);
 /* The number of rows, the vertical resolution. */
 LUXEL_API unsigned luxel_field_rows(const luxel_field *field);
+/* The number of channels: 3 of a picture of a scene with channels: rgb, else 1. */
+LUXEL_API unsigned luxel_field_channels(const luxel_field *field);
 /* What the values are. */
 LUXEL_API luxel_quantity luxel_field_quantity(const luxel_field *field);
 /* What type the values have. */
@@ -82,6 +84,11 @@ LUXEL_API const double *luxel_field_y_mm(const luxel_field *field);
 LUXEL_API const float *luxel_field_single(const luxel_field *field);
 /* The values, rows x columns, which live as long as the field; NULL for a field of single precision. */
 LUXEL_API const double *luxel_field_double(const luxel_field *field);
+/* The channels R, G, B (linear sRGB), rows x columns x 3, of which the values are the luminance; they live as long as
+ * the field.  NULL for a field of double precision, or with one channel. */
+LUXEL_API const float *luxel_field_rgb_single(const luxel_field *field);
+/* The channels, likewise; NULL for a field of single precision, or with one channel. */
+LUXEL_API const double *luxel_field_rgb_double(const luxel_field *field);
 /* rows x columns bytes: 1 on a surface, 0 off. */
 LUXEL_API const uint8_t *luxel_field_mask(const luxel_field *field);
 /* One value whatever the precision; 0 outside the grid. */
@@ -92,6 +99,13 @@ LUXEL_API const luxel_statistics *luxel_field_statistics(const luxel_field *fiel
 
 /* Fills rows x columns bytes with the grey levels 0..255 by the rule of the scene's `picture`. */
 LUXEL_API void luxel_field_grey(const luxel_field *field, uint8_t *grey);
+/*
+ * Fills rows x columns x 3 bytes with the levels 0..255 of a picture in colour, which a display with sRGB's curve
+ * shows: as the grey levels, but by the greatest channel where those go by the maximum, and with that curve.  Returns
+ * how many of these numbers were clipped, below 0 or beyond the range.  A field with one channel has its grey levels
+ * three times.
+ */
+LUXEL_API size_t luxel_field_srgb(const luxel_field *field, uint8_t *levels);
 /* Fills rows x columns numbers with the grey levels 0..65535 by the same rule, 65535 taking the place of 255. */
 LUXEL_API void luxel_field_grey16(const luxel_field *field, uint16_t *grey);
 

@@ -22,6 +22,7 @@
 #define LUXEL_GRID_H
 
 #include <luxel/bounded.h>
+#include <luxel/colour.h>
 #include <luxel/field.h>
 #include <luxel/scene.h>
 #include <luxel/settings.h>
@@ -81,6 +82,7 @@ typedef struct luxel_grid {
     bool tolerance_reached;      /* whether each error is at most the tolerance times the value (for a dark cell, times
                                     the maximum or, where all is dark, what the lights bring to it): the settings'
                                     tolerance, or 1e-9 where there is no closed form */
+    const luxel_color *colors;   /* rows x columns: the values' channels; NULL in a scene without channels: rgb */
     const uint8_t *inside;       /* rows x columns: 1 where the cell is inside the body of a surface, else 0 */
 } luxel_grid;
 
@@ -110,7 +112,7 @@ LUXEL_API luxel_status luxel_find_grid_values(const luxel_scene *scene, const lu
 
 /* The least or the greatest value on a whole plane. */
 typedef struct luxel_grid_peak {
-    bool exists;           /* false where no place has a value; then the rest is 0 */
+    bool exists;           /* false where no place has a value, or colours reflect (see below); then the rest is 0 */
     double value;          /* in the grid's unit */
     double error;          /* bounds |value - truth at this very place| */
     double position_mm[3]; /* of the place */
@@ -132,6 +134,7 @@ typedef struct luxel_grid_extrema {
  * is known of what is narrower than the places lie apart.  Where light jumps, at the edge of a shadow say, the place is
  * as near as the steps lead.  Of light that surfaces reflect to each other what luxel_find_grid() has found for the
  * plane is used, if it was the last one, and else found anew, so that the numbers may differ within their errors.
+ * In a scene with channels: rgb whose materials have colours and reflect light none is looked for.
  * Errors as luxel_find_grid().
  */
 LUXEL_API luxel_status luxel_find_grid_extrema(const luxel_scene *scene, const luxel_settings *settings, size_t i,
@@ -159,9 +162,9 @@ LUXEL_API luxel_status luxel_check_grid_output_name(const char *path, luxel_diag
 
 /*
  * Writes `count` grids of one unit to a .csv file, whole or not at all: under a line with the columns' names
- * (grid,column,row,x_mm,y_mm,z_mm,irradiance_UNIT,error_UNIT) a line for each cell, grid by grid and row by row.  A
- * grid goes by its name or, where it has none, by "grid 1" and so on, as it stands in the list; the last two fields of
- * a cell without a value, on a source or inside a body, are empty.
+ * (grid,column,row,x_mm,y_mm,z_mm,irradiance_UNIT,error_UNIT, in colour red_UNIT,green_UNIT,blue_UNIT too) a line for
+ * each cell, grid by grid and row by row.  A grid goes by its name or, where it has none, by "grid 1" and so on, as it
+ * stands in the list; the last two fields of a cell without a value, on a source or inside a body, are empty.
  * LUXEL_ERROR_ARGUMENT: another extension, or no grid.  LUXEL_ERROR_FILE: it could not be written.
  */
 LUXEL_API luxel_status luxel_grids_write(const luxel_grid *const *grids, size_t count, const char *path,

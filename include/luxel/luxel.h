@@ -39,6 +39,7 @@
 #include <luxel/alternatives.h>
 #include <luxel/balance.h>
 #include <luxel/bounded.h>
+#include <luxel/colour.h>
 #include <luxel/compare.h>
 #include <luxel/conventions.h>
 #include <luxel/diagnostics.h>

@@ -8,6 +8,7 @@
 #define LUXEL_PROBE_H
 
 #include <luxel/bounded.h>
+#include <luxel/colour.h>
 #include <luxel/scene.h>
 #include <luxel/settings.h>
 
@@ -83,6 +84,7 @@ typedef struct luxel_probe {
     size_t enclosing_surface;  /* that surface, the first of them */
     bool source_on_element;    /* whether a source lies on the element, which then has no value */
     size_t blocking_light;     /* that source's light, as an index in the scene's list */
+    luxel_color color;         /* the value's channels, in a scene with channels: rgb */
     size_t share_count;        /* one for each enabled light, where has_value */
     luxel_light_share *shares; /* the lights' shares, in the scene's order */
 } luxel_probe;

@@ -23,7 +23,7 @@ from ._grid import Grid
 from ._language import set_language
 from ._photometry import Diagram, Greatest, LampSet, Opening, Photometry, PhotometryFigures
 from ._pictures import Figure, palettes
-from ._probe import Probe, Probes, Share
+from ._probe import Color, Probe, Probes, Share
 from ._results import (Alternative, Comparison, Extrema, Extremum, GridExtrema, GridExtremum, GridPeak, Histogram,
                        Isophote, Judgement, Light, Mesh, Peak, Profile, Statistics, Summary)
 from ._scene import Scene, builtin_scenes, instruction_sets, schema, variant
@@ -32,11 +32,11 @@ from ._luxel import version as _version
 __version__ = _version()
 
 __all__ = [
-    "Alternative", "Amount", "Balance", "Comparison", "Diagnostic", "Diagram", "Document", "Extrema", "Extremum",
-    "Field", "Figure", "Geometry", "Glare", "GlareSource", "Greatest", "Grid", "GridExtrema", "GridExtremum",
-    "GridPeak", "Histogram", "Isophote", "Judgement", "LampSet", "Light", "LitSide", "LuxelError", "LuxelFileError",
-    "LuxelKeyError", "LuxelMemoryError", "LuxelNotFoundError", "LuxelValueError", "LuxelWarning", "Mesh", "Opening",
-    "Peak", "Photometry", "PhotometryFigures", "Probe", "Probes", "Profile", "Scene", "Share", "Statistics", "Summary",
-    "UgrReflectances", "UgrRoom", "UgrTable", "builtin_scenes", "compare", "instruction_sets", "palettes", "read",
-    "schema", "set_language", "variant", "__version__",
+    "Alternative", "Amount", "Balance", "Color", "Comparison", "Diagnostic", "Diagram", "Document", "Extrema",
+    "Extremum", "Field", "Figure", "Geometry", "Glare", "GlareSource", "Greatest", "Grid", "GridExtrema",
+    "GridExtremum", "GridPeak", "Histogram", "Isophote", "Judgement", "LampSet", "Light", "LitSide", "LuxelError",
+    "LuxelFileError", "LuxelKeyError", "LuxelMemoryError", "LuxelNotFoundError", "LuxelValueError", "LuxelWarning",
+    "Mesh", "Opening", "Peak", "Photometry", "PhotometryFigures", "Probe", "Probes", "Profile", "Scene", "Share",
+    "Statistics", "Summary", "UgrReflectances", "UgrRoom", "UgrTable", "builtin_scenes", "compare",
+    "instruction_sets", "palettes", "read", "schema", "set_language", "variant", "__version__",
 ]

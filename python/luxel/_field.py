@@ -21,7 +21,7 @@ BOUNDS = {"single": 2e-6, "double": 1e-11}
 
 
 class Field(Arithmetic, _luxel.FieldHandle):
-    """A picture: rows x columns values, row 0 on top, float32 or float64 by its precision.
+    """A picture: rows x columns values, row 0 on top, float32 or float64 by its precision; in colour three for each.
 
     `numpy.asarray(field)` and `memoryview(field)` share its memory, which is never written; they keep it alive.  Off
     the surfaces the value is 0 and `mask` False.  Fields are made by Scene.render(), luxel.read() and Field.of().
@@ -45,10 +45,9 @@ class Field(Arithmetic, _luxel.FieldHandle):
         return self._about()[1]
 
     @property
-    def shape(self) -> Tuple[int, int]:
-        """Rows and columns, as of the array."""
-        columns, rows = self._about()[:2]
-        return rows, columns
+    def shape(self) -> Tuple[int, ...]:
+        """Rows and columns, as of the array, and 3 of a picture in colour."""
+        return memoryview(self).shape or ()
 
     @property
     def quantity(self) -> str:
@@ -93,8 +92,16 @@ class Field(Arithmetic, _luxel.FieldHandle):
 
     @property
     def values(self) -> Any:
-        """The values as an array, float32 or float64, which shares the field's memory."""
+        """The values as an array, float32 or float64, which shares the field's memory.
+
+        Of a scene with `channels: rgb` they are rows x columns x 3, red, green and blue in linear sRGB.
+        """
         return shared(self)
+
+    @property
+    def luminance(self) -> Any:
+        """The luminance of a picture in colour, rows x columns, which its statistics are of; else the values."""
+        return shared(_luxel.field_luminance(self))
 
     @property
     def mask(self) -> "Bools":
@@ -188,7 +195,7 @@ class Field(Arithmetic, _luxel.FieldHandle):
 
         if bits not in (8, 16):
             raise ValueError("bits: 8, 16")
-        levels = numpy.empty(self.shape, numpy.uint8 if bits == 8 else numpy.uint16)
+        levels = numpy.empty(self.luminance.shape, numpy.uint8 if bits == 8 else numpy.uint16)
         _luxel.field_grey(self, levels)
         return levels
 
@@ -240,7 +247,8 @@ class Field(Arithmetic, _luxel.FieldHandle):
     def to_xarray(self) -> Any:
         """An xarray.DataArray over y_mm and x_mm, with unit, quantity and conventions as attributes.
 
-        Off the surfaces it holds NaN, so it is a copy.  Raises ValueError where the places are not known.
+        Off the surfaces it holds NaN, so it is a copy; of a picture in colour, the luminance.
+        Raises ValueError where the places are not known.
         """
         import importlib
 
@@ -249,7 +257,8 @@ class Field(Arithmetic, _luxel.FieldHandle):
         xarray: Any = importlib.import_module("xarray")
         if self.x_mm is None or self.y_mm is None:
             raise ValueError("this field does not know its places")
-        values = numpy.where(self.mask, self.values, self.values.dtype.type(numpy.nan))
+        seen = self.luminance
+        values = numpy.where(self.mask, seen, seen.dtype.type(numpy.nan))
         attributes = {"units": self.unit, "quantity": self.quantity_word, "precision": self.precision,
                       "long_name": self.quantity_word}
         attributes.update({"convention_" + key: value for key, value in self.conventions.items()})

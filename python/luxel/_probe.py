@@ -25,6 +25,16 @@ class Share(NamedTuple):
     parts: int  #: points that an extended source was split into; 0: there is a closed form
 
 
+class Color(NamedTuple):
+    """The channels of a value in a scene with `channels: rgb`, and the colour that they are."""
+
+    rgb: Vector  #: red, green and blue in linear sRGB, whose luminance is the value
+    error: Vector  #: bounds of |channel - truth|
+    xy: Optional[Tuple[float, float]]  #: the chromaticity of 1931; None where the luminance is 0
+    cct: Optional[float]  #: the temperature of the nearest black body in u, v, in K; None where it means nothing
+    duv: Optional[float]  #: the distance from it in u, v, above 0 on the side of green
+
+
 class Probe(NamedTuple):
     """The answer at one place.  What there is not is None: a value off every surface, a pixel off the screen."""
 
@@ -46,6 +56,7 @@ class Probe(NamedTuple):
     blocking_light: Optional[int]  #: the light that lies on the element, which then has no value
     #: what other surfaces send: irradiance, its part of the value, the bound of that part's error
     reflected: Optional[Tuple[float, float, float]]
+    color: Optional[Color]  #: of a scene with channels: rgb
     shares: Tuple[Share, ...]  #: one for each enabled light
     unit: str
 
@@ -57,7 +68,8 @@ def probes(found: List[Any], unit: str) -> List[Probe]:
     """The probes of tuples of the library."""
     made = []
     for entry in found:
-        fields: Any = (*entry[:-1], tuple(Share(*share) for share in entry[-1]), unit)
+        color = Color(*entry[-2]) if entry[-2] else None
+        fields: Any = (*entry[:-2], color, tuple(Share(*share) for share in entry[-1]), unit)
         made.append(Probe(*fields))
     return made
 

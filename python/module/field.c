@@ -5,6 +5,13 @@
  */
 #include "failure.h"
 
+static const void *channels_of(const luxel_field *field)
+{
+    const float *single = luxel_field_rgb_single(field);
+
+    return single ? (const void *)single : luxel_field_rgb_double(field);
+}
+
 static int field_get(PyObject *self, Py_buffer *buffer, int flags)
 {
     struct field_object *field = (struct field_object *)self;
@@ -15,14 +22,17 @@ static int field_get(PyObject *self, Py_buffer *buffer, int flags)
         PyErr_SetString(PyExc_BufferError, field->field ? "a field cannot be written" : "an empty field has no values");
         return -1;
     }
-    const void *values = is_single ? (const void *)luxel_field_single(field->field) : luxel_field_double(field->field);
+    const bool in_color = luxel_field_channels(field->field) == 3;
+    const void *values = in_color    ? channels_of(field->field)
+                         : is_single ? (const void *)luxel_field_single(field->field)
+                                     : luxel_field_double(field->field);
 
     *buffer = (Py_buffer){.buf = (void *)values,
                           .obj = Py_NewRef(self),
-                          .len = field->shape[0] * field->shape[1] * item,
+                          .len = field->shape[0] * field->strides[0],
                           .itemsize = item,
                           .readonly = 1,
-                          .ndim = 2,
+                          .ndim = in_color ? 3 : 2,
                           .format = flags & PyBUF_FORMAT ? (is_single ? "f" : "d") : NULL,
                           .shape = flags & PyBUF_ND ? field->shape : NULL,
                           .strides = (flags & PyBUF_STRIDES) == PyBUF_STRIDES ? field->strides : NULL};
@@ -80,8 +90,10 @@ PyObject *field_handle(PyObject *module, PyObject *type, luxel_field *field, PyO
     object->scene = scene ? Py_NewRef(scene) : NULL;
     object->shape[0] = luxel_field_rows(field);
     object->shape[1] = luxel_field_columns(field);
-    object->strides[0] = object->shape[1] * item;
-    object->strides[1] = item;
+    object->shape[2] = luxel_field_channels(field);
+    object->strides[0] = object->shape[1] * object->shape[2] * item;
+    object->strides[1] = object->shape[2] * item;
+    object->strides[2] = item;
     return made;
 }
 
@@ -123,6 +135,23 @@ static PyObject *field_mask(PyObject *module, PyObject *handle)
         return NULL;
     const struct view_layout layout = {.data = luxel_field_mask(field),
                                        .format = "?",
+                                       .rows = luxel_field_rows(field),
+                                       .columns = luxel_field_columns(field)};
+
+    return view_new(module, handle, &layout);
+}
+
+/* The luminance of a picture in colour, and the values of another one. */
+static PyObject *field_luminance(PyObject *module, PyObject *handle)
+{
+    const luxel_field *field = field_of(module, handle);
+
+    if (!field)
+        return NULL;
+    const bool is_single = luxel_field_precision(field) == LUXEL_SINGLE;
+    const struct view_layout layout = {.data = is_single ? (const void *)luxel_field_single(field)
+                                                         : luxel_field_double(field),
+                                       .format = is_single ? "f" : "d",
                                        .rows = luxel_field_rows(field),
                                        .columns = luxel_field_columns(field)};
 
@@ -323,11 +352,11 @@ static PyObject *field_read_bytes(PyObject *module, PyObject *arguments)
 }
 
 const PyMethodDef field_functions[] = {
-    FUNCTION("field_about", field_about, METH_O, "field: FieldHandle, /",
-             "Tuple[int, int, int, int, str, str, str]"),
+    FUNCTION("field_about", field_about, METH_O, "field: FieldHandle, /", "Tuple[int, int, int, int, str, str, str]"),
     FUNCTION("field_text", field_text, METH_O, "field: FieldHandle, /", "Optional[str]"),
     FUNCTION("field_scene", field_scene, METH_O, "field: FieldHandle, /", "Optional[SceneHandle]"),
     FUNCTION("field_mask", field_mask, METH_O, "field: FieldHandle, /", "View"),
+    FUNCTION("field_luminance", field_luminance, METH_O, "field: FieldHandle, /", "View"),
     FUNCTION("field_places", field_places, METH_O, "field: FieldHandle, /", "Tuple[Optional[View], Optional[View]]"),
     FUNCTION("field_statistics", field_statistics, METH_O, "field: FieldHandle, /", "Tuple[Any, ...]"),
     FUNCTION("field_grey", field_grey, METH_VARARGS, "field: FieldHandle, levels: Any, /", "None"),

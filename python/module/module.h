@@ -56,7 +56,7 @@ struct scene_object {
 struct field_object {
     PyObject_HEAD luxel_field *field;
     PyObject *scene;
-    Py_ssize_t shape[2], strides[2];
+    Py_ssize_t shape[3], strides[3]; /* the third of a picture in colour, whose channels it hands out */
 };
 
 /* What a result of the library is kept in: freed with it. */

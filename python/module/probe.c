@@ -29,6 +29,18 @@ static PyObject *pair_or_none(bool given, double x, double y)
     return given ? Py_BuildValue("(dd)", x, y) : none();
 }
 
+static PyObject *color_or_none(const luxel_color *color)
+{
+    luxel_chromaticity seen;
+
+    if (!color->exists)
+        return none();
+    luxel_find_chromaticity(color->rgb, &seen);
+    return Py_BuildValue("(NNNNN)", triple_or_none(true, color->rgb), triple_or_none(true, color->error),
+                         pair_or_none(seen.has_xy, seen.xy[0], seen.xy[1]), number_or_none(seen.has_cct, seen.cct_k),
+                         number_or_none(seen.has_cct, seen.duv));
+}
+
 static PyObject *probe_tuple(const luxel_probe *probe)
 {
     PyObject *shares = probe->has_value ? shares_list(probe) : PyList_New(0);
@@ -36,7 +48,7 @@ static PyObject *probe_tuple(const luxel_probe *probe)
     if (!shares)
         return NULL;
     return Py_BuildValue(
-        "(NNONNONNNNNNNONNNN)", pair_or_none(probe->has_screen, probe->x_mm, probe->y_mm),
+        "(NNONNONNNNNNNONNNNN)", pair_or_none(probe->has_screen, probe->x_mm, probe->y_mm),
         probe->has_pixel ? Py_BuildValue("(II)", probe->column, probe->row) : none(),
         probe->on_surface ? Py_True : Py_False, number_or_none(probe->has_value, probe->value),
         number_or_none(probe->has_value, probe->error),
@@ -52,7 +64,7 @@ static PyObject *probe_tuple(const luxel_probe *probe)
         probe->has_reflected
             ? Py_BuildValue("(ddd)", probe->reflected_irradiance, probe->reflected.value, probe->reflected.error)
             : none(),
-        shares);
+        color_or_none(&probe->color), shares);
 }
 
 /* From (x, y) on the screen, or (x, y, z, nx, ny, nz, view or None, surface).  False: an exception is set. */

@@ -12,6 +12,7 @@
 #include "../base/number.h"
 #include "../base/phrase.h"
 #include "../light/totals.h"
+#include "../scene/colours.h"
 #include "../world/evaluate.h"
 #include "reflecting.h"
 
@@ -166,6 +167,8 @@ luxel_status luxel_find_balance(const luxel_scene *scene, const luxel_settings *
     if (!balance)
         return lx_refuse(diagnostics, LX_MSG_MISSING_ARGUMENT, LX_ARGS("balance"));
     luxel_status status = lx_session_open_world(scene, settings, diagnostics, &session);
+    if (status == LUXEL_OK)
+        status = lx_refuse_sum(scene, LUXEL_IRRADIANCE, LX_N("the balance"), diagnostics);
     if (status == LUXEL_OK && lx_wants_reflections(session.prepared.scene))
         status = find(scene, &session, diagnostics, &made);
     lx_session_clear(&session);

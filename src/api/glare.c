@@ -18,6 +18,7 @@
 #include "../base/phrase.h"
 #include "../base/vector.h"
 #include "../scene/observer.h"
+#include "../scene/colours.h"
 #include "../scene/scene.h"
 #include "../world/evaluate.h"
 #include "glare_light.h"
@@ -273,6 +274,8 @@ luxel_status luxel_find_glare(const luxel_scene *scene, const luxel_settings *se
     if (status != LUXEL_OK)
         return status;
     status = lx_session_open_world(scene, settings, diagnostics, &session);
+    if (status == LUXEL_OK)
+        status = lx_refuse_sum(scene, LUXEL_IRRADIANCE, LX_N("glare"), diagnostics);
     if (status == LUXEL_OK && !open_eye(session.prepared.scene, sight, &rating.eye)) {
         lx_report(diagnostics, LUXEL_SEVERITY_ERROR, NULL, LX_MSG_MISSING_ARGUMENT, LX_ARGS("sight"));
         status = LUXEL_ERROR_ARGUMENT;

@@ -15,6 +15,7 @@
 #include "../light/solid/extended.h"
 #include "../scene/scene.h"
 #include "../world/evaluate.h"
+#include "coloring.h"
 #include "grid_measuring.h"
 #include "reflecting.h"
 
@@ -27,6 +28,7 @@ void luxel_grid_free(luxel_grid *grid)
     free((double *)grid->errors);
     free((uint8_t *)grid->mask);
     free((uint8_t *)grid->inside);
+    free((luxel_color *)grid->colors);
     free(grid);
 }
 
@@ -411,6 +413,13 @@ luxel_status luxel_find_grid(const luxel_scene *scene, const luxel_settings *set
 
 luxel_status lx_measure_cells(const luxel_scene *scene, const luxel_settings *settings, size_t i, const unsigned n[2],
                               luxel_diagnostics *diagnostics, luxel_grid **grid)
+{
+    return luxel_scene_has_color(scene) && grid ? lx_measure_in_color(scene, settings, i, n, diagnostics, grid)
+                                                : lx_measure_grey(scene, settings, i, n, diagnostics, grid);
+}
+
+luxel_status lx_measure_grey(const luxel_scene *scene, const luxel_settings *settings, size_t i, const unsigned n[2],
+                             luxel_diagnostics *diagnostics, luxel_grid **grid)
 {
     struct lx_session session;
     struct lx_measuring measuring = {.lobe = lx_lobe_irradiance(), .values_alone = n != NULL};

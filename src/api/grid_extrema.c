@@ -11,9 +11,11 @@
 
 #include "../base/diagnostics.h"
 #include "../base/memory.h"
+#include "../base/phrase.h"
 #include "../base/rows.h"
 #include "../base/vector.h"
 #include "../flux/candidate_rays.h"
+#include "../scene/colours.h"
 #include "../scene/scene.h"
 #include "../world/bodies.h"
 #include "../world/evaluate.h"
@@ -454,7 +456,8 @@ luxel_status luxel_find_grid_extrema(const luxel_scene *scene, const luxel_setti
     const struct lx_grid *grid = status == LUXEL_OK ? lx_asked_grid(scene, i, extrema, "extrema", diagnostics) : NULL;
     if (status == LUXEL_OK && !grid)
         status = LUXEL_ERROR_ARGUMENT;
-    if (status == LUXEL_OK) {
+    const bool is_sum = status == LUXEL_OK && lx_is_sum_of_channels(lx_scene_parameters(scene), LUXEL_IRRADIANCE);
+    if (status == LUXEL_OK && !is_sum) {
         search.world.kernels = session.world.kernels;
         search.world.reflect = session.world.reflect;
         search.hasty = session.prepared;
@@ -462,7 +465,7 @@ luxel_status luxel_find_grid_extrema(const luxel_scene *scene, const luxel_setti
             search.hasty.tolerance = fmax(session.prepared.tolerance, WHILE_SEARCHING);
         status = lx_reflect_shared(scene, &session, diagnostics);
     }
-    if (status == LUXEL_OK)
+    if (status == LUXEL_OK && !is_sum)
         status = run(scene, &session, i, grid, &search, diagnostics, &found);
     free(search.nodes);
     lx_bodies_clear(&search.bodies);

@@ -20,11 +20,11 @@ luxel_status luxel_check_grid_output_name(const char *path, luxel_diagnostics *d
     return lx_refuse(diagnostics, LX_MSG_GRID_ENDING, LX_ARGS(path, ENDING));
 }
 
-static void add_heading(struct lx_text *lines, const char *unit)
+static void add_heading(struct lx_text *lines, const char *unit, bool in_color)
 {
-    static const char *const names[] = {"irradiance_", "error_"};
+    static const char *const names[] = {"irradiance_", "error_", "red_", "green_", "blue_"};
     lx_text_puts(lines, "grid,column,row,x_mm,y_mm,z_mm");
-    for (size_t i = 0; i < sizeof names / sizeof names[0]; i++) {
+    for (size_t i = 0; i < (in_color ? 5 : 2); i++) {
         struct lx_text field = {0};
         lx_text_puts(&field, names[i]);
         lx_text_puts(&field, unit);
@@ -53,6 +53,11 @@ static void add_cell(struct lx_text *lines, const struct luxel_grid *grid, unsig
     lx_text_puts(lines, ",");
     if (grid->mask[cell])
         lx_text_puts(lines, lx_write_number(grid->errors[cell], number));
+    for (int c = 0; grid->colors && c < 3; c++) {
+        lx_text_puts(lines, ",");
+        if (grid->mask[cell])
+            lx_text_puts(lines, lx_write_number(grid->colors[cell].rgb[c], number));
+    }
     lx_text_puts(lines, "\n");
 }
 
@@ -92,7 +97,7 @@ luxel_status luxel_grids_write(const luxel_grid *const *grids, size_t count, con
     status = lx_sink_open(path, NULL, diagnostics, &sink);
     if (status != LUXEL_OK)
         return status;
-    add_heading(&heading, grids[0]->unit);
+    add_heading(&heading, grids[0]->unit, grids[0]->colors != NULL);
     if (heading.failed)
         lx_sink_out_of_memory(sink);
     else

@@ -45,6 +45,8 @@ struct lx_output {
     unsigned level_rows;  /* how many */
     struct lx_sink *kept; /* values and mask of each strip, one strip after the other; NULL: none was kept */
     double least;         /* lx_greys_least() of all strips that came */
+    unsigned channels;    /* of a pixel; a picture in colour comes as one strip */
+    size_t clipped;       /* channels */
 };
 
 enum { LEVELS = 1 << 16 }; /* pixels turned into grey levels at a time */
@@ -104,10 +106,12 @@ static luxel_status begin(struct lx_output *output, const luxel_field_output *ho
     luxel_status status = lx_find_format(output->destination.path, output->diagnostics, &format);
     if (status != LUXEL_OK)
         return status;
+    output->channels = luxel_field_channels(field);
     if (!(format->samples & (LX_SAMPLE_F32 | LX_SAMPLE_F64))) {
         output->bits = how && how->bits ? how->bits : 8;
         output->level_rows = field->columns < LEVELS ? LEVELS / field->columns : 1;
-        output->levels = lx_new_aligned((size_t)output->level_rows * field->columns, output->bits / 8);
+        output->levels =
+            lx_new_aligned((size_t)output->level_rows * field->columns * output->channels, output->bits / 8);
         if (!output->levels)
             return lx_out_of_memory(output->diagnostics);
     }
@@ -116,7 +120,7 @@ static luxel_status begin(struct lx_output *output, const luxel_field_output *ho
     const struct lx_image image = {
         .columns = field->columns,
         .rows = field->rows,
-        .channels = 1,
+        .channels = output->channels,
         .sample = sample_of(field, output->bits),
         .x_mm = field->x_mm,
         .y_mm = field->y_mm,
@@ -157,11 +161,14 @@ bool lx_output_wants_all(const struct lx_output *output)
 static void write_levels(struct lx_output *output, const struct lx_strip *strip)
 {
     const struct luxel_field *field = output->field;
-    const struct lx_greys greys = lx_greys_of(field, output->least);
+    const struct lx_greys greys = strip->rgb ? lx_greys_of_rgb(field) : lx_greys_of(field, output->least);
     for (unsigned row = 0; row < strip->rows; row += output->level_rows) {
         unsigned left = strip->rows - row, rows = left < output->level_rows ? left : output->level_rows;
-        lx_grey_levels(&greys, field, strip, (size_t)row * field->columns, (size_t)rows * field->columns, output->bits,
-                       output->levels);
+        const size_t first = (size_t)row * field->columns, count = (size_t)rows * field->columns;
+        if (strip->rgb)
+            output->clipped += lx_srgb_levels(&greys, field, first, count, output->bits, output->levels);
+        else
+            lx_grey_levels(&greys, field, strip, first, count, output->bits, output->levels);
         const struct lx_image_strip levels = {.first = strip->first + row, .rows = rows, .data = output->levels};
         lx_writer_add(output->writer, &levels);
     }
@@ -199,7 +206,8 @@ void lx_output_add(struct lx_output *output, const struct lx_strip *strip)
     } else if (output->bits > 0) {
         write_levels(output, strip);
     } else {
-        const struct lx_image_strip values = {strip->first, strip->rows, strip->values, strip->mask};
+        const struct lx_image_strip values = {strip->first, strip->rows, strip->rgb ? strip->rgb : strip->values,
+                                              strip->mask};
         lx_writer_add(output->writer, &values);
     }
 }
@@ -221,6 +229,13 @@ void lx_output_catch_up(struct lx_output *output, struct lx_strip *strip)
 luxel_status lx_output_commit(struct lx_output *output)
 {
     luxel_status status = output->status;
+    if (output->clipped > 0) {
+        const double all = 3.0 * output->field->columns * output->field->rows;
+        char clipped[LX_NUMBER_SIZE], channels[LX_NUMBER_SIZE];
+        lx_report(output->diagnostics, LUXEL_SEVERITY_ADVICE, NULL, LX_MSG_CHANNELS_CLIPPED,
+                  LX_ARGS(output->destination.path, lx_write_number((double)output->clipped, clipped),
+                          lx_write_number(all, channels)));
+    }
     if (status == LUXEL_OK) {
         status = lx_writer_commit(output->writer);
         output->writer = NULL;

@@ -12,12 +12,14 @@
 #include "../base/memory.h"
 #include "../base/number.h"
 #include "../base/rows.h"
+#include "../scene/lit.h"
 #include "../scene/materials.h"
 #include "../scene/scene.h"
 #include "../world/albedo.h"
 #include "../world/bodies.h"
 #include "../world/camera.h"
 #include "../world/evaluate.h"
+#include "coloring.h"
 #include "probe_pixels.h"
 #include "reflecting.h"
 #include "session.h"
@@ -413,8 +415,42 @@ static luxel_status open(struct probing *probing, const luxel_settings *settings
     return status == LUXEL_OK && sees ? luxel_scene_check_view(scene, diagnostics) : status;
 }
 
+luxel_status lx_probes_new(const luxel_scene *scene, const luxel_settings *settings, size_t count,
+                           luxel_diagnostics *diagnostics, luxel_probes **probes)
+{
+    bool *on = lx_lights_on(lx_scene_parameters(scene), settings);
+    luxel_status status =
+        on ? new_probes(lx_scene_parameters(scene), on, count, diagnostics, probes) : lx_out_of_memory(diagnostics);
+    free(on);
+    return status;
+}
+
+luxel_probe *lx_probes_list(luxel_probes *probes)
+{
+    return probes->list;
+}
+
+void lx_probe_take_place(luxel_probes *probes, size_t i, const luxel_probe *from)
+{
+    luxel_probe *probe = &probes->list[i];
+    luxel_light_share *shares = probe->shares;
+    *probe = *from;
+    probe->shares = shares;
+    probe->share_count = from->on_surface ? probes->named_count : 0;
+    if (from->surface_name)
+        probe->surface_name = probes->surface_names[from->surface];
+}
+
 luxel_status luxel_probe_places(const luxel_scene *scene, const luxel_settings *settings, const luxel_place *places,
                                 size_t count, luxel_diagnostics *diagnostics, luxel_probes **probes)
+{
+    return luxel_scene_has_color(scene) && probes && count > 0
+               ? lx_probe_in_color(scene, settings, places, count, diagnostics, probes)
+               : lx_probe_grey(scene, settings, places, count, diagnostics, probes);
+}
+
+luxel_status lx_probe_grey(const luxel_scene *scene, const luxel_settings *settings, const luxel_place *places,
+                           size_t count, luxel_diagnostics *diagnostics, luxel_probes **probes)
 {
     struct lx_session session;
     struct lx_control control = {.rows = count < UINT_MAX / 2 ? 2 * (unsigned)count : UINT_MAX};

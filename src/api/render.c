@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* luxel_render(): the whole picture as one strip, which becomes the field's. */
 #include "../base/diagnostics.h"
+#include "coloring.h"
 #include "reflecting.h"
 #include "rendering.h"
 
@@ -9,6 +10,13 @@ luxel_status luxel_render(const luxel_scene *scene, const luxel_settings *settin
 {
     if (!field)
         return lx_refuse(diagnostics, LX_MSG_MISSING_ARGUMENT, LX_ARGS("field"));
+    return luxel_scene_has_color(scene) ? lx_render_in_color(scene, settings, diagnostics, field)
+                                        : lx_render_grey(scene, settings, diagnostics, field);
+}
+
+luxel_status lx_render_grey(const luxel_scene *scene, const luxel_settings *settings, luxel_diagnostics *diagnostics,
+                            luxel_field **field)
+{
     struct lx_session session;
     struct lx_rendering rendering = {0};
     struct luxel_field *made = NULL;

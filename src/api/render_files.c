@@ -4,6 +4,7 @@
 
 #include "../base/diagnostics.h"
 #include "../base/memory.h"
+#include "coloring.h"
 #include "output.h"
 #include "reflecting.h"
 #include "rendering.h"
@@ -147,6 +148,25 @@ static void clear_files(struct files *files)
     free(files->outputs);
 }
 
+/* A picture in colour is a sum of pictures, and is made whole. */
+static luxel_status render_in_color(const luxel_scene *scene, const luxel_settings *settings, const char *const *paths,
+                                    size_t count, const luxel_output *how, luxel_diagnostics *diagnostics,
+                                    luxel_statistics *statistics)
+{
+    struct luxel_field *field;
+    luxel_status status = lx_render_in_color(scene, settings, diagnostics, &field);
+    if (status != LUXEL_OK)
+        return status;
+    for (size_t i = 0; i < count; i++) {
+        const luxel_status written = luxel_field_write_as(field, paths[i], how, diagnostics);
+        status = written != LUXEL_OK ? written : status;
+    }
+    if (statistics)
+        *statistics = field->statistics;
+    luxel_field_free(field);
+    return status;
+}
+
 luxel_status luxel_render_files(const luxel_scene *scene, const luxel_settings *settings, const char *const *paths,
                                 size_t count, const luxel_field_output *how, luxel_diagnostics *diagnostics,
                                 luxel_statistics *statistics)
@@ -156,6 +176,8 @@ luxel_status luxel_render_files(const luxel_scene *scene, const luxel_settings *
     struct luxel_field *frame = NULL;
     struct files files = {0};
     luxel_status status = check_arguments(paths, count, how, diagnostics);
+    if (status == LUXEL_OK && luxel_scene_has_color(scene))
+        return render_in_color(scene, settings, paths, count, how, diagnostics, statistics);
     if (status == LUXEL_OK)
         status = lx_session_open(scene, settings, diagnostics, &session);
     if (status == LUXEL_OK)

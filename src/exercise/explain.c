@@ -7,6 +7,7 @@
 #include "../base/diagnostics.h"
 #include "../base/number.h"
 #include "../base/phrase.h"
+#include "../scene/colours.h"
 #include "../scene/lit.h"
 #include "alternatives.h"
 #include "parameter_tables.h"
@@ -200,9 +201,12 @@ static luxel_status explain_value(const struct explaining *explaining, luxel_dia
     struct lx_prepared prepared;
     struct lx_element element;
     luxel_alternatives *alternatives = NULL;
-    luxel_status status = lx_prepare(lx_scene_parameters(explaining->scene), explaining->settings, NULL, &prepared)
-                              ? lx_out_of_memory(diagnostics)
-                              : LUXEL_OK;
+    luxel_status status =
+        lx_refuse_sum(explaining->scene, explaining->quantity, LX_N("the way to a value"), diagnostics);
+    if (status != LUXEL_OK)
+        return status;
+    if (lx_prepare(lx_scene_parameters(explaining->scene), explaining->settings, NULL, &prepared))
+        status = lx_out_of_memory(diagnostics);
     if (status == LUXEL_OK)
         status = luxel_find_alternatives(explaining->scene, explaining->settings, probe->x_mm, probe->y_mm, diagnostics,
                                          &alternatives);

@@ -386,7 +386,7 @@ static luxel_status search_for(const luxel_evaluator *evaluator, const luxel_fie
     search.bare.shadows = search.bare.shadows && !search.knows_lights; /* penumbrae stay */
     *peak = (luxel_peak){.exists = false};
     search.short_of_memory = !make_gates(&search);
-    if (evaluator->world.reflected || !are_walkable(search.prepared))
+    if (evaluator->world.reflected || evaluator->part_count > 0 || !are_walkable(search.prepared))
         lx_search_plainly(&search, field, peak);
     else if (!search.short_of_memory && lx_search_seeds(&search, field, &seeds))
         search_from(&search, &seeds, peak);

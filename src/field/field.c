@@ -79,6 +79,7 @@ void luxel_field_free(luxel_field *field)
     if (!field)
         return;
     free(field->values);
+    free(field->rgb);
     free(field->mask);
     free(field->x_mm);
     free(field->y_mm);
@@ -95,6 +96,11 @@ unsigned luxel_field_columns(const luxel_field *field)
 unsigned luxel_field_rows(const luxel_field *field)
 {
     return field->rows;
+}
+
+unsigned luxel_field_channels(const luxel_field *field)
+{
+    return field->rgb ? 3 : 1;
 }
 
 luxel_quantity luxel_field_quantity(const luxel_field *field)
@@ -136,6 +142,16 @@ const double *luxel_field_x_mm(const luxel_field *field)
 const double *luxel_field_y_mm(const luxel_field *field)
 {
     return field->y_mm;
+}
+
+const float *luxel_field_rgb_single(const luxel_field *field)
+{
+    return field->precision == LUXEL_SINGLE ? field->rgb : NULL;
+}
+
+const double *luxel_field_rgb_double(const luxel_field *field)
+{
+    return field->precision == LUXEL_DOUBLE ? field->rgb : NULL;
 }
 
 const float *luxel_field_single(const luxel_field *field)

@@ -30,6 +30,7 @@ struct luxel_field {
     const char *instruction_set; /* a constant of the program */
     struct lx_scene_text *scene; /* that it was made of; NULL: not known */
     void *values;                /* float or double */
+    void *rgb;                   /* likewise, three a pixel: their channels; NULL: it is grey */
     uint8_t *mask;
     bool mask_is_guess;  /* of a file that tells none: the pixels that are not 0 */
     double *x_mm, *y_mm; /* the places of the columns and of the rows; NULL: not known */
@@ -59,6 +60,7 @@ struct lx_strip {
     unsigned first, rows;
     void *values; /* float or double, as the field's */
     uint8_t *mask;
+    void *rgb; /* three a pixel, likewise; NULL: it is grey */
 };
 
 /* Makes room for the rows of a strip; 0, or -1 when memory is short.  free() both in any case. */
@@ -67,7 +69,7 @@ int lx_strip_allocate(const struct luxel_field *field, struct lx_strip *strip);
 /* All rows of a field that has its values. */
 static inline struct lx_strip lx_whole_strip(const struct luxel_field *field)
 {
-    return (struct lx_strip){.rows = field->rows, .values = field->values, .mask = field->mask};
+    return (struct lx_strip){.rows = field->rows, .values = field->values, .mask = field->mask, .rgb = field->rgb};
 }
 
 /* The i-th value of a strip, row by row, whatever the precision. */
@@ -121,5 +123,17 @@ struct lx_greys lx_greys_of(const struct luxel_field *field, double least);
 /* Whole numbers of 8 or 16 bits for `count` values of a strip from the i-th on. */
 void lx_grey_levels(const struct lx_greys *greys, const struct luxel_field *field, const struct lx_strip *strip,
                     size_t i, size_t count, unsigned bits, void *levels);
+
+/* How the channels of a whole picture in colour become levels: as its grey levels, but by the greatest and the least
+ * channel where those go by the values. */
+struct lx_greys lx_greys_of_rgb(const struct luxel_field *field);
+
+/* Whole numbers of 8 or 16 bits for the channels of `count` pixels from the i-th on, with sRGB's curve; returns how
+ * many were clipped. */
+size_t lx_srgb_levels(const struct lx_greys *greys, const struct luxel_field *field, size_t i, size_t count,
+                      unsigned bits, void *levels);
+
+/* The brightness of a value from 0 to 1 before it is clipped. */
+double lx_grey_shade(const struct lx_greys *greys, double value);
 
 #endif

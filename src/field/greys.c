@@ -31,8 +31,7 @@ struct lx_greys lx_greys_of(const struct luxel_field *field, double least)
     return greys;
 }
 
-/* The brightness of a value from 0 to 1 before it is clipped. */
-static double shade_of(const struct lx_greys *greys, double value)
+double lx_grey_shade(const struct lx_greys *greys, double value)
 {
     if (greys->picture->range.choice == LX_RANGE_LOG)
         return value > 0 ? 1 + log10(value / greys->white) / 4 : 0;
@@ -45,7 +44,7 @@ static double shade_of(const struct lx_greys *greys, double value)
 /* The level of a value on a surface, a whole number from 0 to `most`. */
 static double level_of(const struct lx_greys *greys, double value, double most)
 {
-    double level = most * shade_of(greys, value);
+    double level = most * lx_grey_shade(greys, value);
     level = level > 0 ? level < most ? level : most : 0;
     return greys->picture->rounding == LX_NEAREST ? round(level) : trunc(level);
 }

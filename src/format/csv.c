@@ -1,8 +1,9 @@
 /* SPDX-License-Identifier: MIT */
 /*
  * Comma-separated values: a line for each pixel on the mask, from the top row down and from the left to the right, with
- * its place and its value, under a line that names the three.  The numbers read back as exactly the same ones, and
- * have a decimal point in every locale.  Format: RFC 4180, with the line ends of the system's other texts.
+ * its place and its value, or its three channels, under a line that names them.  The numbers read back as exactly the
+ * same ones, and have a decimal point in every locale.  Format: RFC 4180, with the line ends of the system's other
+ * texts.
  */
 #include <math.h>
 #include <stdlib.h>
@@ -27,14 +28,18 @@ void lx_csv_add_field(struct lx_text *line, const char *field)
 
 static void add_heading(struct lx_text *line, const struct lx_image *image)
 {
-    struct lx_text field = {0};
-    lx_text_puts(&field, LX_CSV_VALUE);
-    lx_text_puts(&field, image->unit ? image->unit : "");
+    static const char *const channels[] = {"red_", "green_", "blue_"};
     lx_text_puts(line, LX_CSV_PLACES);
-    lx_csv_add_field(line, field.failed ? "" : field.bytes);
+    for (unsigned c = 0; c < image->channels; c++) {
+        struct lx_text field = {0};
+        lx_text_puts(&field, image->channels == 3 ? channels[c] : LX_CSV_VALUE);
+        lx_text_puts(&field, image->unit ? image->unit : "");
+        lx_text_puts(line, c > 0 ? "," : "");
+        lx_csv_add_field(line, field.failed ? "" : field.bytes);
+        line->failed |= field.failed;
+        lx_text_clear(&field);
+    }
     lx_text_puts(line, "\n");
-    line->failed |= field.failed;
-    lx_text_clear(&field);
 }
 
 static const char *write_value(const void *data, bool single, size_t i, char number[LX_NUMBER_SIZE])
@@ -70,8 +75,10 @@ static void add_row(struct lx_text *lines, const struct lx_writer *writer, const
         lx_text_puts(lines, columns[column]);
         lx_text_puts(lines, ",");
         lx_text_puts(lines, y);
-        lx_text_puts(lines, ",");
-        lx_text_puts(lines, write_value(strip->data, single, first + column, number));
+        for (unsigned c = 0; c < image->channels; c++) {
+            lx_text_puts(lines, ",");
+            lx_text_puts(lines, write_value(strip->data, single, (first + column) * image->channels + c, number));
+        }
         lx_text_puts(lines, "\n");
     }
 }

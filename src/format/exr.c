@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * EXR pictures through OpenEXR's C library: scan lines of one float32 channel "Y" and the tags as attributes of type
- * string.  The same image gives the same bytes.  Lines are not compressed: zlib would take off an eighth to a half,
- * and eight times as long (at 3200 x 3200 pixels 0.8 s instead of 0.1 s).  So the table of where the lines begin can be
- * foreseen; it stands before them, although the library writes it last, and a sink cannot go back.
+ * EXR pictures through OpenEXR's C library: scan lines of one float32 channel "Y", or of R, G and B, and the tags as
+ * attributes of type string.  The same image gives the same bytes.  Lines are not compressed: zlib would take off an
+ * eighth to a half, and eight times as long (at 3200 x 3200 pixels 0.8 s instead of 0.1 s).  So the table of where the
+ * lines begin can be foreseen; it stands before them, although the library writes it last, and a sink cannot go back.
  */
 #include <stdlib.h>
 #include <string.h>
@@ -32,7 +32,7 @@ struct own {
 static void table_entry(const struct own *own, unsigned row, unsigned char entry[ENTRY])
 {
     uint64_t lines = own->table + (uint64_t)ENTRY * own->image->rows;
-    uint64_t start = lines + (uint64_t)row * (LEADER + sizeof(float) * (uint64_t)own->image->columns);
+    uint64_t start = lines + (uint64_t)row * (LEADER + sizeof(float) * (uint64_t)lx_row_samples(own->image));
     for (size_t byte = 0; byte < ENTRY; byte++)
         entry[byte] = (unsigned char)(start >> (8 * byte));
 }
@@ -84,6 +84,9 @@ static void report(exr_const_context_t context, exr_result_t code, const char *t
         lx_sink_fail(((struct own *)data)->sink, LX_MSG_EXR_FAILED, text);
 }
 
+static const char *const COLORS[] = {"R", "G", "B"};
+static const exr_attr_chromaticities_t SRGB = {0.64F, 0.33F, 0.30F, 0.60F, 0.15F, 0.06F, 0.3127F, 0.3290F};
+
 static exr_result_t write_header(struct own *own)
 {
     const struct lx_image *image = own->image;
@@ -92,8 +95,11 @@ static exr_result_t write_header(struct own *own)
     if (result == EXR_ERR_SUCCESS)
         result = exr_initialize_required_attr_simple(context, own->part, (int32_t)image->columns, (int32_t)image->rows,
                                                      EXR_COMPRESSION_NONE);
-    if (result == EXR_ERR_SUCCESS)
-        result = exr_add_channel(context, own->part, "Y", EXR_PIXEL_FLOAT, EXR_PERCEPTUALLY_LOGARITHMIC, 1, 1);
+    for (unsigned c = 0; c < image->channels && result == EXR_ERR_SUCCESS; c++)
+        result = exr_add_channel(context, own->part, image->channels == 3 ? COLORS[c] : "Y", EXR_PIXEL_FLOAT,
+                                 EXR_PERCEPTUALLY_LOGARITHMIC, 1, 1);
+    if (result == EXR_ERR_SUCCESS && image->channels == 3)
+        result = exr_attr_set_chromaticities(context, own->part, "chromaticities", &SRGB);
     for (size_t i = 0; i < image->tag_count && result == EXR_ERR_SUCCESS; i++)
         result = exr_attr_set_string(context, own->part, image->tags[i].key, image->tags[i].value);
     return result == EXR_ERR_SUCCESS ? exr_write_header(context) : result;
@@ -102,11 +108,11 @@ static exr_result_t write_header(struct own *own)
 /* The i-th line of a strip as float32. */
 static const float *line_from(const struct own *own, const struct lx_image_strip *strip, unsigned i)
 {
-    size_t first = (size_t)i * own->image->columns;
+    const size_t samples = lx_row_samples(own->image), first = i * samples;
     if (own->image->sample == LX_SAMPLE_F32)
         return (const float *)strip->data + first;
-    for (unsigned column = 0; column < own->image->columns; column++)
-        own->line[column] = (float)((const double *)strip->data)[first + column];
+    for (size_t k = 0; k < samples; k++)
+        own->line[k] = (float)((const double *)strip->data)[first + k];
     return own->line;
 }
 
@@ -121,12 +127,16 @@ static exr_result_t write_line(struct own *own, unsigned row, const float *line)
                           : exr_encoding_update(context, own->part, &chunk, pipeline);
     if (result != EXR_ERR_SUCCESS)
         return result;
-    exr_coding_channel_info_t *channel = &pipeline->channels[0];
-    channel->encode_from_ptr = (const uint8_t *)line;
-    channel->user_bytes_per_element = sizeof(float);
-    channel->user_data_type = EXR_PIXEL_FLOAT;
-    channel->user_pixel_stride = sizeof(float);
-    channel->user_line_stride = (int32_t)(own->image->columns * sizeof(float));
+    /* a file's channels stand in the order of their names, B before G before R */
+    const unsigned channels = own->image->channels;
+    for (unsigned c = 0; c < channels; c++) {
+        exr_coding_channel_info_t *channel = &pipeline->channels[c];
+        channel->encode_from_ptr = (const uint8_t *)(line + (channels - 1 - c));
+        channel->user_bytes_per_element = sizeof(float);
+        channel->user_data_type = EXR_PIXEL_FLOAT;
+        channel->user_pixel_stride = (int32_t)(channels * sizeof(float));
+        channel->user_line_stride = (int32_t)(lx_row_samples(own->image) * sizeof(float));
+    }
     if (row == 0)
         result = exr_encoding_choose_default_routines(context, own->part, pipeline);
     return result == EXR_ERR_SUCCESS ? exr_encoding_run(context, own->part, pipeline) : result;
@@ -142,7 +152,7 @@ static void begin_exr(struct lx_writer *writer)
 {
     struct own *own = writer->own = lx_new_array(1, sizeof *own);
     if (own && writer->image.sample == LX_SAMPLE_F64)
-        own->line = lx_new_array(writer->image.columns, sizeof *own->line);
+        own->line = lx_new_array(lx_row_samples(&writer->image), sizeof *own->line);
     if (!own || (writer->image.sample == LX_SAMPLE_F64 && !own->line)) {
         lx_sink_out_of_memory(writer->sink);
         return;

@@ -81,8 +81,8 @@ static luxel_status check_image(const char *path, const struct lx_format *format
                                 luxel_diagnostics *diagnostics)
 {
     bool no_places = format->needs_places && (!image->x_mm || !image->y_mm);
-    if (!no_places && (format->samples & (unsigned)image->sample) && image->channels == 1 && image->columns > 0 &&
-        image->rows > 0)
+    if (!no_places && (format->samples & (unsigned)image->sample) && (image->channels == 1 || image->channels == 3) &&
+        image->columns > 0 && image->rows > 0)
         return LUXEL_OK;
     return lx_refuse(diagnostics, no_places ? LX_MSG_NO_PLACES : LX_MSG_UNFIT_IMAGE, LX_ARGS(path, format->name));
 }

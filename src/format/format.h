@@ -24,7 +24,7 @@ enum lx_sample_type { LX_SAMPLE_U8 = 1, LX_SAMPLE_F32 = 2, LX_SAMPLE_F64 = 4, LX
  */
 struct lx_image {
     unsigned columns, rows;
-    unsigned channels; /* 1: no format takes more yet */
+    unsigned channels; /* 1, or 3: linear sRGB or, of whole numbers, sRGB */
     enum lx_sample_type sample;
     const void *data;          /* uint8_t, uint16_t, float or double in the host's byte order */
     const uint8_t *mask;       /* rows x columns, 1 where there is a value; NULL: everywhere */
@@ -79,6 +79,12 @@ struct lx_format {
     /* Reads only the tags, whatever the image is like; NULL: its files carry none. */
     luxel_status (*read_tags)(struct lx_source *source, struct lx_tags *tags);
 };
+
+/* Samples of a row. */
+static inline size_t lx_row_samples(const struct lx_image *image)
+{
+    return (size_t)image->columns * image->channels;
+}
 
 extern const struct lx_format lx_format_png, lx_format_npy, lx_format_pfm, lx_format_csv, lx_format_exr;
 

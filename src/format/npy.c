@@ -29,9 +29,10 @@ static void begin_npy(struct lx_writer *writer)
     const struct lx_image *image = &writer->image;
     size_t width = width_of(writer);
     char header[HEADER + 1];
-    int written =
-        snprintf(header + PREFIX, sizeof header - PREFIX,
-                 "{'descr': '<f%zu', 'fortran_order': False, 'shape': (%u, %u), }", width, image->rows, image->columns);
+    const char *third = image->channels == 3 ? ", 3" : "";
+    int written = snprintf(header + PREFIX, sizeof header - PREFIX,
+                           "{'descr': '<f%zu', 'fortran_order': False, 'shape': (%u, %u%s), }", width, image->rows,
+                           image->columns, third);
     size_t used = PREFIX + (size_t)written;
     size_t length = (used + 1 + ALIGNMENT - 1) / ALIGNMENT * ALIGNMENT; /* 1: the line's end */
 
@@ -47,7 +48,7 @@ static void begin_npy(struct lx_writer *writer)
 
 static void add_npy(struct lx_writer *writer, const struct lx_image_strip *strip)
 {
-    lx_write_numbers(writer, strip, 0, (size_t)strip->rows * writer->image.columns, width_of(writer));
+    lx_write_numbers(writer, strip, 0, strip->rows * lx_row_samples(&writer->image), width_of(writer));
 }
 
 /* The dictionary, read from left to right. */

@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * Portable float map: three lines of text and float32 numbers.  Its rows run from the bottom of the picture to
- * the top, so the image's last row comes first; a reader that knows that shows row 0 on top.  The negative
- * scale says little-endian; its amount, which says what the numbers are multiples of, is 1 here and passed over
- * when read, as by most programs.  Format: http://www.pauldebevec.com/Research/HDR/PFM/
+ * Portable float map, grey (Pf) or in colour (PF, which is written only): three lines of text and float32 numbers.  Its
+ * rows run from the bottom of the picture to the top, so the image's last row comes first; a reader that knows that
+ * shows row 0 on top.  The negative scale says little-endian; its amount, which says what the numbers are multiples of,
+ * is 1 here and passed over when read, as by most programs.  Format: http://www.pauldebevec.com/Research/HDR/PFM/
  */
 #include <stdio.h>
 #include <string.h>
@@ -17,7 +17,8 @@ static const char NAME[] = "PFM";
 
 static size_t write_header(const struct lx_image *image, char header[LONGEST_HEADER])
 {
-    return (size_t)snprintf(header, LONGEST_HEADER, "Pf\n%u %u\n-1.0\n", image->columns, image->rows);
+    return (size_t)snprintf(header, LONGEST_HEADER, "P%c\n%u %u\n-1.0\n", image->channels == 3 ? 'F' : 'f',
+                            image->columns, image->rows);
 }
 
 static void begin_pfm(struct lx_writer *writer)
@@ -34,9 +35,11 @@ static void add_pfm(struct lx_writer *writer, const struct lx_image_strip *strip
     uint64_t below = image->rows - strip->first - strip->rows;
     luxel_status status = LUXEL_OK;
     if (strip->rows < image->rows)
-        status = lx_sink_seek(writer->sink, write_header(image, header) + below * image->columns * sizeof(float));
+        status =
+            lx_sink_seek(writer->sink, write_header(image, header) + below * lx_row_samples(image) * sizeof(float));
     for (size_t row = strip->rows; row > 0 && status == LUXEL_OK; row--)
-        status = lx_write_numbers(writer, strip, (row - 1) * image->columns, image->columns, sizeof(float));
+        status =
+            lx_write_numbers(writer, strip, (row - 1) * lx_row_samples(image), lx_row_samples(image), sizeof(float));
 }
 
 /* The next word of a header, with the one space behind it; false where there is none. */

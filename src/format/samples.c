@@ -51,7 +51,7 @@ luxel_status lx_write_numbers(struct lx_writer *writer, const struct lx_image_st
 
 void lx_reserve_numbers(struct lx_writer *writer, size_t width)
 {
-    uint64_t bytes = (uint64_t)writer->image.columns * writer->image.rows * width;
+    uint64_t bytes = (uint64_t)lx_row_samples(&writer->image) * writer->image.rows * width;
     if (bytes >= WORTH_RESERVING)
         lx_sink_reserve(writer->sink, bytes);
 }

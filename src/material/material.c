@@ -138,12 +138,34 @@ static const struct lx_parameter material_parameters[] = {
         .initial = "false",
         .meaning = "whether the highlight is scaled so that, with over_pi and the cosine, it reflects ks of the light",
     },
+    {
+        .name = "color",
+        .label = "Colour",
+        .type = LX_REALS,
+        .offset = offsetof(struct lx_material, color),
+        .count = 3,
+        .initial = "[1, 1, 1]",
+        .legal = LX_BETWEEN(0, 1),
+        .meaning = "the factors of the diffuse and the ambient reflection in red, green and blue (linear sRGB), in "
+                   "scenes with channels rgb",
+    },
+    {
+        .name = "specular_color",
+        .label = "Colour of the highlight",
+        .type = LX_REALS,
+        .offset = offsetof(struct lx_material, specular_color),
+        .count = 3,
+        .initial = "[1, 1, 1]",
+        .legal = LX_BETWEEN(0, 1),
+        .meaning = "the factors of the highlight in red, green and blue, in scenes with channels rgb",
+    },
 };
 
 static const struct lx_rule material_rules[] = {
     {LX_RULE_USED, "sigma", "diffuse_model", "oren-nayar"},
     {LX_RULE_USED, "roughness", "diffuse_model", "eon"},
     {LX_RULE_USED, "specular", "model", "blinn-phong|phong|ggx"},
+    {LX_RULE_USED, "specular_color", "model", "blinn-phong|phong|ggx"},
     {LX_RULE_USED, "alpha", "model", "ggx"},
     {LX_RULE_USED, "f0", "model", "ggx"},
     {LX_RULE_USED, "shininess", "model", "blinn-phong|phong"},

@@ -16,6 +16,7 @@ struct lx_material {
     bool over_pi;
     int highlight; /* enum lx_highlight */
     bool normalized;
+    double color[3], specular_color[3]; /* factors of diffuse and ambient, and of specular, in each channel */
 };
 
 extern const struct lx_table lx_material_table;

@@ -224,5 +224,6 @@ luxel_status luxel_scene_advise(const luxel_scene *scene, luxel_diagnostics *dia
     lx_advise_unseen(&walk, scene);
     advise_lights(&walk, &scene->parameters, lx_document_find(&scene->document, root, "lights"));
     lx_advise_design(&walk, scene);
+    lx_advise_colors(&walk, scene);
     return walk.out_of_memory ? lx_out_of_memory(diagnostics) : LUXEL_OK;
 }

@@ -179,7 +179,7 @@ static const char *word_of_value(const struct lx_parameter *parameter, const voi
 /* Direct light alone, sources as their files say, rooms that stand upright and Lambert's law are no conventions. */
 static bool goes_without_saying(const struct lx_parameter *parameter, const char *word)
 {
-    static const char *const names[] = {"reflections", "maintenance_factor", "up", "diffuse_model"};
+    static const char *const names[] = {"channels", "reflections", "maintenance_factor", "up", "diffuse_model"};
     for (size_t i = 0; i < sizeof names / sizeof names[0]; i++)
         if (strcmp(parameter->name, names[i]) == 0)
             return strcmp(word, parameter->initial) == 0;

@@ -51,6 +51,9 @@ void lx_advise_unseen(struct lx_walk *walk, const luxel_scene *scene);
 /* Advice about luminaires, measuring grids and rooms of a committed scene. */
 void lx_advise_design(struct lx_walk *walk, const luxel_scene *scene);
 
+/* Advice about colours of a committed scene. */
+void lx_advise_colors(struct lx_walk *walk, const luxel_scene *scene);
+
 /* Checks what reflected light asks of surfaces and lights. */
 void lx_validate_reflections(struct lx_walk *walk, const luxel_scene *scene);
 

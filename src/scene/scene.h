@@ -9,12 +9,14 @@
 #include <luxel/field.h>
 #include <luxel/scene.h>
 
+#include "../light/colour.h"
 #include "../material/material.h"
 #include "../parameter/table.h"
 
 enum lx_units { LX_RADIOMETRIC, LX_PHOTOMETRIC };
 
 enum lx_shadows { LX_SHADOWS_ALL, LX_SHADOWS_POINTS, LX_SHADOWS_NONE };
+enum lx_channels { LX_GREY, LX_RGB };
 enum lx_reflections { LX_REFLECTIONS_NONE, LX_REFLECTIONS_ALL };
 enum lx_sampling { LX_CENTERS, LX_NODES };
 enum lx_projection { LX_ORTHOGRAPHIC, LX_PERSPECTIVE };
@@ -72,6 +74,7 @@ struct lx_light_common {
     uint64_t given;
     const char *name; /* NULL where it has none */
     bool enabled;
+    struct lx_light_color color; /* meaningful where given */
 };
 
 /* The whole authored scene; lx_scene_table describes it. */
@@ -79,6 +82,7 @@ struct lx_scene_parameters {
     uint64_t given;
     unsigned luxel;
     int units;                             /* enum lx_units */
+    int channels;                          /* enum lx_channels */
     int shadows;                           /* enum lx_shadows */
     struct lx_choice_or_whole reflections; /* enum lx_reflections, or the number of bounces */
     struct lx_screen screen;
@@ -88,6 +92,7 @@ struct lx_scene_parameters {
     struct lx_points points;
     struct lx_picture picture;
     struct lx_groups grids; /* of struct lx_grid */
+    unsigned channel;       /* of materials' colours, from 1; 0: their luminance (colours.h); no key */
 };
 
 extern const struct lx_table lx_scene_table;

@@ -9,6 +9,7 @@
 #include "observer.h"
 
 static const char *const units_names[] = {"radiometric", "photometric", NULL};
+static const char *const channels_names[] = {"grey", "rgb", NULL};
 static const char *const shadows_names[] = {"all", "points", "none", NULL};
 static const char *const reflections_names[] = {"none", "all", NULL};
 static const char *const sampling_names[] = {"centers", "nodes", NULL};
@@ -139,6 +140,15 @@ static const struct lx_parameter light_common_parameters[] = {
         .offset = offsetof(struct lx_light_common, enabled),
         .initial = "true",
         .meaning = "whether the light shines",
+    },
+    {
+        .name = "color",
+        .label = "Colour",
+        .type = LX_GROUP,
+        .offset = offsetof(struct lx_light_common, color),
+        .group = &lx_light_color_table,
+        .meaning =
+            "the colour of the light in scenes with channels rgb; its strength stays what it is, as the luminance",
     },
 };
 
@@ -297,6 +307,16 @@ static const struct lx_parameter scene_parameters[] = {
         .initial = "radiometric",
         .choices = units_names,
         .meaning = "the names of the units: watts or lumens; numbers stay as they are",
+    },
+    {
+        .name = "channels",
+        .label = "Channels",
+        .type = LX_CHOICE,
+        .offset = offsetof(struct lx_scene_parameters, channels),
+        .initial = "grey",
+        .choices = channels_names,
+        .meaning = "what is computed: grey values, or red, green and blue (linear sRGB), by the colours of lights and "
+                   "materials, which count for nothing else",
     },
     {
         .name = "shadows",

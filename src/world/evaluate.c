@@ -3,8 +3,10 @@
 #include "evaluate.h"
 
 #include <math.h>
+#include <stdlib.h>
 #include <string.h>
 
+#include "../base/memory.h"
 #include "../surface/surface.h"
 
 lx_bounded lx_received_value(const struct lx_received *received, luxel_quantity quantity, size_t i)
@@ -60,9 +62,60 @@ static void sum_lights(const struct luxel_evaluator *evaluator, const struct lx_
     }
 }
 
+/* The lobe of the same material in another channel. */
+static const struct lx_lobe *lobe_in(const struct lx_prepared *to, const struct lx_prepared *from,
+                                     const struct lx_lobe *lobe)
+{
+    for (size_t i = 0; i < from->surface_count; i++)
+        if (lobe == &from->surfaces[i].lobe)
+            return &to->surfaces[i].lobe;
+    for (size_t i = 0; i < lx_material_count(from->scene); i++)
+        if (lobe == &from->authored[i].lobe)
+            return &to->authored[i].lobe;
+    return lobe;
+}
+
+/* Values that are sums over the channels of materials: adds up those of the parts. */
+static void add_up_parts(const struct luxel_evaluator *evaluator, const struct lx_elements *elements,
+                         const struct lx_asking *asking, const size_t *of, luxel_value *values, double *shares)
+{
+    const size_t lights = evaluator->world.prepared->scene->lights.count;
+    struct lx_elements own = *elements;
+    luxel_value found[LX_BATCH];
+    size_t places[LX_BATCH];
+    double *of_lights = shares ? lx_new_array(LX_BATCH * lights, sizeof *of_lights) : NULL;
+    for (size_t i = 0; i < elements->count; i++) {
+        places[i] = i;
+        for (size_t l = 0; shares && l < lights; l++)
+            shares[of[i] * lights + l] = 0;
+    }
+    for (size_t p = 0; p < evaluator->part_count; p++) {
+        const struct lx_evaluator_part *part = &evaluator->parts[p];
+        own.lobe = lobe_in(&part->evaluator->prepared, &evaluator->prepared, elements->lobe);
+        lx_evaluate_elements(part->evaluator, &own, asking, places, found, of_lights);
+        for (size_t i = 0; i < elements->count; i++) {
+            luxel_value *value = &values[of[i]];
+            const lx_bounded sum = lx_add(p > 0 ? (lx_bounded){value->value, value->error} : lx_exact(0),
+                                          lx_mul(lx_exact(part->weight), (lx_bounded){found[i].value, found[i].error}));
+            const bool has_value = found[i].has_value && (p == 0 || value->has_value);
+            *value = found[i];
+            value->has_value = has_value;
+            value->value = has_value ? sum.value : 0;
+            value->error = has_value ? lx_reported_error(sum) : 0;
+            for (size_t l = 0; of_lights && l < lights; l++)
+                shares[of[i] * lights + l] += part->weight * of_lights[i * lights + l];
+        }
+    }
+    free(of_lights);
+}
+
 void lx_evaluate_elements(const struct luxel_evaluator *evaluator, const struct lx_elements *elements,
                           const struct lx_asking *asking, const size_t *of, luxel_value *values, double *shares)
 {
+    if (evaluator->part_count > 0) {
+        add_up_parts(evaluator, elements, asking, of, values, shares);
+        return;
+    }
     const struct lx_world *world = &evaluator->world;
     const size_t lights = world->prepared->scene->lights.count;
     struct lx_column total;

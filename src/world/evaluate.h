@@ -7,12 +7,21 @@
 
 #include "world.h"
 
+/* A part of a value that is a sum: an evaluator of one channel of the materials, and what it counts for. */
+struct lx_evaluator_part {
+    struct luxel_evaluator *evaluator;
+    double weight;
+};
+
 struct luxel_evaluator {
     const luxel_scene *scene;
     bool sees; /* the screen shows something (luxel_scene_check_view()) */
     luxel_settings settings;
     struct lx_prepared prepared;
-    struct lx_world world; /* of it */
+    struct lx_world world;           /* of it */
+    struct lx_evaluator_part *parts; /* whose values add up to its own; it has only the places then */
+    size_t part_count;               /* 0: its values are those of its world */
+    luxel_scene *view;               /* of a part: the scene in its channel, its own (colours.h) */
 };
 
 /* The question to a world for a value of a quantity. */

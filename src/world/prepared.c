@@ -9,6 +9,7 @@
 #include "../light/carry.h"
 #include "../light/light.h"
 #include "../parameter/decode.h"
+#include "../scene/colours.h"
 #include "../scene/lit.h"
 #include "among.h"
 #include "prepared.h"
@@ -38,6 +39,27 @@ static size_t count_parts(const struct lx_list *surfaces)
     return count;
 }
 
+/* The material in the scene's channel, number `number` of those that may have colours. */
+static const struct lx_material *in_channel(const struct lx_prepared *prepared, const struct lx_material *material,
+                                            size_t number)
+{
+    if (!prepared->colored || !lx_has_color(material))
+        return material;
+    prepared->colored[number] = lx_material_in_channel(material, prepared->scene->channel);
+    return &prepared->colored[number];
+}
+
+/* The lobe of a material that was authored so; factors that were multiplied by a colour are rounded. */
+static struct lx_lobe lobe_of(const struct lx_material *material, const struct lx_material *authored)
+{
+    struct lx_lobe lobe = lx_lobe_prepare(material);
+    const double roundings = material != authored ? 4 * LX_ROUNDING : 0;
+    lobe.diffuse.error += roundings * lobe.diffuse.value;
+    lobe.specular.error += roundings * lobe.specular.value;
+    lobe.ambient.error += roundings * lobe.ambient.value;
+    return lobe;
+}
+
 /* Appends the parts of surface i. */
 static void prepare_surface(const struct lx_scene_parameters *scene, size_t i, struct lx_prepared *prepared)
 {
@@ -45,17 +67,20 @@ static void prepare_surface(const struct lx_scene_parameters *scene, size_t i, s
     const struct lx_surface_common *common = item->common;
     const struct lx_surface_kind *kind = (const struct lx_surface_kind *)item->variant;
     const unsigned count = lx_part_count(kind);
-    prepared->authored[i] = (struct lx_authored_surface){prepared->surface_count, lx_lobe_prepare(&common->material)};
+    const struct lx_material *own = in_channel(prepared, &common->material, i);
+    prepared->authored[i] = (struct lx_authored_surface){prepared->surface_count, lobe_of(own, &common->material)};
     for (unsigned k = 0; k < count; k++) {
         struct lx_prepared_surface *surface = &prepared->surfaces[prepared->surface_count];
         struct lx_part part;
         lx_part_make(kind, item->parameters, k, &part);
+        const struct lx_material *material =
+            part.material ? in_channel(prepared, part.material, scene->surfaces.count + prepared->surface_count) : own;
         *surface = (struct lx_prepared_surface){
             .kind = part.kind,
             .parameters = part.parameters,
             .shape = part.shape,
-            .material = part.material ? part.material : &common->material,
-            .lobe = part.material ? lx_lobe_prepare(part.material) : prepared->authored[i].lobe,
+            .material = material,
+            .lobe = part.material ? lobe_of(material, part.material) : prepared->authored[i].lobe,
             .authored = i,
             .part = k,
         };
@@ -94,7 +119,10 @@ static int prepare(const struct lx_scene_parameters *scene, const luxel_settings
         .shadows_extended = scene->shadows == LX_SHADOWS_ALL,
         .shadows_on_free = scene->shadows != LX_SHADOWS_NONE,
     };
-    if (!prepared->surfaces || !prepared->authored || !prepared->on)
+    if (scene->channels == LX_RGB)
+        prepared->colored = lx_new_array(count_parts(surfaces) + surfaces->count, sizeof *prepared->colored);
+    if (!prepared->surfaces || !prepared->authored || !prepared->on ||
+        (scene->channels == LX_RGB && !prepared->colored))
         return -1;
     prepared->authored[0].lobe = default_lobe();
     for (size_t i = 0; i < surfaces->count; i++)
@@ -138,6 +166,7 @@ int lx_prepared_carry(const struct lx_prepared *prepared, const struct lx_asking
     carried->surfaces = lx_new_array(prepared->surface_count, sizeof *carried->surfaces);
     carried->authored = lx_new_array(lx_material_count(prepared->scene), sizeof *carried->authored);
     carried->boxes = (struct lx_boxes){.count = 0};
+    carried->colored = NULL; /* its materials are those of the scene that it is a copy of, which outlives it */
     carried->on = lx_new_array(prepared->scene->lights.count, sizeof *carried->on);
     carried->emitters = (struct lx_emitters){0};
     if (!carried->surfaces || !carried->authored || !carried->on)
@@ -179,6 +208,7 @@ void lx_prepared_clear(struct lx_prepared *prepared)
     free(prepared->surfaces);
     lx_boxes_clear(&prepared->boxes);
     free(prepared->authored);
+    free(prepared->colored);
     free(prepared->on);
     lx_emitters_clear(&prepared->emitters);
     *prepared = (struct lx_prepared){0};

@@ -43,6 +43,7 @@ struct lx_prepared {
     size_t surface_count;
     struct lx_boxes boxes; /* over many of them (among.h) */
     struct lx_authored_surface *authored;
+    struct lx_material *colored; /* what materials with colours are in the scene's channel; NULL: all are as they are */
     bool *on;                    /* which lights of the scene's list give light */
     struct lx_emitters emitters; /* of those, in their order */
     double tolerance;            /* of integrals, relative to the value that they are a part of */

@@ -132,12 +132,13 @@ static char *shown(const Light *light)
 }
 
 #define BODY "attenuation parts"
-#define SPOT "type name enabled position intensity attenuation aim inner outer falloff exponent"
-#define POINT "type name enabled position intensity attenuation pattern"
-#define AMBIENT "type name enabled irradiance"
+#define SPOT "type name enabled color color.temperature position intensity attenuation aim inner outer falloff exponent"
+#define POINT "type name enabled color color.temperature position intensity attenuation pattern"
+#define AMBIENT "type name enabled color color.temperature irradiance"
 #define LUMINAIRE                                                                                                      \
-    "type name enabled file position attenuation axis c0 flux factor maintenance_factor interpolation opening"
-#define DISTANT "type name enabled direction irradiance"
+    "type name enabled color color.temperature file position attenuation axis c0 flux factor maintenance_factor "      \
+    "interpolation opening"
+#define DISTANT "type name enabled color color.temperature direction irradiance"
 
 static void shows_what_has_a_say(void **state)
 {
@@ -154,22 +155,27 @@ static void shows_what_has_a_say(void **state)
         {"spot", 0, SPOT},
         {"spot", 1, AMBIENT},
         {"three-lights", 0, POINT},
-        {"three-lights", 1, "type name enabled position intensity attenuation aim pattern"},
+        {"three-lights", 1, "type name enabled color color.temperature position intensity attenuation aim pattern"},
         {"three-lights", 2, POINT},
         {"two-spheres", 0, POINT},
         {"two-spheres", 1, AMBIENT},
         {"ambient", 0, AMBIENT},
         {"window", 0,
-         "type name enabled rectangle rectangle.center rectangle.aim rectangle.size rectangle.up sides radiance " BODY},
+         "type name enabled color color.temperature rectangle rectangle.center rectangle.aim rectangle.size "
+         "rectangle.up sides radiance " BODY},
         {"window", 1, AMBIENT},
-        {"disk-lamp", 0, "type name enabled disk disk.center disk.aim disk.radius sides power " BODY},
-        {"box-lamp", 0, "type name enabled box box.center box.size radiance " BODY},
-        {"ball-lamp", 0, "type name enabled sphere sphere.center sphere.radius sphere.facets power " BODY},
+        {"disk-lamp", 0,
+         "type name enabled color color.temperature disk disk.center disk.aim disk.radius sides power " BODY},
+        {"box-lamp", 0, "type name enabled color color.temperature box box.center box.size radiance " BODY},
+        {"ball-lamp", 0,
+         "type name enabled color color.temperature sphere sphere.center sphere.radius sphere.facets power " BODY},
         {"tube", 0,
-         "type name enabled cylinder cylinder.center cylinder.radius cylinder.height cylinder.axis cylinder.facets "
+         "type name enabled color color.temperature cylinder cylinder.center cylinder.radius cylinder.height "
+         "cylinder.axis cylinder.facets "
          "power " BODY},
         {"lampshade", 0,
-         "type name enabled sphere sphere.center sphere.radius sphere.facets radiance attenuation k parts"},
+         "type name enabled color color.temperature sphere sphere.center sphere.radius sphere.facets radiance "
+         "attenuation k parts"},
         {"desk", 0, SPOT},
         {"desk", 1, AMBIENT},
         {"tin", 0, SPOT},
@@ -179,7 +185,8 @@ static void shows_what_has_a_say(void **state)
         {"integrating-sphere", 0, POINT},
         {"integrating-sphere", 1, AMBIENT},
         {"room", 0,
-         "type name enabled rectangle rectangle.center rectangle.axis rectangle.size rectangle.up sides "
+         "type name enabled color color.temperature rectangle rectangle.center rectangle.axis rectangle.size "
+         "rectangle.up sides "
          "radiance " BODY},
         {"room", 1, POINT},
         {"room", 2, AMBIENT},
@@ -189,7 +196,8 @@ static void shows_what_has_a_say(void **state)
         {"office", 3, LUMINAIRE},
         {"office", 4, AMBIENT},
         {"pot", 0,
-         "type name enabled rectangle rectangle.center rectangle.axis rectangle.size rectangle.up sides "
+         "type name enabled color color.temperature rectangle rectangle.center rectangle.axis rectangle.size "
+         "rectangle.up sides "
          "radiance " BODY},
         {"pot", 1, AMBIENT},
         {"all-sources", 0, AMBIENT},
@@ -197,13 +205,19 @@ static void shows_what_has_a_say(void **state)
         {"all-sources", 2, POINT},
         {"all-sources", 3, SPOT},
         {"all-sources", 4,
-         "type name enabled rectangle rectangle.center rectangle.aim rectangle.size rectangle.up sides radiance " BODY},
-        {"all-sources", 5, "type name enabled disk disk.center disk.aim disk.radius sides radiance " BODY},
-        {"all-sources", 6, "type name enabled box box.center box.size radiance " BODY},
-        {"all-sources", 7, "type name enabled sphere sphere.center sphere.radius sphere.facets radiance " BODY},
+         "type name enabled color color.temperature rectangle rectangle.center rectangle.aim rectangle.size "
+         "rectangle.up sides radiance " BODY},
+        {"all-sources", 5,
+         "type name enabled color color.temperature disk disk.center disk.aim disk.radius sides radiance " BODY},
+        {"all-sources", 6, "type name enabled color color.temperature box box.center box.size radiance " BODY},
+        {"all-sources", 7,
+         "type name enabled color color.temperature sphere sphere.center sphere.radius sphere.facets radiance " BODY},
         {"all-sources", 8,
-         "type name enabled cylinder cylinder.center cylinder.radius cylinder.height cylinder.axis cylinder.facets "
+         "type name enabled color color.temperature cylinder cylinder.center cylinder.radius cylinder.height "
+         "cylinder.axis cylinder.facets "
          "radiance " BODY},
+        {"warm-and-cold", 0, POINT},
+        {"warm-and-cold", 1, POINT},
     };
     gsize lights = 0;
     for (gsize i = 0; i < luxel_builtin_scene_count(); i++) {

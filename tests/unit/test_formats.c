@@ -316,7 +316,7 @@ static void test_unfit_images(void **state)
     struct folder *folder = *state;
     double values[3] = {0};
     const struct lx_image unfit[] = {{.columns = 1, .rows = 1, .channels = 1, .sample = LX_SAMPLE_F32, .data = values},
-                                     {.columns = 1, .rows = 1, .channels = 3, .sample = LX_SAMPLE_U8, .data = values},
+                                     {.columns = 1, .rows = 1, .channels = 2, .sample = LX_SAMPLE_U8, .data = values},
                                      {.columns = 0, .rows = 1, .channels = 1, .sample = LX_SAMPLE_U8, .data = values}};
 
     snprintf(folder->file, sizeof folder->file, "%s/image.png", folder->path);

@@ -1,0 +1,76 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * Colours of a scene: the grey computations that its values in colour are sums of.
+ *
+ * Light is linear in the lights and in the reflectances.  So each colour of lights makes a part, in which these lights
+ * are white, for each channel in which materials are different; a value's channels, and its luminance, are the parts'
+ * values with weights.  A part is computed as any grey scene is.
+ */
+#ifndef LX_SCENE_COLOURS_H
+#define LX_SCENE_COLOURS_H
+
+#include <luxel/colour.h>
+
+#include "../base/bounded.h"
+#include "scene.h"
+
+enum { LX_CHANNELS = 3 };
+
+/* A grey computation, and what its value counts for. */
+struct lx_color_part {
+    const luxel_scene *scene; /* the scene itself, or, of one channel of its materials, a view of it */
+    luxel_settings settings;  /* with the lights of the part as their group */
+    double rgb[LX_CHANNELS], luminance;
+};
+
+struct lx_color_parts {
+    struct lx_color_part *list;
+    size_t count;
+    bool is_sum;    /* the luminance is the sum of the parts; else it is the scene's own value, materials being grey */
+    bool is_single; /* there is one part, and it is the scene's own value */
+    luxel_scene *views[LX_CHANNELS];
+    size_t *lights; /* of all groups */
+};
+
+/* Whether values of the scene have colours: channels: rgb, and it is no view of one of them. */
+bool lx_is_in_color(const struct lx_scene_parameters *scene);
+
+/* Whether a quantity of it is a sum over the channels of materials, so that no single computation tells it. */
+bool lx_is_sum_of_channels(const struct lx_scene_parameters *scene, luxel_quantity quantity);
+
+/* Reports a result, by its words, that is not known of a quantity which is such a sum; else LUXEL_OK. */
+luxel_status lx_refuse_sum(const luxel_scene *scene, luxel_quantity quantity, const char *what,
+                           luxel_diagnostics *diagnostics);
+
+/* Whether a material has colours other than white. */
+static inline bool lx_has_color(const struct lx_material *material)
+{
+    for (int c = 0; c < LX_CHANNELS; c++)
+        if (material->color[c] != 1 || material->specular_color[c] != 1)
+            return true;
+    return false;
+}
+
+/* What a material is in a channel, from 1; 0: by the luminance of its colours. */
+struct lx_material lx_material_in_channel(const struct lx_material *material, unsigned channel);
+
+/* The channels of a light at luminance 1. */
+void lx_light_channels(const struct lx_light_common *light, double rgb[LX_CHANNELS]);
+
+/* The parts of what settings (NULL: the defaults) ask of a scene in color; release with lx_color_parts_clear() whatever
+ * it returns.  LUXEL_OK, LUXEL_ERROR_MEMORY, which is reported. */
+luxel_status lx_color_parts_make(const luxel_scene *scene, const luxel_settings *settings,
+                                 luxel_diagnostics *diagnostics, struct lx_color_parts *parts);
+void lx_color_parts_clear(struct lx_color_parts *parts);
+
+/* A view of the scene in channel `channel` from 1, which shares all with it and must not outlive it: free() it.  NULL:
+ * memory ran out. */
+luxel_scene *lx_scene_in_channel(const luxel_scene *scene, unsigned channel);
+
+/* Adds a part's share of a channel, or of the luminance, to a sum. */
+static inline lx_bounded lx_add_part(lx_bounded sum, double weight, double value, double error)
+{
+    return lx_add(sum, lx_mul(lx_exact(weight), (lx_bounded){value, error}));
+}
+
+#endif

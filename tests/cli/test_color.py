@@ -1,0 +1,178 @@
+# SPDX-License-Identifier: MIT
+"""Scenes in colour: what is printed of a colour, what files hold of it, spectra, advice, and a grey scene's silence."""
+import json
+import struct
+import zlib
+
+import numpy
+
+from tap import Tap
+from tool import run_tests
+
+HEAD = {"luxel": 1, "screen": {"width": 200, "height": 200, "resolution": [40, 40]}, "observer": {"z": 1000}}
+BALL = {"type": "sphere", "center": [0, 0, 0], "radius": 70, "material": {"diffuse": 0.8, "specular": 0.2}}
+LAMP = {"type": "point", "position": [300, 200, 400], "intensity": 2}
+SPECTRUM = "wavelength,power\n" + "".join("%d,%g\n" % (nm, 1) for nm in range(360, 831, 10))
+
+
+def scene(lamps, material=None, channels="rgb", **more):
+    screen = dict(HEAD["screen"], resolution=[40, 40])
+    ball = dict(BALL, material=dict(BALL["material"], **(material or {})))
+    return json.dumps(dict(HEAD, screen=screen, channels=channels, surfaces=[ball], lights=lamps, **more))
+
+
+def chunks(data):
+    """The chunks of a PNG in their order."""
+    found, at = [], 8
+    while at < len(data):
+        length, = struct.unpack(">I", data[at:at + 4])
+        found.append((data[at + 4:at + 8], data[at + 8:at + 8 + length]))
+        at += 12 + length
+    return found
+
+
+def pixels_of_png(data):
+    """The bytes of the rows of an 8-bit RGB picture without row filters."""
+    parts = chunks(data)
+    columns, rows = struct.unpack(">II", parts[0][1][:8])
+    raw = zlib.decompress(b"".join(content for name, content in parts if name == b"IDAT"))
+    lines = numpy.frombuffer(raw, numpy.uint8).reshape(rows, 1 + 3 * columns)
+    assert not lines[:, 0].any()
+    return lines[:, 1:].reshape(rows, columns, 3)
+
+
+def test_probe(tap, tool):
+    """JSON and text of a probe: a lamp's colour, whatever its strength; null where the luminance is 0."""
+    warm = dict(LAMP, color={"temperature": 2700})
+    tool.write("warm.yaml", scene([warm], {"specular": 0}))
+    found = tool.run("probe", "warm.yaml", "-p", "0,0", "-p", "-68,-5", "--json").json()["points"]
+    lit = found[0]
+    tap.ok(abs(lit["cct"] - 2700) < 0.01 and abs(lit["duv"]) < 1e-9, "the temperature of the only lamp")
+    tap.ok(abs(lit["xy"][0] - .45985903) < 1e-8 and abs(lit["xy"][1] - .41059904) < 1e-8, "its chromaticity")
+    for value, factor in zip(lit["rgb"]["value"], (1.93510007, .80355312, .19179632)):
+        tap.ok(abs(value / lit["value"] - factor) < 2e-8, "a channel is the luminance by the lamp's")
+    tap.ok(max(lit["rgb"]["error"]) < 1e-12 * lit["value"], "with a bound")
+    tap.equal([found[1][key] for key in ("value", "xy", "cct", "duv")], [0, None, None, None], "no colour in the dark")
+    grey = tool.run("probe", "warm.yaml", "-s", "channels=grey", "-p", "0,0", "--json").json()["points"][0]
+    tap.ok("rgb" not in grey and grey["value"] == lit["value"], "a grey scene has the same value and no channels")
+    text = tool.run("probe", "warm.yaml", "-p", "0,0").out
+    tap.ok("2700 K" in text and "nearest black body in u, v" in text, "the method is named")
+
+
+def test_files(tap, tool):
+    """PNG, NPY, PFM, CSV and EXR hold three channels; the PNG says that it is sRGB and how many were clipped."""
+    lamps = [dict(LAMP, color={"temperature": 1900}), dict(LAMP, position=[-300, 0, 400], color={"temperature": 6500})]
+    tool.write("two.yaml", scene(lamps))
+    names = ["two.png", "two.npy", "two.pfm", "two.csv", "two.exr"]
+    for threads in ("1", "2"):
+        made = tool.run("render", "two.yaml", "--threads", threads, *sum((["-o", name] for name in names), []))
+        bytes_of = [tool.read(name) for name in names]
+        if threads == "1":
+            before = bytes_of
+    tap.ok(before == bytes_of, "two threads make the same bytes")
+    values = numpy.load(tool.file("two.npy"))
+    tap.equal((values.shape, values.dtype.str), ((40, 40, 3), "<f4"), "NPY has three channels")
+    head = b"PF\n40 40\n-1.0\n"
+    pfm = bytes_of[2]
+    tap.ok(pfm.startswith(head), "PFM is of colour")
+    tap.ok((numpy.frombuffer(pfm[len(head):], "<f4").reshape(40, 40, 3)[::-1] == values).all(), "with the same numbers")
+    lines = bytes_of[3].decode().splitlines()
+    tap.ok(lines[0].startswith("x_mm,y_mm,red_") and ",blue_" in lines[0], "CSV names the channels")
+    table = numpy.array([[float(x) for x in line.split(",")[2:]] for line in lines[1:]], numpy.float32)
+    tap.ok(numpy.array_equal(table[table.any(axis=1)], values[values.any(axis=2)]), "and has the same numbers")
+    parts = chunks(bytes_of[0])
+    order = [name for name, content in parts]
+    tap.ok(order.index(b"sRGB") < order.index(b"IDAT") and order.index(b"cICP") < order.index(b"IDAT"),
+           "PNG says that it is sRGB before the picture")
+    tap.equal(dict(parts)[b"cICP"], bytes([1, 13, 0, 1]), "by its code points")
+    share = numpy.clip(values / values.max(), 0, 1).astype(float)
+    curve = numpy.where(share <= .0031308, 12.92 * share, 1.055 * share ** (1 / 2.4) - .055)
+    tap.ok(abs(pixels_of_png(bytes_of[0]) - numpy.floor(255 * curve)).max() <= 1, "by the greatest channel, its curve")
+    below = int((values < 0).sum())
+    tap.ok(below > 0 and "%d of 4800" % below in made.err, "clipped channels are counted")
+    exr = bytes_of[4]
+    tap.ok(b"chromaticities" in exr and b"B\0" in exr, "EXR has chromaticities")
+    row = numpy.frombuffer(exr[-40 * 12:], "<f4").reshape(3, 40)[::-1].T
+    tap.ok((row == values[-1]).all(), "and the same numbers, in the order B, G, R")
+    refused = tool.run("stats", "two.exr")
+    tap.ok(refused.code == 4 and "channels" in refused.err, "a picture in colour is no field to read")
+    tap.equal(tool.run("probe", "two.png", "-p", "0,0", "--json").json()["points"][0]["rgb"],
+              tool.run("probe", "two.yaml", "-p", "0,0", "--json").json()["points"][0]["rgb"], "it carries its scene")
+
+
+def test_spectra(tap, tool):
+    """A spectrum of equal energy is E; what is no spectrum is refused at its line."""
+    tool.write("equal.csv", SPECTRUM)
+    tool.write("lit.yaml", scene([dict(LAMP, color={"spectrum": "equal.csv"})], {"specular": 0}))
+    found = tool.run("probe", "lit.yaml", "-p", "0,0", "--json").json()["points"][0]
+    tap.ok(max(abs(x - 1 / 3) for x in found["xy"]) < 1e-4 and abs(found["cct"] - 5455.4) < 5, "equal energy")
+    for name, text, words in (
+            ("micro", SPECTRUM.replace("3", "0.3", 1).replace("\n360,", "\n0.36,"), "in nm"),
+            ("unit", SPECTRUM.replace("wavelength", "wavelength [µm]"), "in nm"),
+            ("gap", "".join(line + "\n" for line in SPECTRUM.splitlines() if not line.startswith("55")
+                            and not line.startswith("56")), "540"),
+            ("short", "\n".join(SPECTRUM.splitlines()[:20]), "700"),
+            ("back", SPECTRUM + "500,1\n", "must go up"),
+            ("below", SPECTRUM.replace("500,1", "500,-1"), "below 0"),
+            ("dark", SPECTRUM.replace(",1\n", ",0\n"), "no power")):
+        tool.write("equal.csv", text)
+        refused = tool.run("check", "lit.yaml")
+        tap.ok(refused.code == 3 and words in refused.err and "equal.csv" in refused.err, "bad: " + name)
+
+
+def test_advice(tap, tool):
+    """Colours that count for nothing are told, and a scene in colour without any."""
+    warm = dict(LAMP, color={"temperature": 2700})
+    tool.write("grey.yaml", scene([warm], {"color": [1, .5, .5]}, "grey"))
+    told = tool.run("check", "grey.yaml")
+    tap.ok("color has no effect with channels grey" in told.err + told.out, "of a light")
+    tap.equal((told.err + told.out).count("color has no effect with channels grey"), 2, "and of a material")
+    tool.write("none.yaml", scene([LAMP]))
+    told = tool.run("check", "none.yaml")
+    tap.ok("all is grey" in told.err + told.out, "of a scene in which there are none")
+    told = tool.run("check", "none.yaml", "-s", "channels=grey")
+    tap.ok("colour" not in told.err + told.out, "a grey scene without colours is silent")
+
+
+def test_grids(tap, tool):
+    """A red wall beside a plane: channels of what it reflects are those of the grey scenes with its reflectances."""
+    wall = {"type": "rectangle", "center": [-500, 0, 500], "size": [1000, 1000], "axis": [1, 0, 0], "up": [0, 0, 1],
+            "material": {"model": "lambert", "diffuse": 0.8, "over_pi": True, "color": [1, 0.25, 0.25]}}
+    floor = {"type": "rectangle", "center": [0, 0, 0], "size": [1000, 1000],
+             "material": {"model": "lambert", "diffuse": 0.5, "over_pi": True}}
+    whole = dict(HEAD, observer={"z": 4000}, channels="rgb", reflections="all", surfaces=[floor, wall],
+                 lights=[dict(LAMP, color={"temperature": 3000})],
+                 grids=[{"center": [0, 0, 0], "size": [800, 800], "n": [3, 3]}])
+    tool.write("red.yaml", json.dumps(whole))
+    found = tool.run("grid", "red.yaml", "--json").json()["grids"][0]
+    rgb = tool.run("check", "red.yaml")
+    tap.equal(rgb.code, 0, "the scene is good")
+    lamp = (1.77093133, .84426137, .27207370)
+    weights = (.2126390058715, .7151686787678, .0721923153607)
+    sums = numpy.zeros((3, 3))
+    for channel, kd in enumerate((.8, .2, .2)):
+        grey = dict(whole, channels="grey", surfaces=[floor, dict(wall, material=dict(wall["material"], diffuse=kd))])
+        tool.write("one.yaml", json.dumps(grey))
+        alone = tool.run("grid", "one.yaml", "--json").json()["grids"][0]
+        for row in range(3):
+            for column in range(3):
+                cell = found["rgb"][row][column]
+                truth = lamp[channel] * alone["values"][row][column]
+                bound = cell["error"][channel] + lamp[channel] * alone["errors"][row][column] + 1e-7 * truth
+                tap.ok(abs(cell["value"][channel] - truth) <= bound, "a cell's channel within the bounds")
+                sums[row, column] += weights[channel] * truth
+    off = abs(numpy.array(found["values"]) - sums) / sums
+    tap.ok(off.max() < 3e-3, "the values are the luminance")
+    seen = found["average_color"]
+    tap.ok(seen["cct"] is not None and seen["cct"] < 3000 and abs(seen["xy"][0] - .437) < 0.05, "a little redder")
+    middle = ("red.yaml", "--at", "0,0,0,0,0,1", "--quantity", "irradiance")
+    probe = tool.run("probe", *middle, "--json").json()["points"][0]
+    cell = found["rgb"][1][1]
+    for channel in range(3):
+        tap.ok(abs(probe["rgb"]["value"][channel] - cell["value"][channel]) <=
+               probe["rgb"]["error"][channel] + cell["error"][channel], "a probe in the middle agrees")
+    refused = tool.run("explain", "red.yaml", "-p", "0,0")
+    tap.ok(refused.code != 0 and "channels" in refused.err, "an explanation is refused, and why")
+
+
+run_tests(Tap(), test_probe, test_files, test_spectra, test_advice, test_grids)
