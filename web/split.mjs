@@ -71,6 +71,9 @@ function tryScene(core, text, keys) {
     for (const [from, to] of [core.line(10, 20, 30), [[-100, 0], [100, 50]]])
         for (let i = 0; i < 50; i++) core.probe(...[0, 1].map((axis) => from[axis] + ((to[axis] - from[axis]) * i) / 49));
     for (const logarithmic of [false, true]) check(core.isophotes(8, logarithmic), 'no isophotes');
+    const camera = [900, -2600, 1800, 0, 0, 300, 0, 0, 1, 2000, 1500];
+    check(core.stage(camera, 40, 30) && core.stageDepth(camera, 40, 30), `no stage: ${JSON.stringify(core.messages())}`);
+    check(core.stageProbe(camera, 40, 30, 10, 20), 'no probe of the stage');
     check(core.project([0, 0, 100]) && core.unproject(0, 0, 100), 'no place on the screen');
     const copy = '{type: point, position: [100, 200, 1500], intensity: 5}';
     for (const changes of [

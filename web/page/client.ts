@@ -52,13 +52,13 @@ interface Answered {
 
 // Pictures and values may take long, as where surfaces reflect light to each other.
 const LONG: (keyof Questions)[] = [
-    'render', 'probe', 'values', 'extrema', 'explain', 'balance', 'summary', 'isophotes', 'file',
+    'render', 'stage', 'probe', 'values', 'extrema', 'explain', 'balance', 'summary', 'isophotes', 'file',
 ];
 const PATIENCE = 1500; // milliseconds that something urgent waits for them
 
 // Whose turn is next: what changes the scene, then the number under the pointer, the picture, and all else.
 const TURNS: Partial<Record<keyof Questions, number>> = {
-    probe: 1, render: 2, isophotes: 3, explain: 3, line: 3, values: 4, relief: 4, silhouette: 4,
+    probe: 1, render: 2, stageProbe: 2, stage: 3, isophotes: 3, explain: 3, line: 3, values: 4, relief: 4, silhouette: 4,
     file: 5, summary: 5, extrema: 5, balance: 6,
 };
 

@@ -36,8 +36,8 @@ export class PictureView {
     private isDragging = false;
     private zoom = 1;
     private middle: [number, number] = [0, 0]; // of the view, in mm on the screen
-    /** Told when a finger begins and moves on the picture, which hides what it points at. */
-    onFinger: () => void = () => undefined;
+    /** Told where a hand is on the picture, in pixels; null: it has left. */
+    onHand: (x: number, y: number | null) => void = () => undefined;
 
     constructor(
         private readonly model: Model,
@@ -46,11 +46,12 @@ export class PictureView {
     ) {
         new ResizeObserver(() => this.draw()).observe(this.canvas);
         this.canvas.addEventListener('pointermove', (event) => this.hover(event));
+        this.canvas.addEventListener('pointerleave', () => this.onHand(0, null));
         this.canvas.addEventListener('keydown', (event) => this.key(event));
         this.canvas.addEventListener('wheel', (event) => this.wheel(event), { passive: false });
         followPointer(
             this.canvas,
-            (x, y, event) => this.begin(x, y, event.pointerType !== 'mouse'),
+            (x, y) => this.begin(x, y),
             (factor, x, y, dx, dy) => this.zoomAt(factor, x, y, dx, dy),
         );
     }
@@ -342,7 +343,7 @@ export class PictureView {
         return near.find(({ thing }) => thing.kind === 'aim') ?? near[0] ?? null;
     }
 
-    private begin(x: number, y: number, isFinger: boolean): Action {
+    private begin(x: number, y: number): Action {
         const mark = this.markAt(x, y);
         const held = mark ? -1 : this.endAt(x, y);
         if (held >= 0) {
@@ -352,7 +353,7 @@ export class PictureView {
         if (!mark) {
             const move = (nx: number, ny: number) => {
                 this.moveProbe(...this.toScreen(nx, ny));
-                if (isFinger) this.onFinger();
+                this.onHand(nx, ny);
             };
             move(x, y);
             return { move, end: () => undefined };
@@ -383,6 +384,7 @@ export class PictureView {
         const [x, y] = [event.clientX - left, event.clientY - top];
         this.canvas.style.cursor = this.markAt(x, y) || this.endAt(x, y) >= 0 ? 'grab' : 'crosshair';
         this.moveProbe(...this.toScreen(x, y));
+        this.onHand(x, y);
     }
 
     moveProbe(x: number, y: number) {

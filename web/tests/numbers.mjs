@@ -56,6 +56,50 @@ async function compareFiles(core, tool, folder, builtin, ending) {
     check(truth.equals(Buffer.from(bytes)), `${bytes.length} other bytes than the ${truth.length} of the tool`);
 }
 
+const STAGED = ['sphere', 'three-lights', 'desk', 'room'];
+
+/** What another camera sees is the tool's picture by an observer there; each pixel is as far as what the probe meets. */
+function stages(core, tool, folder, builtin) {
+    const [columns, rows] = [48, 32];
+    const upright = builtin.text.includes('type: room');
+    const [eye, target] = upright ? [[5000, 4000, 9000], [0, 1200, 2500]] : [[900, -2600, 1900], [0, 0, 300]];
+    const up = upright ? [0, 1, 0] : [0, 0, 1];
+    const [width, height] = upright ? [7200, 4800] : [1800, 1200];
+    const camera = [...eye, ...target, ...up, width, height];
+    check(core.open(builtin.text), JSON.stringify(core.messages()));
+    core.render(4);
+    const before = core.samples().values;
+    const seen = core.stage(camera, columns, rows);
+    check(seen, JSON.stringify(core.messages()));
+    const depth = core.stageDepth(camera, columns, rows);
+    check(Buffer.from(before.buffer).equals(Buffer.from(core.samples().values.buffer)), 'the picture is another one');
+    native(tool, folder, builtin.name, [
+        '-s',
+        `observer={position: [${eye}], target: [${target}], up: [${up}], projection: perspective}`,
+        '-s',
+        `screen={width: ${width}, height: ${height}, resolution: [${columns}, ${rows}]}`,
+        '-o',
+        'stage.npy',
+    ]);
+    const truth = floats(fs.readFileSync(path.join(folder, 'stage.npy')));
+    const masked = [...seen.mask].flatMap((is, i) => (is ? [i] : []));
+    check(masked.length > 20, `${masked.length} pixels show bodies`);
+    const off = difference(masked.map((i) => seen.values[i]), masked.map((i) => truth[i]));
+    check(off <= 2e-6, `${off} of the maximum off`);
+    const back = eye.map((c, i) => c - target[i]);
+    const far = Math.hypot(...back);
+    for (const i of masked.filter((_, k) => k % 97 === 0)) {
+        const at = [(((i % columns) + 0.5) / columns - 0.5) * width, (0.5 - (Math.floor(i / columns) + 0.5) / rows) * height];
+        const probe = core.stageProbe(camera, columns, rows, ...at);
+        check(Math.abs(probe.value - seen.values[i]) <= 1e-4 * Math.abs(probe.value) + 1e-6, `probe at ${at}: ${probe.value}`);
+        const along = probe.position.reduce((sum, c, k) => sum + ((eye[k] - c) * back[k]) / far, 0);
+        check(Math.abs(along - depth[i]) < 1e-3 * far, `${depth[i]} instead of ${along} mm`);
+    }
+    if (builtin.name === 'sphere')
+        equal(core.stage([...target, ...eye, ...up, width, height], columns, rows), null, 'what is seen from inside of a body');
+    return `${masked.length} pixels`;
+}
+
 const LAMP = 'IESNA91\nTILT=NONE\n1 800 1 3 1 1 2 .1 .1 0 1 1 20\n0 45 90 0 300 200 0\n';
 const CLOUD = 'x,y,z,intensity\n300,200,1500,4\n-400,0,1700,6\n';
 const NAMING = `luxel: 1
@@ -206,6 +250,8 @@ export async function numbers(core, tool, names = null) {
             await test(`the tool's bytes in ${ending}`, () => compareFiles(core, tool, folder, builtins[0], ending));
         await test('files that a scene names', () => namesFiles(core, tool, folder));
         await test('files that the core brings', () => namesOwnFiles(core, tool, folder));
+        for (const builtin of builtins.filter(({ name }) => STAGED.includes(name)))
+            await test(`what another camera sees of ${builtin.name}`, () => stages(core, tool, folder, builtin));
         await test('a mesh from all sides', () => relief(core));
         if (!names)
             await test('light between surfaces', () =>
