@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * The stage: the present scene as another camera sees it, lit by the same sums as the picture, with the distance of what
- * each pixel shows, and the exact value at a place of it.
+ * The stage: the present scene as another camera sees it, lit by the same sums as the picture, with the distance of
+ * what each pixel shows, and the exact value at a place of it.
  */
 #include <stdio.h>
 #include <stdlib.h>

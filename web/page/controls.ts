@@ -33,7 +33,7 @@ export function scaleControls(picture: PictureView, dial: Dial, changed: () => v
         scale.locked = checked;
         changed();
     });
-    const names: [string, string][] = ['grey', 'viridis', 'turbo'].map((map) => [map, t(map)]);
+    const names: [string, string][] = ['tone', 'grey', 'viridis', 'turbo'].map((map) => [map, t(map)]);
     const maps = choice(t('Colours'), names, scale.map, (map) => {
         scale.map = map as typeof scale.map;
         changed();

@@ -499,17 +499,6 @@ export class Core {
         );
     }
 
-    /** How a surface looks from a side: shades from 1 on, 0 where it is not, in rows from the top. */
-    relief(surface: number, eye: number[], up: number[], pixels: number): Uint8Array<ArrayBuffer> | null {
-        const place = this.call.page_relief(surface, ...eye, ...up, pixels);
-        return place ? new Uint8Array(this.memory.buffer as ArrayBuffer, place, pixels * pixels).slice() : null;
-    }
-
-    /** What a mesh covers as seen from a side: closed lines, x, y, x, y, … in mm along right and up; null: no mesh. */
-    silhouette(surface: number, right: number[], up: number[]): number[][] | null {
-        return this.json<number[][]>(this.call.page_silhouette(surface, ...right, ...up));
-    }
-
     /** Where a place is seen on the screen, and its height above it. */
     project(place: number[]): number[] | null {
         return this.json<number[]>(this.call.page_project(place[0], place[1], place[2]));

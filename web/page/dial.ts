@@ -51,6 +51,11 @@ export class Dial {
         this.unit.textContent = unit;
     }
 
+    /** Changes the exposure by so many stops. */
+    turn(stops: number) {
+        this.expose(this.scale.exposure + stops);
+    }
+
     private expose(stops: number) {
         const { scale } = this;
         const next = Math.max(-MOST_STOPS, Math.min(MOST_STOPS, Math.round(4 * stops) / 4));

@@ -79,6 +79,12 @@ export function lightColour(index: number): string {
     return styleColour(`--lamp-${index % LAMP_COLOURS}`);
 }
 
+/** A colour of six digits, in part transparent. */
+export function faded(colour: string, alpha: number): string {
+    const [r, g, b] = [1, 3, 5].map((i) => parseInt(colour.slice(i, i + 2), 16));
+    return `rgb(${r} ${g} ${b} / ${alpha})`;
+}
+
 /** A light's number in its colour, as lists have it; colours that come again are in squares. */
 export function chip(index: number, isOn = true): HTMLElement {
     const shape = index >= LAMP_COLOURS ? ' square' : '';

@@ -68,6 +68,8 @@ export class Layout {
     tab: Tab = 'light';
     onTab: () => void = () => undefined;
     onCamera: () => void = () => undefined;
+    /** Told which camera is wanted; calls back when it is to be looked through. */
+    onLook: (camera: Camera, go: () => void) => void = (_camera, go) => go();
     private strip: 'section' | 'points' | 'balance' = 'section';
     private sheet: Sheet = 'half';
     private main = h('main');
@@ -169,9 +171,13 @@ export class Layout {
 
     /** Looks through one of the cameras. */
     look(camera: Camera) {
-        this.camera = camera;
-        this.show();
-        this.onCamera();
+        if (camera === this.camera) return;
+        this.cameras.show(camera);
+        this.onLook(camera, () => {
+            this.camera = camera;
+            this.show();
+            this.onCamera();
+        });
     }
 
     /** Opens a tab of the drawer. */

@@ -14,7 +14,7 @@ import { Form } from './form';
 import { Gallery } from './gallery';
 import { header } from './header';
 import { download, packed, unpacked } from './link';
-import { Layout } from './layout';
+import { Layout, type Camera } from './layout';
 import { LoadingNotice } from './loading';
 import { Looks } from './looks';
 import { Messages } from './messages';
@@ -25,15 +25,17 @@ import { PointsPanel } from './points';
 import { Saving } from './saving';
 import { SectionPanel } from './section';
 import { SpaceView } from './space';
+import type { Place } from './space_math';
 import { Statistics } from './statistics';
 import { TextEditor } from './text';
 import { Outdated } from './version';
 import { WorkNotice } from './work';
-import { currentLanguage, number, setLanguage, t, type Language } from './words';
+import { currentLanguage, exactly, number, setLanguage, t, type Language } from './words';
 
 /** The built-in scene that the page begins with, where its link names no other: whole in view, with its lamp. */
 const FIRST_SCENE = 'sphere';
 
+const SAME_PLACE = 2e-3; // of the screen: within it two lines of sight meet the same place
 const LONGEST_TITLE = 34; // letters that the bar has room for
 
 /** The licences that the page was made with, taken out of its footer. */
@@ -50,7 +52,7 @@ class Page {
     private readonly section = new SectionPanel(this.model, this.compare);
     private readonly picture = new PictureView(this.model, this.compare, this.section);
     private readonly dial = new Dial(this.picture.scale);
-    private readonly space = new SpaceView(this.model);
+    private readonly space = new SpaceView(this.model, () => this.picture.shownScale);
     private readonly form = new Form(this.model, () =>
         this.space.selected?.kind === 'light' ? this.space.selected.index : 0,
     );
@@ -84,6 +86,7 @@ class Page {
     private locked!: HTMLInputElement;
     private builtins: Builtin[] = [];
     private linkTimer = 0;
+    private isReadoutOfProbe = true;
 
     async start() {
         setLanguage(this.firstLanguage());
@@ -171,11 +174,16 @@ class Page {
         this.probe.onValue = (probe) => {
             this.space.probe = probe;
             this.space.draw();
-            this.readout.textContent = this.probe.told;
+            if (this.isReadoutOfProbe) this.readout.textContent = this.probe.told;
             this.form.tellShares(probe?.shares ?? [], this.probe.shown);
         };
-        this.picture.onHand = (x, y) => this.showReadout(x, y);
-        this.space.image = () => this.picture.shownImage;
+        this.picture.onHand = (x, y) => {
+            this.isReadoutOfProbe = true;
+            this.readout.textContent = this.probe.told;
+            this.showReadout(x, y);
+        };
+        this.space.onPlace = (place, x, y) => void this.pointInSpace(place, x, y);
+        this.layout.onLook = (camera, go) => this.fly(camera, go);
         this.layout.onTab = () => this.text.number();
         this.layout.onCamera = () => this.cameraChanged();
         this.picture.onPaint = () => this.space.draw();
@@ -224,6 +232,7 @@ class Page {
 
     private key(event: KeyboardEvent) {
         const { target } = event;
+        if (target instanceof HTMLCanvasElement && !event.ctrlKey && !event.metaKey && !event.altKey) this.stageKey(event.key);
         // What is being typed is undone by the browser, letter by letter; what was taken is a step of the history.
         const isField = target instanceof HTMLInputElement && !['checkbox', 'range', 'file'].includes(target.type);
         const isTyping = target instanceof HTMLTextAreaElement || (isField && isTypedOver(target));
@@ -233,6 +242,18 @@ class Page {
         else if (letter === 'y' || (letter === 'z' && event.shiftKey)) this.model.redo();
         else return;
         event.preventDefault();
+    }
+
+    // Keys of the stage, whichever camera it has.
+    private stageKey(key: string) {
+        if (key === 'o' || key === 'O') this.switchCamera();
+        else if (key === '[' || key === ']') this.dial.turn(key === ']' ? 0.5 : -0.5);
+    }
+
+    private switchCamera() {
+        if (this.embedding.view === 'picture' || this.embedding.view === 'space') return;
+        this.layout.look(this.layout.camera === 'space' ? 'picture' : 'space');
+        (this.layout.camera === 'space' ? this.space : this.picture).canvas.focus();
     }
 
     // Everything that has words; called anew for another language.
@@ -402,7 +423,7 @@ class Page {
     private showReadout(x: number, y: number | null) {
         this.readout.hidden = y === null;
         if (y === null) return;
-        const { width } = this.picture.canvas.getBoundingClientRect();
+        const { width } = this.readout.parentElement!.getBoundingClientRect();
         const isRight = x > width / 2;
         Object.assign(this.readout.style, {
             insetBlockStart: `${Math.max(8, y - 46)}px`,
@@ -491,6 +512,59 @@ class Page {
         this.layout.tellSize(picture ? `${picture.facts.columns} × ${picture.facts.rows}` : '');
         this.dial.tellUnit(scene?.unit === 'relative' ? t('relative') : (scene?.unit ?? ''));
         this.app.dataset.stride = String(this.model.picture?.stride ?? 0);
+    }
+
+    // The newest place that the hand points at in space.
+    private pointed: { place: Place; x: number; y: number } | null = null;
+    private isPointing = false;
+
+    private async pointInSpace(place: Place | null, x: number, y: number) {
+        this.pointed = place && { place, x, y };
+        if (!place) this.readout.hidden = true;
+        if (this.isPointing) return;
+        this.isPointing = true;
+        while (this.pointed) {
+            const { pointed } = this;
+            this.pointed = null;
+            await this.probeInSpace(pointed).catch(() => undefined);
+        }
+        this.isPointing = false;
+    }
+
+    // The probe goes to where the observer sees the place; of what is hidden from it, the value as it is seen from here is told.
+    private async probeInSpace({ place, x, y }: { place: Place; x: number; y: number }) {
+        const whole = this.model.asWhole();
+        if (!whole || !this.model.isCurrent(whole)) return;
+        const { client, screen, scene } = this.model;
+        const seen = await client.ask('project', whole, place);
+        const isBeside = !seen || [0, 1].some((axis) => Math.abs(seen[axis]) > screen[axis] / 2);
+        const met = isBeside ? null : await client.ask('probe', whole, seen[0], seen[1]);
+        if (!this.model.isCurrent(whole) || !scene) return;
+        const off = met && met.surface !== null ? Math.hypot(...met.position.map((c, axis) => c - place[axis])) : Infinity;
+        if (seen && off < SAME_PLACE * Math.max(...screen)) {
+            this.isReadoutOfProbe = true;
+            this.picture.moveProbe(seen[0], seen[1]);
+            return this.showReadout(x, y);
+        }
+        const probe = await this.space.valueAt(x, y);
+        if (!probe || typeof probe.value !== 'number' || !this.model.isCurrent(whole)) return;
+        this.isReadoutOfProbe = false;
+        const unit = scene.unit === 'relative' ? t('relative') : scene.unit;
+        const partial = this.model.isPartial(whole) ? `, ${t('direct light alone')}` : '';
+        this.readout.textContent = `${exactly(probe.value, probe.error)} ${unit} (${t('not seen by the observer')}${partial})`;
+        this.showReadout(x, y);
+    }
+
+    // Space and the picture are two cameras: one flies from one to the other.
+    private fly(camera: Camera, go: () => void) {
+        const { width, height } = this.readout.parentElement!.getBoundingClientRect();
+        const clear = width - parseFloat(getComputedStyle(this.app).getPropertyValue('--clear'));
+        const { factor } = this.picture.frame(clear, height);
+        const to = this.space.observerView(factor, (clear - width) / 2);
+        if (!to || this.model.stale) return go();
+        if (camera === 'picture') return this.space.fly(to, false, go);
+        go();
+        this.space.fly(to, true, () => undefined);
     }
 
     private cameraChanged() {

@@ -11,6 +11,7 @@ import { loading } from './loading.mjs';
 import { more, PAGES } from './more.mjs';
 import { boxOf, dragBy, inside, lampIn, look, opened, openScene, shot, started, tab, until } from './hands.mjs';
 import { serve } from './server.mjs';
+import { stage } from './stage.mjs';
 import { typed } from './typed.mjs';
 import { versions } from './versions.mjs';
 import { check, equal, test } from './tap.mjs';
@@ -300,7 +301,7 @@ async function links(page, browser, url) {
     check((await inside(named, 'model.text')).includes('ambient'), 'the name in a link');
     await named.context().close();
     const damaged = await opened(browser, `${url}#s=AAAA`);
-    await damaged.locator('.toast').waitFor();
+    await damaged.waitForFunction(() => document.querySelector('.toast').textContent.startsWith('The link holds no scene'));
     await damaged.context().close();
 }
 
@@ -584,6 +585,7 @@ export async function page(folder, tool) {
     await test('a phone, 390 px wide', () => onPhone(browser, url));
     await test('small screens', () => onSmallScreens(browser, url));
     await test('dark', () => inDark(browser, url));
+    await stage(browser, url, tool);
     await typed(browser, folder, url);
     await versions(browser, url, tool);
     await loading(browser, folder, tool);
