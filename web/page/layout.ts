@@ -188,6 +188,13 @@ export class Layout {
         this.onTab();
     }
 
+    /** Shows the form of what was chosen on the stage, where a form is shown. */
+    follow(tab: 'light' | 'matter' | 'place') {
+        if (this.tab === 'view' || this.tab === 'text' || this.tab === tab) return;
+        this.tab = tab;
+        this.show();
+    }
+
     private chart(chart: Layout['strip']) {
         this.strip = chart;
         this.show();

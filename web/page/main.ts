@@ -190,6 +190,7 @@ class Page {
         this.picture.onWhy = () => this.why();
         const select = (thing: Thing | null) => {
             this.picture.selected = this.space.selected = thing;
+            if (thing) this.layout.follow(thing.kind === 'observer' ? 'place' : thing.kind === 'surface' ? 'matter' : 'light');
             this.picture.draw();
             this.space.draw();
             this.showChosen();

@@ -14,7 +14,7 @@ import { t } from './words';
 
 export type Side = 'orbit' | 'plan' | 'elevation';
 
-const BEGIN = [-0.65, 1.05]; // turn and tilt
+const BEGIN = [-0.65, 0.92]; // turn and tilt
 const NEAR = 20; // pixels within which a thing is grabbed
 const FAR = 3.2; // of the camera, in reaches of the scene
 const FILLED = 12; // lights of which panels and cones are filled
@@ -135,7 +135,7 @@ export class SpaceView {
         const { width, height } = this.canvas.getBoundingClientRect();
         if (width < 200 || height < 150) return;
         const isNarrow = width < 700;
-        const room = { left: 24, right: isNarrow ? 84 : 88, top: isNarrow ? 84 : 36, low: isNarrow ? 64 : 56 };
+        const room = { left: 24, right: isNarrow ? 84 : 88, top: isNarrow ? 84 : 64, low: isNarrow ? 64 : 56 };
         for (let i = 0; i < 3; i++) {
             const view = this.wanted();
             const points = places.map((place) => seenBy(view, place));
