@@ -71,6 +71,15 @@ function tryScene(core, text, keys) {
     for (const [from, to] of [core.line(10, 20, 30), [[-100, 0], [100, 50]]])
         for (let i = 0; i < 50; i++) core.probe(...[0, 1].map((axis) => from[axis] + ((to[axis] - from[axis]) * i) / 49));
     for (const logarithmic of [false, true]) check(core.isophotes(8, logarithmic), 'no isophotes');
+    // Numbers of cameras are as long as they come, and so is the reading of them.
+    for (const [columns, rows, turn] of [[40, 30, 0.65], [98, 58, 1.234567], [246, 142, -2.1]]) {
+        const [x, y] = [2345.6789 * Math.sin(turn), -2345.6789 * Math.cos(turn)];
+        const width = 2000 * Math.sqrt(1 + columns / 97);
+        const camera = [x, y, 1800 / 1.3, 10 / 3, -1e-3, 300.1, x / -7e3, y / -7e3, 0.81234567890123, width, (width / columns) * rows];
+        check(core.stage(camera, columns, rows), `no stage: ${JSON.stringify(core.messages())}`);
+        check(core.stageDepth(camera, columns / 2, rows / 2), 'no distances of the stage');
+        check(core.stageProbe(camera, columns, rows, 10.123, 20.456), 'no probe of the stage');
+    }
     check(core.project([0, 0, 100]) && core.unproject(0, 0, 100), 'no place on the screen');
     const copy = '{type: point, position: [100, 200, 1500], intensity: 5}';
     for (const changes of [

@@ -150,7 +150,7 @@ static void clear_files(struct files *files)
 
 /* A picture in colour is a sum of pictures, and is made whole. */
 static luxel_status render_in_color(const luxel_scene *scene, const luxel_settings *settings, const char *const *paths,
-                                    size_t count, const luxel_output *how, luxel_diagnostics *diagnostics,
+                                    size_t count, const luxel_field_output *how, luxel_diagnostics *diagnostics,
                                     luxel_statistics *statistics)
 {
     struct luxel_field *field;

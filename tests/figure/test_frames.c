@@ -153,14 +153,14 @@ static void decimal_marks(void **state)
 {
     (void)state;
     for (int fractions = 0; fractions < 2; fractions++) {
-        const luxel_bar bar = {.low = 0, .high = fractions ? 2.5 : 5000};
+        const luxel_color_bar bar = {.low = 0, .high = fractions ? 2.5 : 5000};
         cairo_surface_t *drawn[2];
         for (int comma = 0; comma < 2; comma++) {
             luxel_drawing_style style;
             cairo_t *cairo = begin(&style, 10);
             assert_int_equal(style.decimal_mark, '.');
             style.decimal_mark = comma ? ',' : '.';
-            assert_int_equal(luxel_draw_bar(cairo, &style, &bar, WIDTH, HEIGHT), LUXEL_OK);
+            assert_int_equal(luxel_draw_color_bar(cairo, &style, &bar, WIDTH, HEIGHT), LUXEL_OK);
             drawn[comma] = cairo_surface_reference(cairo_get_target(cairo));
             cairo_surface_flush(drawn[comma]);
             cairo_destroy(cairo);

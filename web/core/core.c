@@ -84,6 +84,7 @@ static void drop_evaluator(void)
 {
     luxel_evaluator_free(core.evaluator);
     core.evaluator = NULL;
+    drop_stage();
 }
 
 /* Judges a text, and takes its scene in place of the present one if it is whole.  Returns a luxel_status. */

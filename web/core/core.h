@@ -29,6 +29,12 @@ const luxel_scene *computed_scene(void);
 /* The evaluator of the present scene and quantity, or NULL. */
 const luxel_evaluator *present_evaluator(void);
 
+/* Drops what another camera saw of the scene that was. */
+void drop_stage(void);
+
+/* Answers with the value through a point of an evaluator's screen and each light's share of it; NULL: there is none. */
+const char *answer_probe(const luxel_evaluator *evaluator, double x_mm, double y_mm);
+
 /* The default settings with the present quantity, and the page's progress. */
 luxel_settings present_settings(void);
 

@@ -122,10 +122,8 @@ static void answer_value(const luxel_value *value, const double *shares, size_t 
     answer_close('}');
 }
 
-/* The exact value seen through a point of the screen, and what each light gives of it. */
-PAGE_CALLS(page_probe) const char *page_probe(double x_mm, double y_mm)
+const char *answer_probe(const luxel_evaluator *evaluator, double x_mm, double y_mm)
 {
-    const luxel_evaluator *evaluator = present_evaluator();
     const size_t lights = evaluator ? luxel_evaluator_light_count(evaluator) : 0;
     double *shares = calloc(lights + 1, sizeof *shares);
     if (!evaluator || !shares) {
@@ -138,6 +136,12 @@ PAGE_CALLS(page_probe) const char *page_probe(double x_mm, double y_mm)
     answer_value(&value, shares, lights);
     free(shares);
     return answer_text();
+}
+
+/* The exact value seen through a point of the screen, and what each light gives of it. */
+PAGE_CALLS(page_probe) const char *page_probe(double x_mm, double y_mm)
+{
+    return answer_probe(present_evaluator(), x_mm, y_mm);
 }
 
 /* How the value at a point comes about: a page of HTML (3), Markdown (1), LaTeX (2) or text (0). */

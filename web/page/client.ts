@@ -52,13 +52,13 @@ interface Answered {
 
 // Pictures and values may take long, as where surfaces reflect light to each other.
 const LONG: (keyof Questions)[] = [
-    'render', 'probe', 'values', 'extrema', 'explain', 'balance', 'summary', 'isophotes', 'file',
+    'render', 'stage', 'probe', 'values', 'extrema', 'explain', 'balance', 'summary', 'isophotes', 'file',
 ];
 const PATIENCE = 1500; // milliseconds that something urgent waits for them
 
 // Whose turn is next: what changes the scene, then the number under the pointer, the picture, and all else.
 const TURNS: Partial<Record<keyof Questions, number>> = {
-    probe: 1, render: 2, isophotes: 3, explain: 3, line: 3, values: 4, relief: 4, silhouette: 4,
+    probe: 1, render: 2, stageProbe: 2, stage: 3, isophotes: 3, explain: 3, line: 3, values: 4,
     file: 5, summary: 5, extrema: 5, balance: 6,
 };
 
@@ -86,6 +86,8 @@ export class Client {
     isWhole = false;
     private source!: string; // the address of the worker's text, which is kept so that a new one asks for nothing
     private words: Record<string, string> = {};
+    /** How many files were given. */
+    given = 0;
     private isTwin = false;
     private isOver = false; // a twin that was stopped or failed
     /** What the user gave of the files that scenes name. */
@@ -141,6 +143,11 @@ export class Client {
         return twin;
     }
 
+    /** Whether it was stopped, or failed as a twin. */
+    get isEnded() {
+        return this.isOver;
+    }
+
     /** Gives up whatever it does; it cannot be asked any more. */
     stop() {
         this.isOver = true;
@@ -180,6 +187,7 @@ export class Client {
     /** Gives a file that scenes name; workers that are started later have it, too. */
     give(name: string, bytes: Uint8Array) {
         this.files.set(name, bytes);
+        this.given++;
         return this.ask('give', name, bytes);
     }
 
@@ -218,6 +226,14 @@ export class Client {
         this.interruptions++;
         void this.restart().catch(() => undefined);
         present.reject(new Interrupted('something urgent came'));
+    }
+
+    /** Gives up what it is busy with; what waits is asked of a new worker. */
+    giveWay() {
+        const { present } = this;
+        if (!present || this.isOver) return;
+        void this.restart().catch(() => undefined);
+        present.reject(new Interrupted('something newer is wanted'));
     }
 
     private answered({ id, answer, failure, isOutdated, isWaiting, progress }: Answered) {

@@ -2,7 +2,7 @@
 // From values to colours: the range of the colour bar, and the maps.
 
 export interface Scale {
-    map: 'grey' | 'viridis' | 'turbo' | 'difference';
+    map: 'tone' | 'grey' | 'viridis' | 'turbo' | 'difference';
     logarithmic: boolean;
     locked: boolean;
     low: number;
@@ -42,7 +42,14 @@ function diverging(at: number): number[] {
     return from.map((part) => 247 + (part - 247) * share);
 }
 
+// As the eye and screens have it: even steps of lightness, a little warm at the top.
+function tone(at: number): number[] {
+    const share = at ** (1 / 2.2);
+    return [9 + 246 * share, 10 + 239 * share, 14 + 223 * share];
+}
+
 const MAPS: Record<Scale['map'], (at: number) => number[]> = {
+    tone,
     grey: (at) => [255 * at, 255 * at, 255 * at],
     viridis,
     turbo,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The rows of controls above the picture and above the space view.
+// The controls of the colour bar, of the side from which the space view looks, and of the zoom.
 import type { Dial } from './dial';
 import { choice, h, takeIn } from './dom';
 import type { PictureView } from './picture';
@@ -33,7 +33,7 @@ export function scaleControls(picture: PictureView, dial: Dial, changed: () => v
         scale.locked = checked;
         changed();
     });
-    const names: [string, string][] = ['grey', 'viridis', 'turbo'].map((map) => [map, t(map)]);
+    const names: [string, string][] = ['tone', 'grey', 'viridis', 'turbo'].map((map) => [map, t(map)]);
     const maps = choice(t('Colours'), names, scale.map, (map) => {
         scale.map = map as typeof scale.map;
         changed();
@@ -64,13 +64,13 @@ export function sideControls(space: SpaceView): HTMLElement {
     space.onSide = (side) =>
         buttons.forEach((button, i) => button.setAttribute('aria-pressed', String(names[i][0] === side)));
     space.onSide(space.side);
-    return h('div', { class: 'controls' }, ...buttons);
+    return h('div', { class: 'sides floating' }, ...buttons);
 }
 
 /** Buttons that zoom a view by a factor; 0: all of it is seen. */
 export function zoomButtons(zoom: (factor: number) => void): HTMLElement {
     const button = (sign: string, label: string, factor: number) =>
-        h('button', { type: 'button', class: 'small', 'aria-label': t(label), title: t(label), onclick: () => zoom(factor) }, sign);
-    const buttons = [button('+', 'Zoom in', 1.25), button('−', 'Zoom out', 0.8), button('⤢', 'Show all', 0)];
-    return h('span', { class: 'zoom' }, ...buttons);
+        h('button', { type: 'button', 'aria-label': t(label), title: t(label), onclick: () => zoom(factor) }, sign);
+    const all = h('button', { type: 'button', onclick: () => zoom(0), title: `${t('Show all')} (F)`, 'aria-label': t('Show all') }, t('Fit'));
+    return h('span', { class: 'zoom floating' }, button('−', 'Zoom out', 0.8), button('+', 'Zoom in', 1.25), all);
 }

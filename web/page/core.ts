@@ -33,6 +33,12 @@ export interface PictureFacts {
     reached: boolean; // whether that is as small as it should be
 }
 
+/** The values of pixels, and whether each has one. */
+export interface Samples {
+    values: Float32Array<ArrayBuffer>;
+    mask: Uint8Array<ArrayBuffer>;
+}
+
 export interface Probe {
     surface: number | null;
     part: string | null;
@@ -334,6 +340,15 @@ export class Core {
         }
     }
 
+    private withNumbers(numbers: number[], use: (place: number) => number): number {
+        const place = this.call.page_memory(8 * numbers.length);
+        if (!place) throw new CoreFailure('memory is short');
+        new Float64Array(this.memory.buffer, place, numbers.length).set(numbers);
+        const answer = use(place);
+        this.call.page_free(place);
+        return answer;
+    }
+
     private json<T>(place: number): T | null {
         const text = this.text(place);
         return text === null ? null : (JSON.parse(text) as T);
@@ -401,7 +416,7 @@ export class Core {
     }
 
     /** Copies of the samples and of the mask of the last picture. */
-    samples(): { values: Float32Array<ArrayBuffer>; mask: Uint8Array<ArrayBuffer> } {
+    samples(): Samples {
         const { columns, rows } = this.picture();
         const values = this.call.page_values();
         const mask = this.call.page_mask();
@@ -461,15 +476,27 @@ export class Core {
         return this.json<SceneFacts>(this.call.page_scene());
     }
 
-    /** How a surface looks from a side: shades from 1 on, 0 where it is not, in rows from the top. */
-    relief(surface: number, eye: number[], up: number[], pixels: number): Uint8Array<ArrayBuffer> | null {
-        const place = this.call.page_relief(surface, ...eye, ...up, pixels);
-        return place ? new Uint8Array(this.memory.buffer as ArrayBuffer, place, pixels * pixels).slice() : null;
+    /** What another camera sees of the scene in so many pixels, in rows from the top; null: it sees nothing. */
+    stage(camera: number[], columns: number, rows: number): Samples | null {
+        if (this.withNumbers(camera, (place) => this.call.page_stage(place, columns, rows)) !== 0) return null;
+        const [values, mask] = [this.call.page_stage_values(), this.call.page_stage_mask()];
+        return {
+            values: new Float32Array(this.memory.buffer as ArrayBuffer, values, columns * rows).slice(),
+            mask: new Uint8Array(this.memory.buffer as ArrayBuffer, mask, columns * rows).slice(),
+        };
     }
 
-    /** What a mesh covers as seen from a side: closed lines, x, y, x, y, … in mm along right and up; null: no mesh. */
-    silhouette(surface: number, right: number[], up: number[]): number[][] | null {
-        return this.json<number[][]>(this.call.page_silhouette(surface, ...right, ...up));
+    /** How far it is from a camera, in mm along its line of view, to what each of so many pixels shows; 0: nothing. */
+    stageDepth(camera: number[], columns: number, rows: number): Float32Array<ArrayBuffer> | null {
+        const place = this.withNumbers(camera, (at) => this.call.page_stage_depth(at, columns, rows));
+        return place ? new Float32Array(this.memory.buffer as ArrayBuffer, place, columns * rows).slice() : null;
+    }
+
+    /** The exact value that a camera of so many pixels sees through a point of its screen. */
+    stageProbe(camera: number[], columns: number, rows: number, x: number, y: number): Probe | null {
+        return this.json<Probe>(
+            this.withNumbers(camera, (place) => this.call.page_stage_probe(place, columns, rows, x, y)),
+        );
     }
 
     /** Where a place is seen on the screen, and its height above it. */

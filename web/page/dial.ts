@@ -15,7 +15,13 @@ type End = 'low' | 'high';
 export class Dial {
     readonly canvas = h('canvas', { class: 'colour-bar', role: 'img' });
     private readonly handles: Record<End, HTMLElement> = { low: this.handle('low'), high: this.handle('high') };
-    readonly element = h('div', { class: 'dial' }, this.canvas, this.handles.high, this.handles.low);
+    private readonly unit = h('span', { class: 'dim unit-of-dial' });
+    readonly element = h(
+        'div',
+        { class: 'dial floating' },
+        this.unit,
+        h('div', { class: 'inner' }, this.canvas, this.handles.high, this.handles.low),
+    );
     readonly exposure = h('input', { type: 'range', min: -MOST_STOPS, max: MOST_STOPS, step: 0.25 });
     readonly told = h('output', { class: 'stops' });
     onChange: () => void = () => undefined;
@@ -40,6 +46,16 @@ export class Dial {
         this.handles.high.setAttribute('aria-label', t('Upper end of the scale'));
     }
 
+    /** The unit of the values. */
+    tellUnit(unit: string) {
+        this.unit.textContent = unit;
+    }
+
+    /** Changes the exposure by so many stops. */
+    turn(stops: number) {
+        this.expose(this.scale.exposure + stops);
+    }
+
     private expose(stops: number) {
         const { scale } = this;
         const next = Math.max(-MOST_STOPS, Math.min(MOST_STOPS, Math.round(4 * stops) / 4));
@@ -61,11 +77,12 @@ export class Dial {
             const { low, high } = this.scale;
             const height = this.canvas.clientHeight || 1;
             handle.focus();
+            let shift = 0; // places are told from the handle, which goes along
             return {
                 move: (_x: number, ny: number) => {
-                    const off = (y - ny) / height;
-                    handle.style.translate = `0 ${ny - y}px`;
-                    this.moveEnd(which, off, low, high);
+                    shift += ny - y;
+                    handle.style.translate = `0 ${shift}px`;
+                    this.moveEnd(which, -shift / height, low, high);
                 },
                 end: () => handle.style.removeProperty('translate'),
             };

@@ -67,25 +67,60 @@ export function styleColour(name: string): string {
     return getComputedStyle(document.documentElement).getPropertyValue(name).trim();
 }
 
-// Hues that are told apart by people with deficient colour vision, too (Okabe and Ito).
-const LIGHT_COLOURS = ['#e69f00', '#56b4e9', '#009e73', '#cc79a7', '#d55e00', '#0072b2', '#b8a800', '#8a8a8a'];
+const LAMP_COLOURS = 10; // told apart by people with deficient colour vision, too; the style has them
 
-export function lightColour(index: number): string {
-    return LIGHT_COLOURS[index % LIGHT_COLOURS.length];
+/** The name of a light's colour in the style. */
+export function lightStyle(index: number): string {
+    return `var(--lamp-${index % LAMP_COLOURS})`;
 }
 
-/** A light's number in its colour, as marks, lists and curves show it. */
+/** A light's colour, for canvases. */
+export function lightColour(index: number): string {
+    return styleColour(`--lamp-${index % LAMP_COLOURS}`);
+}
+
+/** A colour of six digits, in part transparent. */
+export function faded(colour: string, alpha: number): string {
+    const [r, g, b] = [1, 3, 5].map((i) => parseInt(colour.slice(i, i + 2), 16));
+    return `rgb(${r} ${g} ${b} / ${alpha})`;
+}
+
+/** A light's number in its colour, as lists have it; colours that come again are in squares. */
+export function chip(index: number, isOn = true): HTMLElement {
+    const shape = index >= LAMP_COLOURS ? ' square' : '';
+    const element = h('span', { class: `chip${shape}${isOn ? '' : ' off'}` }, String(index + 1));
+    element.style.background = lightStyle(index);
+    return element;
+}
+
+const RADIUS = 10.5; // of the marks of lights, pixels
+
+/** The same on a canvas; what is chosen has a double ring. */
 export function numberMark(context: CanvasRenderingContext2D, x: number, y: number, index: number, chosen: boolean) {
-    context.beginPath();
-    context.arc(x, y, 9, 0, 2 * Math.PI);
+    const radius = chosen ? RADIUS + 1.5 : RADIUS;
+    const outline = (r: number) => {
+        context.beginPath();
+        if (index >= LAMP_COLOURS) context.rect(x - r, y - r, 2 * r, 2 * r);
+        else context.arc(x, y, r, 0, 2 * Math.PI);
+    };
+    for (const [off, style] of chosen ? [[6.5, '#fff'], [5, '#202226']] as const : []) {
+        outline(radius + off);
+        context.strokeStyle = style;
+        context.lineWidth = 1.5;
+        context.stroke();
+    }
+    outline(radius);
     context.fillStyle = lightColour(index);
     context.fill();
-    context.lineWidth = chosen ? 3 : 1.5;
-    context.strokeStyle = chosen ? styleColour('--accent') : '#fff';
+    context.lineWidth = 2;
+    context.strokeStyle = '#fff';
     context.stroke();
-    context.fillStyle = '#000';
-    context.font = 'bold 11px system-ui, sans-serif';
+    context.font = '600 12px system-ui, sans-serif';
     context.textAlign = 'center';
     context.textBaseline = 'middle';
+    context.lineWidth = 2.5;
+    context.strokeStyle = styleColour('--chip-edge');
+    context.strokeText(String(index + 1), x, y + 0.5);
+    context.fillStyle = styleColour('--chip-text');
     context.fillText(String(index + 1), x, y + 0.5);
 }

@@ -69,6 +69,7 @@ export function followPointer(
     element: HTMLElement,
     begin: (x: number, y: number, event: PointerEvent) => Action | null,
     pinch: Pinch | null = null,
+    takesRight = false, // the right button, too
 ) {
     const spots = new Map<number, Spot>(); // of the pointers that are down
     let action: Action | null = null;
@@ -78,12 +79,13 @@ export function followPointer(
         const { left, top } = element.getBoundingClientRect();
         return [event.clientX - left, event.clientY - top];
     };
+    if (takesRight) element.addEventListener('contextmenu', (event) => event.preventDefault());
     const finish = () => {
         action?.end(moved);
         action = null;
     };
     element.addEventListener('pointerdown', (event) => {
-        if (event.button !== 0) return;
+        if (event.button !== 0 && !(takesRight && event.button === 2)) return;
         const at = place(event);
         const isSecond = spots.size === 1 && pinch !== null && event.pointerType === 'touch';
         if (spots.size && !isSecond) return;

@@ -2,11 +2,11 @@
 // The form: every key of the scene that has a value, and those that could have one behind "more", in the core's own
 // words, with its units and ranges.  What is typed becomes an assignment to the text.
 import type { Key, Kind } from './core';
-import { choice, h, isTypedOver, lightColour, showIn, takeIn } from './dom';
+import { chip, choice, h, isTypedOver, lightStyle, showIn, takeIn } from './dom';
 import { CHOICE, CHOICE_OR_PAIR, CHOICE_OR_WHOLE, NUMBER, NUMBERS, sceneKeys, TEXT, WHOLE, WHOLE_NUMBERS, YES_OR_NO } from './keys';
 import type { Model } from './model';
 import { newSurface } from './new_surface';
-import type { Of } from './version';
+import type { Of, Version } from './version';
 import { number, t, typedNumber } from './words';
 
 interface Field {
@@ -18,6 +18,20 @@ interface Field {
     /** What is wrong with what was typed, which the scene therefore does not have; empty: nothing. */
     trouble: string;
 }
+
+/** The row of a light or a body: how it is opened, and what it gives at the probe. */
+interface Row {
+    list: string;
+    index: number;
+    element: HTMLElement;
+    open(): void;
+    amount: HTMLElement;
+    bar: HTMLElement;
+}
+
+// What says how the formula is meant, rather than what the scene is.
+const CONVENTIONS =
+    /\.(over_pi|highlight|normalized|falloff|rounding|range|tolerance|parts|pixels|view|opening|interpolation|units)$|^(tolerance|parts|units)$/;
 
 /** A key of a thing, and whether the thing has a value of it. */
 interface Entry {
@@ -66,6 +80,13 @@ export class Form {
     private shape = '';
     private generation = 0; // of the keys' words
     private opened = new Set<string>();
+    private rows: Row[] = [];
+    private showsMore = false; // whether "more" was opened last
+    private sharesOf: Version | null = null; // which the rows of the lights show
+    private shares: number[] = [];
+    private chosen = ''; // the base of the light or body that is chosen
+    /** Chooses a light or a body whose row was pressed. */
+    onChoose: (list: string, index: number) => void = () => undefined;
 
     private of: Of | null = null; // whose values are shown
 
@@ -75,6 +96,40 @@ export class Form {
         private readonly chosenLight: () => number,
     ) {
         model.follow(this.element, () => this.of);
+        model.follow(
+            () => this.rows.map(({ amount }) => amount),
+            () => this.sharesOf,
+        );
+    }
+
+    /** Tells in the rows of the lights what each gives at the probe. */
+    tellShares(shares: number[], of: Version | null) {
+        [this.shares, this.sharesOf] = [shares, of];
+        this.showShares();
+    }
+
+    private showShares() {
+        const { shares } = this;
+        const all = shares.reduce((sum, share) => sum + share, 0);
+        for (const { list, index, amount, bar } of this.rows) {
+            if (list !== 'lights') continue;
+            const share = shares[index];
+            amount.textContent = share === undefined ? '' : number(share, 4);
+            bar.style.inlineSize = share && all > 0 ? `${Math.max(0, (100 * share) / all)}%` : '0';
+        }
+        this.model.dim();
+    }
+
+    /** Marks the row of what is chosen in the views, and opens it. */
+    markChosen(list: string | null, index: number) {
+        const base = list === null ? '' : `${list}[${index}]`;
+        const isNew = base !== this.chosen;
+        this.chosen = base;
+        for (const row of this.rows) {
+            const isChosen = base === `${row.list}[${row.index}]`;
+            row.element.classList.toggle('chosen-row', isChosen);
+            if (isChosen && isNew) row.open();
+        }
     }
 
     /** Shows nothing: another scene was opened. */
@@ -82,6 +137,8 @@ export class Form {
         this.of = null;
         this.shape = '';
         this.fields = [];
+        this.rows = [];
+        [this.shares, this.sharesOf] = [[], null];
         this.element.replaceChildren();
     }
 
@@ -113,6 +170,7 @@ export class Form {
         }
         this.fields.forEach((field) => field.update(this.values.get(field.path) ?? null));
         this.titles.forEach((tell) => tell());
+        this.showShares();
         this.showMessages();
         this.model.dim();
     }
@@ -141,41 +199,92 @@ export class Form {
         });
         this.fields = [];
         this.titles = [];
-        this.element.replaceChildren();
-        const section = (title: () => string, base: string, open: boolean, extra?: HTMLElement) => {
-            const summary = h('summary', {}, title());
-            this.titles.push(() => (summary.textContent = title()));
-            const isOpen = this.opened.has(base) || open;
-            const details = h('details', { open: isOpen }, summary, extra);
-            // Fields are made when they are to be seen: a scene may have thousands of lights.
-            let isFilled = false;
-            const fill = () => {
-                if (!isFilled) details.append(...this.sectionFields(groups.get(base) ?? []));
-                isFilled = true;
-            };
-            if (isOpen) fill();
-            details.addEventListener('toggle', () => {
-                if (details.open) fill();
-                details.open ? this.opened.add(base) : this.opened.delete(base);
-            });
-            this.element.append(details);
-            return details;
-        };
-        for (const [list, types] of lists.slice().reverse()) {
+        this.rows = [];
+        const [light, matter, place] = ['light', 'matter', 'place'].map((tab) => h('div', { 'data-tab': tab }));
+        this.element.replaceChildren(light, matter, place);
+        for (const [list, types] of lists) {
             const isLights = list === 'lights';
-            this.element.append(h('h3', {}, t(isLights ? 'Lights' : 'Surfaces'), this.adder(list)));
+            const room = isLights ? light : matter;
+            room.append(h('h3', {}, t(isLights ? 'Lamps' : 'Bodies'), this.adder(list)));
             types.forEach((type, i) => {
-                const base = `${list}[${i}]`;
-                const title = () => {
-                    const name = isLights ? this.model.scene?.lights[i]?.name : null; // lists may be newer than scene
-                    return `${i + 1} · ${this.kindWords(list, type)}${name ? `: ${name}` : ''}`;
-                };
-                const details = section(title, base, i === 0 && types.length < 4, this.remover(base));
-                if (isLights) details.style.borderInlineStartColor = lightColour(i);
+                const isOpen = i === 0 && types.length < 4;
+                room.append(this.thing(list, i, type, groups.get(`${list}[${i}]`) ?? [], isOpen));
             });
         }
-        this.element.append(h('h3', {}, t('Scene')));
-        section(() => t('Scene'), 'scene', false);
+        place.append(h('h3', {}, t('Scene')), ...this.sectionFields(groups.get('scene') ?? []));
+        this.markChosen(/^\w+/.exec(this.chosen)?.[0] ?? null, Number(/\d+/.exec(this.chosen)?.[0]));
+    }
+
+    // The row of a light or a body, with its fields below it when it is open.
+    private thing(list: string, index: number, type: string, entries: Entry[], isFirst: boolean): HTMLElement {
+        const base = `${list}[${index}]`;
+        const isLights = list === 'lights';
+        const name = h('span', { class: 'name' });
+        const amount = h('span', { class: 'of-probe' });
+        const bar = h('span', { class: 'bar' });
+        if (isLights) bar.style.background = lightStyle(index);
+        const mark = isLights ? chip(index) : h('span', { class: 'dim' }, String(index + 1));
+        const summary = h(
+            'summary',
+            { onclick: () => this.choosesRow(list, index) },
+            mark,
+            name,
+            amount,
+            isLights && h('span', { class: 'track' }, bar),
+        );
+        const isOpen = this.opened.has(base) || isFirst;
+        const details = h('details', { open: isOpen }, summary);
+        // Fields are made when they are to be seen: a scene may have thousands of lights.
+        let isFilled = false;
+        const fill = () => {
+            if (!isFilled) details.append(...this.sectionFields(entries), this.remover(base));
+            isFilled = true;
+        };
+        if (isOpen) fill();
+        details.addEventListener('toggle', () => {
+            if (details.open) fill();
+            details.open ? this.opened.add(base) : this.opened.delete(base);
+        });
+        const eye = isLights && this.switcher(index);
+        const element = h('div', { class: 'thing' }, details, eye);
+        this.titles.push(() => {
+            const light = isLights ? this.model.scene?.lights[index] : null; // lists may be newer than the scene
+            const own = isLights ? light?.name : unquoted(this.values.get(`${base}.name`) ?? '');
+            const kind = this.kindWords(list, type);
+            name.replaceChildren(...(own ? [own, h('span', { class: 'dim' }, ` ${kind}`)] : [kind]));
+            const isOn = light?.enabled ?? true;
+            element.classList.toggle('is-off', !isOn);
+            mark.classList.toggle('off', !isOn);
+            if (eye) eye.setAttribute('aria-pressed', String(isOn));
+        });
+        const open = () => {
+            details.open = true;
+            fill();
+            element.scrollIntoView?.({ block: 'nearest' });
+        };
+        this.rows.push({ list, index, element, open, amount, bar });
+        return element;
+    }
+
+    // The press opens the row or closes it by itself.
+    private choosesRow(list: string, index: number) {
+        this.chosen = `${list}[${index}]`;
+        this.onChoose(list, index);
+    }
+
+    // Switches a light on and off.
+    private switcher(index: number): HTMLElement {
+        return h(
+            'button',
+            {
+                type: 'button',
+                class: 'eye',
+                'aria-label': `${t('Lamp on')}: ${index + 1}`,
+                title: t('Lamp on'),
+                onclick: () => this.set(`lights[${index}].enabled`, String(!this.model.scene?.lights[index]?.enabled)),
+            },
+            '◉',
+        );
     }
 
     /** The fields of a thing, those that it does not give behind "more". */
@@ -184,13 +293,15 @@ export class Form {
         const hidden = h('div', {});
         const known = this.fields.length;
         for (const { path, key, isGiven } of entries) {
-            const isFirst = isGiven && !path.includes('.materials.');
+            const isFirst = isGiven && !path.includes('.materials.') && !CONVENTIONS.test(path);
             (isFirst ? shown : hidden).append(this.field(path, this.told(path, key, entries)));
         }
         this.fields.slice(known).forEach((field) => field.update(this.values.get(field.path) ?? null));
         this.showMessages();
         if (hidden.childElementCount === 0) return [shown];
-        return [shown, h('details', { class: 'more' }, h('summary', {}, t('more')), hidden)];
+        const more = h('details', { class: 'more', open: this.showsMore }, h('summary', {}, t('More: conventions and what is not given')), hidden);
+        more.addEventListener('toggle', () => (this.showsMore = more.open));
+        return [shown, more];
     }
 
     private kindWords(list: string, type: string): string {
@@ -207,7 +318,7 @@ export class Form {
     private remover(base: string) {
         return h(
             'button',
-            { type: 'button', class: 'small', onclick: () => this.model.change([{ remove: base }]) },
+            { type: 'button', class: 'link', onclick: () => this.model.change([{ remove: base }]) },
             t('Remove'),
         );
     }

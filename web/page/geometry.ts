@@ -25,7 +25,13 @@ export interface Shape {
     up?: number[];
     outline?: number[][];
     opening?: number; // of a spot, degrees from its axis
-    text?: string; // of a surface that the core draws: its mapping in the scene
+}
+
+/** Where the screen stands, which an observer with a position carries along. */
+export interface ScreenFrame {
+    middle: number[];
+    corners: number[][];
+    axis: number[]; // towards the observer
 }
 
 export interface Geometry {
@@ -33,6 +39,10 @@ export interface Geometry {
     shapes: Shape[];
     screen: number[]; // width and height in mm
     observer: { position: number[]; perspective: boolean };
+    /** The frame of the screen in the scene. */
+    frame: ScreenFrame;
+    /** The axis that is up in space. */
+    up: 'y' | 'z';
     photometric: boolean;
     /** Whether surfaces light each other. */
     reflects: boolean;
@@ -40,7 +50,7 @@ export interface Geometry {
 
 const BODIES = ['rectangle', 'disk', 'box', 'sphere', 'cylinder'];
 
-// Surfaces that the page draws at once by their keys; what all others look like the core is asked.
+// Surfaces whose outlines the page knows by their keys; of all others it knows the ball around them.
 const AT_ONCE = ['sphere', 'rectangle', 'disk', 'cylinder', 'room'];
 
 /** Values of keys as the scene has them. */
@@ -112,6 +122,21 @@ class Measuring {
         return { position: at, perspective: values.text('observer.projection') === 'perspective' };
     }
 
+    frame(unproject: (x: number, y: number, height: number) => number[] | null): ScreenFrame {
+        const [w, h] = this.screen.map((size) => size / 2);
+        const at = (x: number, y: number, height = 0) => unproject(x, y, height) ?? [x, y, height];
+        const middle = at(0, 0);
+        const corners = [at(-w, -h), at(w, -h), at(w, h), at(-w, h)];
+        return { middle, corners, axis: at(0, 0, 1).map((c, i) => c - middle[i]) };
+    }
+
+    // A room tells it; else the screen of most scenes lies on a table, and an observer may say otherwise.
+    up(): 'y' | 'z' {
+        const rooms = this.scene.surfaces.map((_, i) => `surfaces[${i}]`);
+        const room = rooms.find((base) => this.values.text(`${base}.type`) === 'room');
+        return room && this.values.text(`${room}.up`) !== 'z' ? 'y' : 'z';
+    }
+
     surface(index: number) {
         const base = `surfaces[${index}]`;
         const type = this.values.text(`${base}.type`) ?? '';
@@ -126,16 +151,14 @@ class Measuring {
         this.shapes.push({ kind: 'surface', index, type, center, ...this.values.sizes(base) });
     }
 
-    // The page knows the ball around it; its form the space view asks for.
+    // The page knows the ball around it.
     private seen(index: number, type: string) {
         const base = `surfaces[${index}]`;
         const ball = this.scene.surfaces[index];
         const center = this.values.numbers(`${base}.center`);
         const at = center ?? this.values.numbers(`${base}.position`) ?? [0, 0, 0];
         this.things.push({ kind: 'surface', index, key: `${base}.${center ? 'center' : 'position'}`, at });
-        const text = this.values.text(base) ?? '';
-        if (ball)
-            this.shapes.push({ kind: 'surface', index, type, center: ball.center, radius: ball.reach, text });
+        if (ball) this.shapes.push({ kind: 'surface', index, type, center: ball.center, radius: ball.reach });
     }
 
     light(index: number) {
@@ -170,11 +193,15 @@ class Measuring {
     }
 }
 
-/** Reads off a scene, whose keys have the values in YAML that `get` tells; `project` tells where places are seen. */
+/**
+ * Reads off a scene, whose keys have the values in YAML that `get` tells; `project` tells where places are seen, `unproject`
+ * where a point of the screen is at a height above it.
+ */
 export function geometryOf(
     scene: SceneFacts,
     get: (key: string) => string | null,
     project: (place: number[]) => number[] | null,
+    unproject: (x: number, y: number, height: number) => number[] | null,
 ): Geometry {
     const values = new Values(get);
     const measuring = new Measuring(scene, values);
@@ -188,6 +215,8 @@ export function geometryOf(
         shapes: measuring.shapes,
         screen: measuring.screen,
         observer,
+        frame: measuring.frame(unproject),
+        up: measuring.up(),
         photometric: values.text('units') === 'photometric',
         reflects: (values.text('reflections') ?? 'none') !== 'none',
     };

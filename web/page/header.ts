@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The row at the top, two on phones: scenes, quantity, undo and redo, files in and out, link, language.
+// The bar at the top: scenes, quantity, undo and redo, files in and out, language, link.  On phones all but the scene and the
+// link is in a menu.
 import { choice, h } from './dom';
 import { ACCEPTED } from './files';
 import type { Model } from './model';
@@ -22,18 +23,13 @@ export interface Actions {
     changeLanguage(code: Language): void;
 }
 
-/** The header, and the two buttons whose state follows the history. */
+/** The header, and what of it follows the model. */
 export function header(model: Model, actions: Actions) {
-    // On phones a button may show a shorter text; its name stays.
-    const button = (label: string, onclick: () => void, brief = label) =>
-        h(
-            'button',
-            { type: 'button', onclick, 'aria-label': t(label), title: brief !== label && t(label) },
-            h('span', { class: 'long' }, t(label)),
-            h('span', { class: 'brief' }, t(brief)),
-        );
-    const undo = button('Undo', () => model.undo(), '↶');
-    const redo = button('Redo', () => model.redo(), '↷');
+    const button = (label: string, onclick: () => void, style: string, sign = '') =>
+        h('button', { type: 'button', onclick, class: style, 'aria-label': sign && t(label), title: sign && t(label) }, sign || t(label));
+    const undo = button('Undo', () => model.undo(), 'icon', '↶');
+    const redo = button('Redo', () => model.redo(), 'icon', '↷');
+    const scene = h('button', { type: 'button', class: 'scene', title: t('Built-in scenes…'), onclick: () => actions.gallery() });
     const file = h('input', { type: 'file', accept: ACCEPTED, multiple: true, hidden: true, id: 'file' });
     file.addEventListener('change', async () => {
         await actions.take([...(file.files ?? [])]);
@@ -52,7 +48,7 @@ export function header(model: Model, actions: Actions) {
         ending,
         ending === '.html' ? `${t('Report')} (${name})` : name,
     ]);
-    const files = choice(t('Download'), [['', `${t('Download')}…`], ...named], '', (ending) => {
+    const files = choice(t('Download'), [['', `${t('Save')}…`], ...named], '', (ending) => {
         files.value = '';
         if (ending) actions.save(ending);
     });
@@ -65,28 +61,47 @@ export function header(model: Model, actions: Actions) {
         currentLanguage(),
         (code) => actions.changeLanguage(code as Language),
     );
+    const rest = h(
+        'div',
+        { class: 'rest' },
+        h('label', {}, h('span', {}, t('shows')), quantities),
+        h('span', { class: 'space-between' }),
+        undo,
+        redo,
+        h('span', { class: 'rule' }),
+        button('Open…', () => file.click(), ''),
+        files,
+        languages,
+    );
+    const menu = button('More', () => open(!rest.classList.contains('is-open')), 'icon menu', '⋯');
+    const open = (isOpen: boolean) => {
+        rest.classList.toggle('is-open', isOpen);
+        menu.setAttribute('aria-expanded', String(isOpen));
+    };
+    menu.setAttribute('aria-expanded', 'false');
+    rest.addEventListener('change', () => open(false));
     const element = h(
         'header',
         {},
-        h(
-            'div',
-            { class: 'row' },
-            h('h1', {}, 'Luxel'),
-            h('span', { class: 'dim motto' }, t('Light in space')),
-            button('Built-in scenes…', () => actions.gallery(), 'Scenes…'),
-            quantities,
-            undo,
-            redo,
-        ),
-        h(
-            'div',
-            { class: 'row' },
-            button('Open…', () => file.click()),
-            file,
-            files,
-            button('Copy link', () => actions.copyLink(), 'Link'),
-            languages,
-        ),
+        h('h1', {}, 'Luxel'),
+        h('span', { class: 'rule' }),
+        scene,
+        rest,
+        file,
+        button('Share', () => actions.copyLink(), 'share'),
+        menu,
     );
-    return { element, undo, redo };
+    element.addEventListener('keydown', (event) => {
+        if (event.key !== 'Escape' || !rest.classList.contains('is-open')) return;
+        open(false);
+        menu.focus();
+    });
+    /** Tells the name of the scene, and what the history has. */
+    const show = (title: string) => {
+        scene.textContent = title;
+        scene.setAttribute('aria-label', `${t('Built-in scenes…')} ${title}`);
+        undo.disabled = !model.canUndo;
+        redo.disabled = !model.canRedo;
+    };
+    return { element, show };
 }

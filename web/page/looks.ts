@@ -7,7 +7,7 @@ import type { PictureView } from './picture';
 import type { SpaceView } from './space';
 import { currentLanguage } from './words';
 
-const MAPS: Scale['map'][] = ['grey', 'viridis', 'turbo'];
+const MAPS: Scale['map'][] = ['tone', 'grey', 'viridis', 'turbo'];
 const SIDES: SpaceView['side'][] = ['orbit', 'plan', 'elevation'];
 
 export class Looks {

@@ -14,6 +14,7 @@ import { Form } from './form';
 import { Gallery } from './gallery';
 import { header } from './header';
 import { download, packed, unpacked } from './link';
+import { Layout, type Camera } from './layout';
 import { LoadingNotice } from './loading';
 import { Looks } from './looks';
 import { Messages } from './messages';
@@ -24,14 +25,25 @@ import { PointsPanel } from './points';
 import { Saving } from './saving';
 import { SectionPanel } from './section';
 import { SpaceView } from './space';
+import type { Place } from './space_math';
 import { Statistics } from './statistics';
 import { TextEditor } from './text';
 import { Outdated } from './version';
 import { WorkNotice } from './work';
-import { currentLanguage, number, setLanguage, t, type Language } from './words';
+import { currentLanguage, exactly, number, setLanguage, t, type Language } from './words';
 
 /** The built-in scene that the page begins with, where its link names no other: whole in view, with its lamp. */
 const FIRST_SCENE = 'sphere';
+
+const SAME_PLACE = 2e-3; // of the screen: within it two lines of sight meet the same place
+const LONGEST_TITLE = 34; // letters that the bar has room for
+
+/** The licences that the page was made with, taken out of its footer. */
+function licences(): HTMLElement {
+    const footer = document.querySelector('footer');
+    footer?.remove();
+    return h('div', { class: 'licences dim' }, ...(footer?.children ?? []));
+}
 
 class Page {
     private readonly app = document.getElementById('app')!;
@@ -40,7 +52,7 @@ class Page {
     private readonly section = new SectionPanel(this.model, this.compare);
     private readonly picture = new PictureView(this.model, this.compare, this.section);
     private readonly dial = new Dial(this.picture.scale);
-    private readonly space = new SpaceView(this.model);
+    private readonly space = new SpaceView(this.model, () => this.picture.shownScale);
     private readonly form = new Form(this.model, () =>
         this.space.selected?.kind === 'light' ? this.space.selected.index : 0,
     );
@@ -62,18 +74,19 @@ class Page {
     private readonly messages = new Messages(this.model);
     private readonly stale = h('p', { class: 'stale', role: 'alert', hidden: true });
     private readonly loading = new LoadingNotice(this.model.client);
+    private readonly layout = new Layout();
+    private readonly licences = licences();
     private readonly toast = h('p', { class: 'toast', role: 'status', hidden: true });
     private readonly points = new PointsPanel(this.model);
     private readonly statistics = new Statistics(this.model);
-    private readonly chosen = h('p', { class: 'dim', 'aria-live': 'polite' });
-    private undoButton!: HTMLButtonElement;
-    private redoButton!: HTMLButtonElement;
+    private readonly chosen = h('p', { class: 'chosen', 'aria-live': 'polite' });
+    private showBar: (title: string) => void = () => undefined;
     private low!: HTMLInputElement;
     private high!: HTMLInputElement;
     private locked!: HTMLInputElement;
     private builtins: Builtin[] = [];
-    private tab: 'form' | 'text' = 'form';
     private linkTimer = 0;
+    private isReadoutOfProbe = true;
 
     async start() {
         setLanguage(this.firstLanguage());
@@ -161,20 +174,33 @@ class Page {
         this.probe.onValue = (probe) => {
             this.space.probe = probe;
             this.space.draw();
-            this.readout.textContent = this.probe.told;
+            if (this.isReadoutOfProbe) this.readout.textContent = this.probe.told;
+            this.form.tellShares(probe?.shares ?? [], this.probe.shown);
         };
-        this.picture.onFinger = () => (this.readout.hidden = false);
-        this.space.image = () => this.picture.shownImage;
+        this.picture.onHand = (x, y) => {
+            this.isReadoutOfProbe = true;
+            this.readout.textContent = this.probe.told;
+            this.showReadout(x, y);
+        };
+        this.space.onPlace = (place, x, y) => void this.pointInSpace(place, x, y);
+        this.layout.onLook = (camera, go) => this.fly(camera, go);
+        this.layout.onTab = () => this.text.number();
+        this.layout.onCamera = () => this.cameraChanged();
         this.picture.onPaint = () => this.space.draw();
         this.picture.onWhy = () => this.why();
         const select = (thing: Thing | null) => {
             this.picture.selected = this.space.selected = thing;
+            if (thing) this.layout.follow(thing.kind === 'observer' ? 'place' : thing.kind === 'surface' ? 'matter' : 'light');
             this.picture.draw();
             this.space.draw();
             this.showChosen();
         };
         this.picture.onSelect = select;
         this.space.onSelect = select;
+        this.form.onChoose = (list, index) => {
+            const kinds = list === 'lights' ? ['light', 'direction'] : ['surface'];
+            select(this.model.things.find((each) => kinds.includes(each.kind) && each.index === index) ?? null);
+        };
         this.embedding.onText = (text) => this.openText(text);
         this.files.onScene = (text, name) => this.openText(text, name);
         this.files.onTrouble = (text) => this.say(text);
@@ -200,14 +226,14 @@ class Page {
         };
         this.gallery.onChoose = ({ text, name }) => this.openText(text, name);
         this.messages.onShow = (message) => {
-            this.tab = 'text';
-            this.showTab();
+            this.layout.open('text');
             this.text.show(message);
         };
     }
 
     private key(event: KeyboardEvent) {
         const { target } = event;
+        if (target instanceof HTMLCanvasElement && !event.ctrlKey && !event.metaKey && !event.altKey) this.stageKey(event.key);
         // What is being typed is undone by the browser, letter by letter; what was taken is a step of the history.
         const isField = target instanceof HTMLInputElement && !['checkbox', 'range', 'file'].includes(target.type);
         const isTyping = target instanceof HTMLTextAreaElement || (isField && isTypedOver(target));
@@ -219,6 +245,18 @@ class Page {
         event.preventDefault();
     }
 
+    // Keys of the stage, whichever camera it has.
+    private stageKey(key: string) {
+        if (key === 'o' || key === 'O') this.switchCamera();
+        else if (key === '[' || key === ']') this.dial.turn(key === ']' ? 0.5 : -0.5);
+    }
+
+    private switchCamera() {
+        if (this.embedding.view === 'picture' || this.embedding.view === 'space') return;
+        this.layout.look(this.layout.camera === 'space' ? 'picture' : 'space');
+        (this.layout.camera === 'space' ? this.space : this.picture).canvas.focus();
+    }
+
     // Everything that has words; called anew for another language.
     private build() {
         this.picture.relabel();
@@ -227,63 +265,27 @@ class Page {
         this.dial.relabel();
         this.compare.relabel();
         this.loading.relabel();
+        const { layout } = this;
+        const main = layout.build({
+            space: this.space.canvas,
+            picture: this.picture.canvas,
+            readout: this.readout,
+            notices: [this.loading.element, this.work.element, this.stale],
+            tools: [zoomButtons((factor) => this.zoomBy(factor)), sideControls(this.space)],
+            dial: this.dial.element,
+            chosen: this.chosen,
+            values: this.values(),
+            form: this.form.element,
+            look: this.look(),
+            text: this.text.element,
+            below: [this.files.element, this.messages.element],
+            section: this.section.element,
+            points: this.points.element,
+            balance: this.balance.element,
+        });
         const parts = [
             this.header(),
-            this.loading.element,
-            this.work.element,
-            this.stale,
-            h(
-                'main',
-                {},
-                h(
-                    'section',
-                    { class: 'view of-picture', 'aria-label': t('Picture') },
-                    h(
-                        'h2',
-                        {},
-                        t('Picture'),
-                        zoomButtons((factor) => this.picture.zoomBy(factor)),
-                    ),
-                    this.newScaleControls(),
-                    h('div', { class: 'picture-row' }, this.picture.canvas, this.dial.element, this.readout),
-                    this.statistics.element,
-                    this.compare.element,
-                    this.compare.summary,
-                ),
-                h(
-                    'section',
-                    { class: 'view of-space', 'aria-label': t('Space view') },
-                    h(
-                        'h2',
-                        {},
-                        t('Space view'),
-                        zoomButtons((factor) => this.space.zoomBy(factor)),
-                    ),
-                    sideControls(this.space),
-                    this.space.canvas,
-                    this.chosen,
-                ),
-                h(
-                    'section',
-                    { class: 'values', 'aria-label': t('Value') },
-                    h('h2', {}, t('Value'), h('button', { type: 'button', onclick: () => this.why() }, t('Why?'))),
-                    this.probe.element,
-                    h('h3', {}, t('Section')),
-                    this.section.controls(),
-                    this.section.element,
-                    this.points.element,
-                    this.balance.element,
-                ),
-                h(
-                    'section',
-                    { class: 'edit' },
-                    this.tabs(),
-                    this.form.element,
-                    this.text.element,
-                    this.files.element,
-                    this.messages.element,
-                ),
-            ),
+            main,
             this.embedding.link(),
             this.toast,
             this.explanation.dialog,
@@ -291,8 +293,44 @@ class Page {
         ];
         this.app.replaceChildren(...parts.filter((part) => part !== null));
         this.stale.textContent = t('The scene has errors. What is dimmed is of the last scene without errors.');
-        this.showTab();
+        this.offerBalance();
         this.showHistory();
+    }
+
+    private values(): HTMLElement {
+        const why = h('button', { type: 'button', class: 'link', onclick: () => this.why() }, t('Why?'));
+        return h(
+            'section',
+            { class: 'values floating', 'aria-label': t('Value') },
+            h('h2', { class: 'unseen' }, t('Value')),
+            this.probe.element,
+            why,
+        );
+    }
+
+    // The tab of how it is shown.
+    private look(): HTMLElement[] {
+        const title = (words: string) => h('h3', {}, t(words));
+        return [
+            title('Scale'),
+            this.newScaleControls(),
+            this.statistics.element,
+            title('Section'),
+            this.section.controls(),
+            title('Compare'),
+            this.compare.element,
+            this.compare.summary,
+            this.licences,
+        ];
+    }
+
+    private zoomBy(factor: number) {
+        if (this.layout.camera === 'space') this.space.zoomBy(factor);
+        else this.picture.zoomBy(factor);
+    }
+
+    private offerBalance() {
+        this.layout.offerBalance(!!this.model.whole?.reflects);
     }
 
     private header(): HTMLElement {
@@ -303,7 +341,7 @@ class Page {
             copyLink: () => this.saving.copyLink(),
             changeLanguage: (code) => this.changeLanguage(code),
         });
-        [this.undoButton, this.redoButton] = [made.undo, made.redo];
+        this.showBar = made.show;
         return made.element;
     }
 
@@ -312,33 +350,6 @@ class Page {
         [this.low, this.high] = controls.ends;
         this.locked = controls.locked;
         return controls.element;
-    }
-
-    private tabs(): HTMLElement {
-        const tab = (name: 'form' | 'text', label: string) =>
-            h(
-                'button',
-                {
-                    type: 'button',
-                    'aria-pressed': String(this.tab === name),
-                    onclick: () => {
-                        this.tab = name;
-                        this.showTab();
-                    },
-                },
-                t(label),
-            );
-        const buttons = [tab('form', 'Form'), tab('text', 'Text')];
-        return h('div', { class: 'controls tabs' }, ...buttons);
-    }
-
-    private showTab() {
-        const buttons = this.app.querySelectorAll('.tabs button');
-        buttons[0]?.setAttribute('aria-pressed', String(this.tab === 'form'));
-        buttons[1]?.setAttribute('aria-pressed', String(this.tab === 'text'));
-        this.form.element.hidden = this.tab !== 'form';
-        this.text.element.hidden = this.tab !== 'text';
-        this.text.number();
     }
 
     private async changeLanguage(code: Language) {
@@ -409,9 +420,23 @@ class Page {
         );
     }
 
+    // The number beside the hand, or above the finger, which hides what it points at; null: no hand is there.
+    private showReadout(x: number, y: number | null) {
+        this.readout.hidden = y === null;
+        if (y === null) return;
+        const { width } = this.readout.parentElement!.getBoundingClientRect();
+        const isRight = x > width / 2;
+        Object.assign(this.readout.style, {
+            insetBlockStart: `${Math.max(8, y - 46)}px`,
+            left: isRight ? 'auto' : `${x + 18}px`,
+            right: isRight ? `${width - x + 18}px` : 'auto',
+        });
+    }
+
     private showHistory() {
-        this.undoButton.disabled = !this.model.canUndo;
-        this.redoButton.disabled = !this.model.canRedo;
+        const { name } = this.model.version;
+        const title = this.builtins.find((each) => each.name === name)?.title;
+        this.showBar(title && title.length <= LONGEST_TITLE ? title : name === 'scene' ? t('Scene') : name);
     }
 
     private sceneChanged() {
@@ -425,6 +450,7 @@ class Page {
     }
 
     private geometryChanged() {
+        this.offerBalance();
         this.space.geometryChanged();
         this.showChosen();
         this.picture.geometryChanged();
@@ -462,6 +488,9 @@ class Page {
                 : thing.kind === 'surface'
                   ? String(thing.index + 1)
                   : '');
+        this.chosen.classList.toggle('none', !thing);
+        const list = !thing || thing.kind === 'observer' ? null : thing.kind === 'surface' ? 'surfaces' : 'lights';
+        this.form.markChosen(list, thing?.index ?? 0);
         this.chosen.textContent = thing
             ? `${t('Selected')}: ${t(words[thing.kind])} ${which} (${thing.at.map((c) => number(c, 5)).join('; ')}) ${t('mm')}`
             : `${t('Selected')}: ${t('nothing')}`;
@@ -480,7 +509,68 @@ class Page {
         this.dial.draw(scale);
         this.keepAddress();
         this.statistics.show();
+        const { picture, scene } = this.model;
+        this.layout.tellSize(picture ? `${picture.facts.columns} × ${picture.facts.rows}` : '');
+        this.dial.tellUnit(scene?.unit === 'relative' ? t('relative') : (scene?.unit ?? ''));
         this.app.dataset.stride = String(this.model.picture?.stride ?? 0);
+    }
+
+    // The newest place that the hand points at in space.
+    private pointed: { place: Place; x: number; y: number } | null = null;
+    private isPointing = false;
+
+    private async pointInSpace(place: Place | null, x: number, y: number) {
+        this.pointed = place && { place, x, y };
+        if (!place) this.readout.hidden = true;
+        if (this.isPointing) return;
+        this.isPointing = true;
+        while (this.pointed) {
+            const { pointed } = this;
+            this.pointed = null;
+            await this.probeInSpace(pointed).catch(() => undefined);
+        }
+        this.isPointing = false;
+    }
+
+    // The probe goes to where the observer sees the place; of what is hidden from it, the value as it is seen from here is told.
+    private async probeInSpace({ place, x, y }: { place: Place; x: number; y: number }) {
+        const whole = this.model.asWhole();
+        if (!whole || !this.model.isCurrent(whole)) return;
+        const { client, screen, scene } = this.model;
+        const seen = await client.ask('project', whole, place);
+        const isBeside = !seen || [0, 1].some((axis) => Math.abs(seen[axis]) > screen[axis] / 2);
+        const met = isBeside ? null : await client.ask('probe', whole, seen[0], seen[1]);
+        if (!this.model.isCurrent(whole) || !scene) return;
+        const off = met && met.surface !== null ? Math.hypot(...met.position.map((c, axis) => c - place[axis])) : Infinity;
+        if (seen && off < SAME_PLACE * Math.max(...screen)) {
+            this.isReadoutOfProbe = true;
+            this.picture.moveProbe(seen[0], seen[1]);
+            return this.showReadout(x, y);
+        }
+        const probe = await this.space.valueAt(x, y);
+        if (!probe || typeof probe.value !== 'number' || !this.model.isCurrent(whole)) return;
+        this.isReadoutOfProbe = false;
+        const unit = scene.unit === 'relative' ? t('relative') : scene.unit;
+        const partial = this.model.isPartial(whole) ? `, ${t('direct light alone')}` : '';
+        this.readout.textContent = `${exactly(probe.value, probe.error)} ${unit} (${t('not seen by the observer')}${partial})`;
+        this.showReadout(x, y);
+    }
+
+    // Space and the picture are two cameras: one flies from one to the other.
+    private fly(camera: Camera, go: () => void) {
+        const { width, height } = this.readout.parentElement!.getBoundingClientRect();
+        const clear = width - parseFloat(getComputedStyle(this.app).getPropertyValue('--clear'));
+        const { factor } = this.picture.frame(clear, height);
+        const to = this.space.observerView(factor, (clear - width) / 2);
+        if (!to || this.model.stale) return go();
+        if (camera === 'picture') return this.space.fly(to, false, go);
+        go();
+        this.space.fly(to, true, () => undefined);
+    }
+
+    private cameraChanged() {
+        this.readout.hidden = true;
+        this.redraw();
     }
 
     private redraw() {

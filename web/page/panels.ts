@@ -3,7 +3,7 @@
 import type { Probe } from './core';
 import type { Of, Version } from './version';
 import type { Compare } from './compare';
-import { h, lightColour } from './dom';
+import { chip, h, lightStyle } from './dom';
 import { localized } from './local';
 import type { Model } from './model';
 import { currentLanguage, exactly, number, t } from './words';
@@ -11,6 +11,11 @@ import { currentLanguage, exactly, number, t } from './words';
 export function lightName(model: Model, index: number): string {
     const light = model.scene?.lights[index];
     return `${index + 1} ${light?.name ?? light?.label ?? ''}`;
+}
+
+/** A share in whole per cent. */
+function wholePercent(part: number): string {
+    return part > 0 && part < 0.01 ? '< 1' : String(Math.round(100 * part));
 }
 
 const MOST_SHARES = 40; // that are told one by one
@@ -88,26 +93,33 @@ export class ProbePanel {
             const part = value && value > 0 ? Math.max(0, share / value) : 0;
             const bar = h('span', { class: 'bar' });
             bar.style.inlineSize = `${100 * part}%`;
-            bar.style.background = lightColour(i);
+            bar.style.background = lightStyle(i);
             return h(
                 'li',
-                {},
-                h('span', {}, lightName(this.model, i)),
+                { title: lightName(this.model, i) },
+                chip(i, scene.lights[i]?.enabled),
+                h('span', { class: 'unseen' }, lightName(this.model, i)),
                 h('span', { class: 'track' }, bar),
-                h('span', { class: 'amount' }, `${number(share, 4)} · ${number(100 * part, 3)} %`),
+                h('span', { class: 'amount' }, number(share, 4)),
+                h('span', { class: 'percent' }, `${wholePercent(part)} %`),
             );
         });
         const left = shares.length - told.length;
-        if (left > 0) bars.push(h('li', { class: 'dim' }, `${t('lights with smaller shares')}: ${left}`));
+        if (left > 0) bars.push(h('li', { class: 'dim rest-of-shares' }, `${t('lights with smaller shares')}: ${left}`));
         const before = this.compare.valueOfA(x, y);
         const partial = this.model.isPartial(of) ? ` (${t('direct light alone')})` : '';
-        this.told = value === null ? '—' : `${exactly(value, probe!.error)} ${unit}${partial}`;
+        const digits = value === null ? '—' : exactly(value, probe!.error);
+        const rest = value === null ? '' : ` ${unit}${partial}`;
+        this.told = digits + rest;
         this.element.replaceChildren(
             h(
                 'p',
                 {},
-                h('strong', { class: 'value' }, this.told),
-                ' ',
+                h('strong', { class: 'value' }, digits, h('span', { class: 'unit' }, rest)),
+            ),
+            h(
+                'p',
+                { class: 'place' },
                 h(
                     'span',
                     { class: 'dim' },

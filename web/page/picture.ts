@@ -19,7 +19,7 @@ const CLOSEST = 64; // the largest zoom
 
 export class PictureView {
     readonly canvas = h('canvas', { tabindex: 0, class: 'picture', role: 'application' });
-    readonly scale: Scale = { map: 'grey', logarithmic: false, locked: false, low: 0, high: 1, exposure: 0 };
+    readonly scale: Scale = { map: 'tone', logarithmic: false, locked: false, low: 0, high: 1, exposure: 0 };
     showsIsophotes = false;
     selected: Thing | null = null;
     probe: [number, number] | null = null;
@@ -36,8 +36,8 @@ export class PictureView {
     private isDragging = false;
     private zoom = 1;
     private middle: [number, number] = [0, 0]; // of the view, in mm on the screen
-    /** Told when a finger begins and moves on the picture, which hides what it points at. */
-    onFinger: () => void = () => undefined;
+    /** Told where a hand is on the picture, in pixels; null: it has left. */
+    onHand: (x: number, y: number | null) => void = () => undefined;
 
     constructor(
         private readonly model: Model,
@@ -46,12 +46,14 @@ export class PictureView {
     ) {
         new ResizeObserver(() => this.draw()).observe(this.canvas);
         this.canvas.addEventListener('pointermove', (event) => this.hover(event));
+        this.canvas.addEventListener('pointerleave', () => this.onHand(0, null));
         this.canvas.addEventListener('keydown', (event) => this.key(event));
         this.canvas.addEventListener('wheel', (event) => this.wheel(event), { passive: false });
         followPointer(
             this.canvas,
-            (x, y, event) => this.begin(x, y, event.pointerType !== 'mouse'),
+            (x, y, event) => (event.button === 2 ? this.beginPan(x, y) : this.begin(x, y)),
             (factor, x, y, dx, dy) => this.zoomAt(factor, x, y, dx, dy),
+            true,
         );
     }
 
@@ -154,7 +156,8 @@ export class PictureView {
     }
 
     private wheel(event: WheelEvent) {
-        if (!event.ctrlKey) return; // else the page is scrolled; pads send Ctrl where two fingers spread
+        // In the frame of another page that one is scrolled; pads send Ctrl where two fingers spread.
+        if (!event.ctrlKey && document.documentElement.dataset.view) return;
         event.preventDefault();
         const { left, top } = this.canvas.getBoundingClientRect();
         this.zoomAt(Math.exp(-event.deltaY * 0.001), event.clientX - left, event.clientY - top);
@@ -176,7 +179,7 @@ export class PictureView {
     }
 
     // The screen in the canvas: whole, with room around it for lamps beside it, or part of it.
-    private frame(width: number, height: number) {
+    frame(width: number, height: number) {
         const [w, h] = this.model.screen;
         const [mx, my] = this.middle;
         const factor = 0.86 * this.zoom * Math.min(width / w, height / h);
@@ -342,7 +345,16 @@ export class PictureView {
         return near.find(({ thing }) => thing.kind === 'aim') ?? near[0] ?? null;
     }
 
-    private begin(x: number, y: number, isFinger: boolean): Action {
+    private beginPan(x: number, y: number): Action {
+        let last: [number, number] = [x, y];
+        const move = (nx: number, ny: number) => {
+            this.zoomAt(1, last[0], last[1], nx - last[0], ny - last[1]);
+            last = [nx, ny];
+        };
+        return { move, end: () => undefined };
+    }
+
+    private begin(x: number, y: number): Action {
         const mark = this.markAt(x, y);
         const held = mark ? -1 : this.endAt(x, y);
         if (held >= 0) {
@@ -352,7 +364,7 @@ export class PictureView {
         if (!mark) {
             const move = (nx: number, ny: number) => {
                 this.moveProbe(...this.toScreen(nx, ny));
-                if (isFinger) this.onFinger();
+                this.onHand(nx, ny);
             };
             move(x, y);
             return { move, end: () => undefined };
@@ -383,6 +395,7 @@ export class PictureView {
         const [x, y] = [event.clientX - left, event.clientY - top];
         this.canvas.style.cursor = this.markAt(x, y) || this.endAt(x, y) >= 0 ? 'grab' : 'crosshair';
         this.moveProbe(...this.toScreen(x, y));
+        this.onHand(x, y);
     }
 
     moveProbe(x: number, y: number) {
@@ -404,7 +417,7 @@ export class PictureView {
         else if (event.key === ' ') this.selectNext(event.shiftKey ? -1 : 1);
         else if (event.key === '+' || event.key === '=') this.zoomBy(1.25);
         else if (event.key === '-') this.zoomBy(0.8);
-        else if (event.key === '0') this.zoomBy(0);
+        else if (event.key === '0' || event.key === 'f' || event.key === 'F') this.zoomBy(0);
         else if (step && event.ctrlKey) void this.nudge(step, event.shiftKey ? 100 : 10);
         else if (step) {
             const size = (this.model.screen[0] / 100) * (event.shiftKey ? 10 : 1);

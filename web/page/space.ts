@@ -1,48 +1,66 @@
 // SPDX-License-Identifier: MIT
-// The space view: lamps, aims, panels, surfaces, observer and screen drawn to scale, from any side, and grabbed.
-// Lines on a canvas are enough for what it shows, so it needs no library and no WebGL.
+// The space view: bodies in their light, which the core computes as a camera sees them from any side; lamps, panels, cones,
+// aims, observer and screen over them, hidden where bodies stand before them; and all of it grabbed.
 import type { Probe } from './core';
-import { fitted, h, lightColour, numberMark, styleColour } from './dom';
+import { faded, fitted, h, lightColour, numberMark, styleColour } from './dom';
 import { nextOf } from './choosing';
-import { Drag, followPointer } from './drag';
+import { Drag, followPointer, type Action } from './drag';
 import type { Model, Shape, Thing } from './model';
-import { Reliefs } from './reliefs';
-import { add, along, basis, circle, cornersOf, cross, edgesOf, unit, type Place } from './space_math';
+import { Drawing } from './drawing';
+import { cameraOf, seenBy, Stage, type View } from './stage';
+import { add, along, basis, circle, cross, edgesOf, unit, type Place } from './space_math';
+import type { Scale } from './colours';
 import { t } from './words';
 
 export type Side = 'orbit' | 'plan' | 'elevation';
 
-const BEGIN = [-0.65, 1.05]; // turn and tilt
-const NEAR = 18; // pixels within which a thing is grabbed
+const BEGIN = [-0.65, 0.92]; // turn and tilt
+const NEAR = 20; // pixels within which a thing is grabbed
+const FAR = 3.2; // of the camera, in reaches of the scene
+const FILLED = 12; // lights of which panels and cones are filled
+const GLOWING = 60; // lights that have a glow
+const NAMED = 8; // lights that are called by their names
+const ROOM = 18; // pixels between the edge and a lamp that is beyond it
+const FLIGHT = 420; // milliseconds
+const FAR_OFF = 8; // of the camera of an observer who looks along parallel lines, in sizes of the screen
 
 export class SpaceView {
     readonly canvas = h('canvas', { tabindex: 0, class: 'space', role: 'application' });
     selected: Thing | null = null;
     probe: Probe | null = null;
-    /** What the screen shows. */
-    image: () => HTMLCanvasElement | null = () => null;
     onSelect: (thing: Thing | null) => void = () => undefined;
     onSide: (side: Side) => void = () => undefined;
+    /** Told a place on a body that the hand points at, and where that is on the canvas; null: on no body. */
+    onPlace: (place: Place | null, x: number, y: number) => void = () => undefined;
     side: Side = 'orbit';
-    private turn = BEGIN[0]; // about the z axis, radians
-    private tilt = BEGIN[1]; // from the z axis
+    readonly stage: Stage;
+    private turn = BEGIN[0]; // about the axis that is up, radians
+    private tilt = BEGIN[1]; // from that axis
     private zoom = 1;
+    private scale = 1; // by which the whole scene fills the stage
     private center: Place = [0, 0, 0];
     private reach = 1000; // mm from the centre that must be seen
+    private flight: View | null = null; // on the way to the observer
     private isFitted = false;
     private isDrawn = true;
-    private readonly reliefs: Reliefs;
 
-    constructor(private readonly model: Model) {
-        this.reliefs = new Reliefs(model, () => this.draw());
+    /** `scale` tells what the colours of values mean. */
+    constructor(
+        private readonly model: Model,
+        scale: () => Scale,
+    ) {
+        this.stage = new Stage(model, scale, () => this.draw());
         new ResizeObserver(() => this.draw()).observe(this.canvas);
-        model.follow(this.canvas, () => model.whole);
+        model.follow(this.canvas, () => this.stage.made?.of ?? model.whole);
         followPointer(
             this.canvas,
             (x, y, event) => this.begin(x, y, event),
             (factor, x, y, dx, dy) => this.pinch(factor, x, y, dx, dy),
+            true,
         );
         this.canvas.addEventListener('keydown', (event) => this.key(event));
+        this.canvas.addEventListener('pointermove', (event) => this.hover(event));
+        this.canvas.addEventListener('pointerleave', () => this.onPlace(null, 0, 0));
         this.canvas.addEventListener('wheel', (event) => this.wheel(event), { passive: false });
     }
 
@@ -78,6 +96,8 @@ export class SpaceView {
     /** Shows nothing: another scene was opened. */
     clear() {
         this.isFitted = false;
+        this.flight = null;
+        this.stage.clear();
         this.probe = null;
         this.selected = null;
         this.draw();
@@ -92,56 +112,85 @@ export class SpaceView {
     private fitNow() {
         const places = this.model.things.map(({ at }) => at);
         const [w, h] = this.model.screen;
-        places.push([-w / 2, -h / 2, 0], [w / 2, h / 2, 0]);
+        places.push(...this.model.whole!.frame.corners);
         for (const { center, radius, size } of this.model.shapes) {
             // Floors and walls far beyond what is seen of them need not be in sight as a whole.
-            const r = Math.min(Math.max(radius ?? 0, ...(size ?? []).map((each) => each / 2)), Math.max(w, h));
-            places.push(
-                center.map((c) => c - r),
-                center.map((c) => c + r),
-            );
+            const most = 1.5 * Math.max(w, h);
+            const flat = Math.max(radius ?? 0, ...(size ?? []).map((each) => each / 2));
+            const half = [0, 1, 2].map((axis) => Math.min(size?.length === 3 ? size[axis] / 2 : flat, most));
+            for (const corner of [0, 1, 2, 3, 4, 5, 6, 7])
+                places.push(center.map((c, axis) => c + (corner & (1 << axis) ? half[axis] : -half[axis])));
         }
         const low = [0, 1, 2].map((axis) => Math.min(...places.map((place) => place[axis])));
         const high = [0, 1, 2].map((axis) => Math.max(...places.map((place) => place[axis])));
         this.center = low.map((least, axis) => (least + high[axis]) / 2) as Place;
         this.reach = Math.max(Math.hypot(...high.map((most, axis) => most - low[axis])) / 2, 1);
-        this.zoom = 1;
+        this.zoom = this.scale = 1;
         this.isFitted = true;
+        this.fill(places);
+    }
+
+    // Takes as much of the stage as there is for places, clear of what stands on it.
+    private fill(places: number[][]) {
+        const { width, height } = this.canvas.getBoundingClientRect();
+        if (width < 200 || height < 150) return;
+        const isNarrow = width < 700;
+        const room = { left: 24, right: isNarrow ? 84 : 88, top: isNarrow ? 84 : 64, low: isNarrow ? 64 : 56 };
+        for (let i = 0; i < 3; i++) {
+            const view = this.wanted();
+            const points = places.map((place) => seenBy(view, place));
+            const [left, right] = [Math.min, Math.max].map((pick) => pick(...points.map(([x]) => x)));
+            const [top, low] = [Math.min, Math.max].map((pick) => pick(...points.map(([, y]) => y)));
+            const [dx, dy] = [(left + right - width - room.left + room.right) / 2, (top + low - height - room.top + room.low) / 2];
+            const { factor } = view;
+            this.center = along(this.center, view.right, dx / factor, view.up, -dy / factor);
+            this.scale *= Math.min((width - room.left - room.right) / Math.max(right - left, 1), (height - room.top - room.low) / Math.max(low - top, 1));
+        }
     }
 
     // Right, up and towards the eye, as the view has them in the scene.
     private axes(): [Place, Place, Place] {
-        if (this.side === 'plan')
-            return [
-                [1, 0, 0],
-                [0, 1, 0],
-                [0, 0, 1],
-            ];
-        if (this.side === 'elevation')
-            return [
-                [1, 0, 0],
-                [0, 0, 1],
-                [0, -1, 0],
-            ];
+        const upright = (x: number, y: number, z: number): Place => (this.isUpright ? [x, z, -y] : [x, y, z]);
+        if (this.side === 'plan') return [[1, 0, 0], upright(0, 1, 0), upright(0, 0, 1)];
+        if (this.side === 'elevation') return [[1, 0, 0], upright(0, 0, 1), upright(0, -1, 0)];
         const [s, c] = [Math.sin(this.turn), Math.cos(this.turn)];
         const [st, ct] = [Math.sin(this.tilt), Math.cos(this.tilt)];
-        const eye: Place = [s * st, -c * st, ct];
-        const right: Place = [c, s, 0];
+        const eye = upright(s * st, -c * st, ct);
+        const right = upright(c, s, 0);
         return [right, cross(eye, right), eye];
+    }
+
+    // Whether y is up in the scene, as in rooms, rather than z.
+    private get isUpright(): boolean {
+        return this.model.whole?.up === 'y';
     }
 
     private factor(): number {
         const { width, height } = this.canvas.getBoundingClientRect();
-        return (0.46 * this.zoom * Math.min(width, height)) / this.reach;
+        return (0.45 * this.scale * this.zoom * Math.min(width, height)) / this.reach;
+    }
+
+    /** The camera: that of the side and zoom that were chosen, or on its way. */
+    private wanted(): View {
+        if (this.flight) return this.flight;
+        const { width, height } = this.canvas.getBoundingClientRect();
+        const [right, up, back] = this.axes();
+        const distance = FAR * this.reach;
+        const eye = add(this.center, back, distance);
+        return { eye, target: this.center, right, up, back, distance, factor: this.factor(), width, height };
+    }
+
+    // What is drawn over the bodies goes with their picture, until that has come too late.
+    private get view(): View {
+        const wanted = this.wanted();
+        const { made } = this.stage;
+        const fits = made && made.view.width === wanted.width && made.view.height === wanted.height;
+        return fits && !this.stage.isLate ? made.view : wanted;
     }
 
     private seen(place: number[]): [number, number] {
-        const { width, height } = this.canvas.getBoundingClientRect();
-        const [right, up] = this.axes();
-        const factor = this.factor();
-        const off = place.map((coordinate, axis) => coordinate - this.center[axis]);
-        const dot = (a: number[]) => a[0] * off[0] + a[1] * off[1] + a[2] * off[2];
-        return [width / 2 + factor * dot(right), height / 2 - factor * dot(up)];
+        const [x, y] = seenBy(this.view, place);
+        return [x, y];
     }
 
     draw() {
@@ -153,227 +202,247 @@ export class SpaceView {
         });
     }
 
-    private path(context: CanvasRenderingContext2D, places: number[][], closed: boolean) {
-        context.beginPath();
-        places.forEach((place, i) => (i ? context.lineTo(...this.seen(place)) : context.moveTo(...this.seen(place))));
-        if (closed) context.closePath();
-        context.stroke();
-    }
-
     private drawNow() {
-        const [, , context] = fitted(this.canvas);
-        if (!this.model.scene) return;
+        const [width, height, context] = fitted(this.canvas);
+        if (!this.model.scene || width < 8 || height < 8) return;
+        this.stage.want(this.wanted());
+        const { view } = this;
+        const drawing = new Drawing(context, this.stage, view, window.devicePixelRatio || 1);
+        this.drawBodies(context, width, height, drawing);
         context.lineWidth = 1;
-        this.drawAxes(context);
-        this.drawScreen(context);
-        for (const shape of this.model.shapes) this.drawShape(context, shape);
-        this.drawObserver(context);
-        this.drawProbe(context);
-        for (const thing of this.model.things) this.drawThing(context, thing);
+        this.drawScreen(drawing);
+        const lights = this.model.shapes.filter(({ kind }) => kind === 'light');
+        for (const shape of lights) this.drawLight(drawing, shape, lights.length <= FILLED);
+        this.drawProbe(drawing);
+        for (const thing of this.model.things) if (thing.kind !== 'light') this.drawThing(drawing, thing);
+        const lamps = this.model.things.filter(({ kind }) => kind === 'light');
+        for (const lamp of lamps) this.drawLamp(drawing, lamp, lamps.length <= NAMED);
     }
 
-    private drawAxes(context: CanvasRenderingContext2D) {
-        const length = 0.35 * this.reach;
-        context.font = '12px system-ui, sans-serif';
-        context.textAlign = 'center';
-        context.textBaseline = 'middle';
-        (['x', 'y', 'z'] as const).forEach((name, axis) => {
-            const end = [0, 0, 0];
-            end[axis] = length;
-            context.strokeStyle = context.fillStyle = styleColour('--dim');
-            this.path(context, [[0, 0, 0], end], false);
-            const [x, y] = this.seen(end.map((coordinate) => 1.1 * coordinate));
-            context.fillText(name, x, y);
-        });
+    // Their picture, or, until it has come and where there is none, what is known of them at once, as lines.
+    private drawBodies(context: CanvasRenderingContext2D, width: number, height: number, drawing: Drawing) {
+        const image = this.stage.picture();
+        if (image) {
+            const pixel = (this.stage.pixel() * width) / this.stage.made!.view.width;
+            context.imageSmoothingEnabled = true;
+            context.globalAlpha = this.stage.isLate ? 0.45 : 1;
+            context.drawImage(image, 0, height / 2 - (image.height * pixel) / 2, image.width * pixel, image.height * pixel);
+            context.globalAlpha = 1;
+        }
+        context.strokeStyle = styleColour('--dim');
+        context.lineWidth = 1;
+        const isBare = !image || this.stage.isLate;
+        for (const shape of this.model.shapes)
+            if (shape.kind === 'surface' && (isBare || this.showsBack(shape))) this.drawOutline(drawing, shape);
     }
 
-    private drawScreen(context: CanvasRenderingContext2D) {
-        const corners = cornersOf(this.model.screen);
-        const image = this.image();
-        if (image) this.drawPicture(context, image);
+    // Whether it is a plate that turns its back to the camera, which is not to be seen.
+    private showsBack({ type, center, axis = [0, 0, 1] }: Shape): boolean {
+        const { eye } = this.view;
+        return (type === 'rectangle' || type === 'disk') && axis.reduce((sum, c, i) => sum + c * (eye[i] - center[i]), 0) < 0;
+    }
+
+    private drawScreen(drawing: Drawing) {
+        const { observer } = this.model;
+        const { corners } = this.model.whole!.frame;
+        const { context } = drawing;
         context.strokeStyle = styleColour('--accent');
-        this.path(context, corners, true);
-        context.globalAlpha = 0.08;
-        context.fillStyle = styleColour('--accent');
-        context.fill();
+        context.globalAlpha = 0.5;
+        drawing.line(corners, true);
+        context.globalAlpha = 0.22;
+        if (observer?.perspective) for (const corner of corners) drawing.line([observer.position, corner]);
         context.globalAlpha = 1;
     }
 
-    // The picture lies in the screen; a parallel view of a rectangle is an affine map of it.
-    private drawPicture(context: CanvasRenderingContext2D, image: HTMLCanvasElement) {
-        const [w, h] = this.model.screen;
-        const [ox, oy] = this.seen([-w / 2, h / 2, 0]);
-        const [rx, ry] = this.seen([w / 2, h / 2, 0]);
-        const [dx, dy] = this.seen([-w / 2, -h / 2, 0]);
-        context.save();
-        context.transform(
-            (rx - ox) / image.width,
-            (ry - oy) / image.width,
-            (dx - ox) / image.height,
-            (dy - oy) / image.height,
-            ox,
-            oy,
-        );
-        context.drawImage(image, 0, 0);
-        context.restore();
-    }
-
-    private drawShape(context: CanvasRenderingContext2D, shape: Shape) {
-        context.strokeStyle = shape.kind === 'light' ? lightColour(shape.index) : styleColour('--text');
-        context.lineWidth = 1.25;
+    private drawOutline(drawing: Drawing, shape: Shape) {
         const { center, radius = 0, size, height = 0 } = shape;
         const [u, v, n] = basis(shape.axis ?? [0, 0, 1], shape.up);
-        if (shape.outline) this.path(context, shape.outline, true);
-        else if (shape.text !== undefined) this.drawRelief(context, shape);
-        else if (shape.type === 'sphere') this.drawSphere(context, center, radius);
-        else if (shape.type === 'rectangle' && size) {
-            const corner = (a: number, b: number) => along(center, u, (a * size[0]) / 2, v, (b * size[1]) / 2);
-            this.path(context, [corner(-1, -1), corner(1, -1), corner(1, 1), corner(-1, 1)], true);
-        } else if (shape.type === 'disk') this.path(context, circle(center, u, v, radius), true);
-        else if (shape.type === 'cylinder') {
-            const ends = [-height / 2, height / 2].map((off) => add(center, n, off));
-            ends.forEach((end) => this.path(context, circle(end, u, v, radius), true));
-            for (let i = 0; i < 4; i++) {
-                const angle = (i * Math.PI) / 2;
-                this.path(
-                    context,
-                    ends.map((end) => along(end, u, radius * Math.cos(angle), v, radius * Math.sin(angle))),
-                    false,
-                );
-            }
-        } else if ((shape.type === 'box' || shape.type === 'room') && size) this.drawBox(context, center, size);
-        if (shape.opening && shape.axis) this.drawCone(context, shape, u, v, n);
+        if (shape.outline) drawing.line(shape.outline, true);
+        else if (shape.type === 'rectangle' && size) drawing.line(rectangle(shape), true);
+        else if (shape.type === 'disk') drawing.line(circle(center, u, v, radius), true);
+        else if (shape.type === 'cylinder')
+            for (const off of [-height / 2, height / 2]) drawing.line(circle(add(center, n, off), u, v, radius), true);
+        else if ((shape.type === 'box' || shape.type === 'room') && size)
+            for (const edge of edgesOf(center, size)) drawing.line(edge);
+        else if (radius) drawing.line(circle(center, this.view.right, this.view.up, radius), true);
     }
 
-    // The outline of a sphere, its equator and two meridians.
-    private drawSphere(context: CanvasRenderingContext2D, center: number[], radius: number) {
-        const [right, up] = this.axes();
-        this.path(context, circle(center, right, up, radius), true);
-        context.globalAlpha = 0.07;
-        context.fillStyle = context.strokeStyle as string;
-        context.fill();
-        context.globalAlpha = 0.35;
-        this.path(context, circle(center, [1, 0, 0], [0, 1, 0], radius), true);
-        this.path(context, circle(center, [1, 0, 0], [0, 0, 1], radius), true);
-        this.path(context, circle(center, [0, 1, 0], [0, 0, 1], radius), true);
-        context.globalAlpha = 1;
-    }
-
-    // A surface as it looks from this side; the ball around it until the core has told.
-    private drawRelief(context: CanvasRenderingContext2D, { index, text, center, radius = 0 }: Shape) {
-        const [right, up, eye] = this.axes();
-        const of = [text, center, radius].join();
-        const { image, lines } = this.reliefs.from(index, of, { right, up, eye }, styleColour('--text'));
-        if (!image) {
-            this.drawSphere(context, center, radius);
-            return;
+    // Panels are filled, cones fade away from the lamp.
+    private drawLight(drawing: Drawing, shape: Shape, isFilled: boolean) {
+        const { context } = drawing;
+        const colour = lightColour(shape.index);
+        const isChosen = this.selected?.index === shape.index && this.selected.kind !== 'surface';
+        context.strokeStyle = colour;
+        context.lineWidth = isChosen ? 2.5 : 1.25;
+        const [u, v] = basis(shape.axis ?? [0, 0, 1], shape.up);
+        const flat =
+            shape.outline ??
+            (shape.type === 'rectangle' && shape.size
+                ? rectangle(shape)
+                : shape.type === 'disk'
+                  ? circle(shape.center, u, v, shape.radius ?? 0)
+                  : null);
+        if (flat && isFilled) drawing.fill(flat, [flat[0], flat[Math.floor(flat.length / 3)], flat[Math.floor((2 * flat.length) / 3)]], () => faded(colour, 0.35));
+        this.drawOutline(drawing, shape);
+        if (flat && shape.axis) {
+            context.setLineDash([4, 4]);
+            drawing.line([shape.center, add(shape.center, unit(shape.axis), 0.22 * this.reach)]);
+            context.setLineDash([]);
         }
-        const side = this.reliefs.side(radius) * this.factor();
-        const [x, y] = this.seen(center);
-        context.drawImage(image, x - side / 2, y - side / 2, side, side);
-        if (lines) this.drawSilhouette(context, lines, right, up);
+        if (shape.opening && shape.axis) this.drawCone(drawing, shape, colour, isFilled);
     }
 
-    // Lines in mm along the vectors of the view.
-    private drawSilhouette(context: CanvasRenderingContext2D, lines: number[][], right: Place, up: Place) {
-        const { width, height } = this.canvas.getBoundingClientRect();
-        const factor = this.factor();
-        const middle = (axis: Place) => axis.reduce((sum, each, k) => sum + each * this.center[k], 0);
-        const [left, low] = [width / 2 - factor * middle(right), height / 2 + factor * middle(up)];
-        context.beginPath();
-        for (const line of lines) {
-            for (let i = 0; i < line.length; i += 2) {
-                const at: [number, number] = [left + factor * line[i], low - factor * line[i + 1]];
-                if (i) context.lineTo(...at);
-                else context.moveTo(...at);
-            }
-            context.closePath();
+    private drawCone(drawing: Drawing, shape: Shape, colour: string, isFilled: boolean) {
+        const { center, opening = 0, index } = shape;
+        const { context } = drawing;
+        const aim = this.model.things.find((thing) => thing.kind === 'aim' && thing.index === index)?.at;
+        const axis = unit(shape.axis!);
+        const [u, v] = basis(axis);
+        const length = aim ? Math.hypot(...aim.map((c, i) => c - center[i])) : 0.6 * this.reach;
+        const rim = circle(add(center, axis, length), u, v, length * Math.tan((Math.min(opening, 75) * Math.PI) / 180));
+        context.lineWidth = 1;
+        const [tip, ends] = [drawing.seen(center), rim.map((place) => drawing.seen(place))];
+        // Its outline on the page: the two places of the rim that are farthest to the sides.
+        const foot = drawing.seen(add(center, axis, length));
+        const along = Math.atan2(foot[1] - tip[1], foot[0] - tip[0]);
+        const sideways = ends.map(([x, y]) => {
+            const off = Math.atan2(y - tip[1], x - tip[0]) - along;
+            return Math.atan2(Math.sin(off), Math.cos(off));
+        });
+        const [left, right] = [Math.min, Math.max].map((pick) => sideways.indexOf(pick(...sideways)));
+        const isAside = Math.hypot(foot[0] - tip[0], foot[1] - tip[1]) > 12;
+        if (isFilled) {
+            const across = cross(axis, drawing.view.back);
+            const plane = [center, add(center, axis, length), add(center, across, length)];
+            const shade = (on: CanvasRenderingContext2D) => {
+                const gradient = on.createLinearGradient(tip[0], tip[1], foot[0], foot[1]);
+                gradient.addColorStop(0, faded(colour, 0.5));
+                gradient.addColorStop(1, faded(colour, 0.07));
+                return gradient;
+            };
+            const far = sideways.length;
+            const arc = Array.from({ length: far }, (_, i) => rim[(left + i) % far]);
+            const until = (right - left + far) % far;
+            const outline = isAside ? [center, ...arc.slice(0, until + 1)] : rim;
+            drawing.fill(outline, plane, shade);
         }
-        context.stroke();
-    }
-
-    private drawBox(context: CanvasRenderingContext2D, center: number[], size: number[]) {
-        for (const edge of edgesOf(center, size)) this.path(context, edge, false);
-    }
-
-    private drawCone(context: CanvasRenderingContext2D, { center, opening }: Shape, u: Place, v: Place, n: Place) {
-        const length = 0.4 * this.reach;
-        const radius = length * Math.tan((Math.min(opening!, 80) * Math.PI) / 180);
-        const rim = circle(add(center, n, length), u, v, radius);
-        context.globalAlpha = 0.6;
-        this.path(context, rim, true);
-        for (let i = 0; i < rim.length; i += rim.length / 4) this.path(context, [center, rim[i]], false);
-        context.globalAlpha = 1;
-    }
-
-    private drawObserver(context: CanvasRenderingContext2D) {
-        const { observer, screen } = this.model;
-        if (!observer) return;
-        context.strokeStyle = styleColour('--accent');
-        context.globalAlpha = 0.35;
-        for (const corner of cornersOf(screen)) {
-            const from = observer.perspective ? observer.position : [corner[0], corner[1], observer.position[2]];
-            this.path(context, [from, corner], false);
-        }
-        context.globalAlpha = 1;
+        drawing.line(rim, true);
+        if (isAside) for (const i of [left, right]) drawing.line([center, rim[i]]);
     }
 
     // The vectors of the formula at the probe: the normal N, V to the observer, L to each lamp and H between the two.
-    private drawProbe(context: CanvasRenderingContext2D) {
+    private drawProbe(drawing: Drawing) {
         const { probe } = this;
         const { observer, scene } = this.model;
         if (!probe || probe.surface === null || !observer || !scene) return;
+        const { context } = drawing;
         const place = probe.position;
         const towards = (to: number[]) => unit(to.map((c, axis) => c - place[axis]));
-        const view = observer.perspective ? towards(observer.position) : [0, 0, 1];
+        const view = observer.perspective ? towards(observer.position) : this.model.whole!.frame.axis;
+        const most = Math.min(70, 0.17 * Math.min(drawing.view.width, drawing.view.height));
+        const length = (most * drawing.seen(place)[2]) / (drawing.view.factor * drawing.view.distance);
         const arrow = (name: string, direction: number[], colour: string, share: number) => {
-            const end = add(place, direction, share * this.reach);
-            context.strokeStyle = context.fillStyle = colour;
-            context.lineWidth = 2;
-            this.path(context, [place, end], false);
-            context.fillText(name, ...this.seen(add(place, direction, (share + 0.04) * this.reach)));
+            const [x, y, pixels] = drawing.arrow(place, add(place, direction, share * length), colour);
+            if (pixels >= 24) drawing.words(name, x, y, colour);
         };
-        context.font = 'italic bold 13px system-ui, sans-serif';
+        context.font = 'italic 700 15px Georgia, "DejaVu Serif", serif';
         context.textAlign = 'center';
         context.textBaseline = 'middle';
-        for (const [i, light] of scene.lights.entries()) {
-            if (!light.enabled || !(light.place || light.direction)) continue;
+        const lit = scene.lights.flatMap((light, i) => {
+            if (!light.enabled || !(light.place || light.direction)) return [];
             const to = light.type === 'distant' ? light.direction!.map((c) => -c) : light.place && towards(light.place);
-            if (!to || to[0] * probe.normal[0] + to[1] * probe.normal[1] + to[2] * probe.normal[2] <= 0) continue;
-            arrow('L', to, lightColour(i), 0.24);
-            if (scene.lights.length <= 3)
-                arrow('H', unit(to.map((c, axis) => c + view[axis])), styleColour('--dim'), 0.2);
+            const isBefore = to && to[0] * probe.normal[0] + to[1] * probe.normal[1] + to[2] * probe.normal[2] > 0;
+            return isBefore ? [{ i, to, share: probe.shares[i] ?? 0 }] : [];
+        });
+        const first = lit.reduce<(typeof lit)[number] | null>((best, each) => (best && best.share >= each.share ? best : each), null);
+        for (const { i, to } of lit.slice(0, 4)) arrow(`L${'₁₂₃₄₅₆₇₈₉'[i] ?? ''}`, to, lightColour(i), 1.25);
+        if (first) arrow('H', unit(first.to.map((c, axis) => c + view[axis])), '#ffd98a', 1.05);
+        arrow('V', view, '#c9ced6', 0.9);
+        arrow('N', probe.normal, '#ffffff', 1.1);
+        const [x, y] = drawing.seen(place);
+        for (const [radius, colour, width] of [[8, '#202226', 3.5], [8, '#fff', 2], [2.5, '#fff', 2]] as const) {
+            context.beginPath();
+            context.arc(x, y, radius, 0, 2 * Math.PI);
+            context.strokeStyle = colour;
+            context.lineWidth = width;
+            context.stroke();
         }
-        arrow('N', probe.normal, styleColour('--text'), 0.28);
-        arrow('V', view, styleColour('--accent'), 0.2);
         context.lineWidth = 1;
     }
 
-    private drawThing(context: CanvasRenderingContext2D, thing: Thing) {
-        const [x, y] = this.seen(thing.at);
+    // A lamp glows; beyond the edge it stands at the edge, and a plumb line tells how high it is.
+    private drawLamp(drawing: Drawing, thing: Thing, isNamed: boolean) {
+        const { context, view } = drawing;
+        const light = this.model.scene!.lights[thing.index];
         const chosen = this.selected?.key === thing.key;
+        const [x, y] = this.markPlace(thing);
+        const colour = lightColour(thing.index);
+        const hidden = drawing.isHidden(thing.at);
+        if (light?.enabled && this.model.scene!.lights.length <= GLOWING) drawing.glow(x, y, colour, hidden ? 0.25 : 0.75);
+        if (chosen) this.drawPlumb(drawing, thing.at, colour);
+        context.globalAlpha = hidden && !chosen ? 0.45 : light?.enabled ? 1 : 0.55;
+        numberMark(context, x, y, thing.index, chosen);
+        if (isNamed) {
+            context.font = '600 12px system-ui, sans-serif';
+            const name = light?.name ?? light?.label ?? '';
+            const isLeft = x > view.width - 200;
+            context.textAlign = isLeft ? 'right' : 'left';
+            context.textBaseline = 'middle';
+            drawing.words(name, x + (isLeft ? -1 : 1) * (chosen ? 24 : 20), y);
+        }
+        context.globalAlpha = 1;
+    }
+
+    private drawPlumb(drawing: Drawing, at: number[], colour: string) {
+        const axis = this.isUpright ? 1 : 2;
+        const foot = at.slice();
+        const floors = this.model.shapes.filter(({ kind }) => kind === 'surface').map(({ center, size, type }) =>
+            type === 'room' && size ? center[axis] - size[axis] / 2 : center[axis],
+        );
+        foot[axis] = Math.min(0, ...floors);
+        const { context } = drawing;
+        context.strokeStyle = colour;
+        context.lineWidth = 1.25;
+        context.setLineDash([1.5, 4]);
+        drawing.line([at, foot]);
+        context.setLineDash([]);
+        const across: Place[] = this.isUpright ? [[1, 0, 0], [0, 0, 1]] : [[1, 0, 0], [0, 1, 0]];
+        drawing.line(circle(foot, across[0], across[1], 0.018 * this.reach), true);
+    }
+
+    // Where a lamp's mark stands: where it is seen, or at the edge.
+    private markPlace(thing: Thing): [number, number] {
+        const { width, height } = this.view;
+        const [x, y] = this.seen(thing.at);
+        return [Math.max(ROOM, Math.min(width - ROOM, x)), Math.max(ROOM, Math.min(height - ROOM, y))];
+    }
+
+    private drawThing(drawing: Drawing, thing: Thing) {
+        const { context } = drawing;
+        const [x, y] = this.seen(thing.at);
+        const chosen = this.selected?.key === thing.key && this.selected.kind === thing.kind;
         if (thing.from) {
             context.strokeStyle = lightColour(thing.index);
             context.setLineDash([4, 4]);
-            this.path(context, [thing.from, thing.at], false);
+            drawing.line([thing.from, thing.at]);
             context.setLineDash([]);
         }
-        if (thing.kind === 'light' || thing.kind === 'direction') {
-            numberMark(context, x, y, thing.index, chosen);
-            return;
-        }
+        if (thing.kind === 'direction') return numberMark(context, x, y, thing.index, chosen);
+        if (thing.kind === 'surface' && !chosen) return;
         context.beginPath();
         if (thing.kind === 'observer') context.rect(x - 6, y - 6, 12, 12);
         else if (thing.kind === 'aim') {
-            context.moveTo(x - 7, y);
-            context.lineTo(x + 7, y);
-            context.moveTo(x, y - 7);
-            context.lineTo(x, y + 7);
-        } else context.arc(x, y, 4, 0, 2 * Math.PI);
-        context.lineWidth = chosen ? 3 : 1.5;
-        context.strokeStyle =
-            thing.kind === 'aim' ? lightColour(thing.index) : styleColour(chosen ? '--accent' : '--text');
-        context.stroke();
+            context.arc(x, y, 5, 0, 2 * Math.PI);
+            context.moveTo(x - 8, y);
+            context.lineTo(x + 8, y);
+            context.moveTo(x, y - 8);
+            context.lineTo(x, y + 8);
+        } else context.arc(x, y, 6, 0, 2 * Math.PI);
+        for (const [style, width] of [['rgb(0 0 0 / 45%)', chosen ? 5 : 3.5], [thing.kind === 'aim' ? lightColour(thing.index) : chosen ? styleColour('--accent') : '#fff', chosen ? 2.5 : 1.75]] as const) {
+            context.strokeStyle = style;
+            context.lineWidth = width;
+            context.stroke();
+        }
         context.lineWidth = 1;
     }
 
@@ -383,9 +452,11 @@ export class SpaceView {
         // Lamps and aims before the places that they aim at.
         const order = ['light', 'direction', 'aim', 'observer', 'surface'];
         for (const thing of [...this.model.things].sort((a, b) => order.indexOf(a.kind) - order.indexOf(b.kind))) {
-            const [tx, ty] = this.seen(thing.at);
+            const [tx, ty] = thing.kind === 'light' ? this.markPlace(thing) : this.seen(thing.at);
             const distance = Math.hypot(tx - x, ty - y);
-            if (distance < least - 2) {
+            // A body is dragged at its middle where it was chosen before.
+            const isFixed = thing.kind === 'surface' && this.selected?.key !== thing.key;
+            if (!isFixed && distance < least - 2) {
                 least = distance;
                 nearest = thing;
             }
@@ -393,35 +464,90 @@ export class SpaceView {
         return nearest;
     }
 
-    private begin(x: number, y: number, event: PointerEvent) {
-        const thing = event.shiftKey ? null : this.thingAt(x, y);
-        if (!thing) return this.beginOrbit(x, y);
+    private begin(x: number, y: number, event: PointerEvent): Action {
+        const thing = event.shiftKey || event.button === 2 ? null : this.thingAt(x, y);
+        if (!thing) return event.button === 2 ? this.beginPan(x, y) : this.beginOrbit(x, y);
         this.select(thing);
         const drag = new Drag(this.model, thing);
-        const [right, up] = this.axes();
-        const factor = this.factor();
+        const { view } = this;
+        const [, , depth] = seenBy(view, thing.at);
+        // From its place at the edge it goes by as much as the hand does.
+        const factor = (view.factor * view.distance) / Math.max(depth, 0.02 * view.distance);
         // What is grabbed moves in the plane of the view.
         const move = (nx: number, ny: number) =>
-            void drag.to(thing.at.map((c, axis) => c + ((nx - x) * right[axis] - (ny - y) * up[axis]) / factor));
+            void drag.to(thing.at.map((c, axis) => c + ((nx - x) * view.right[axis] - (ny - y) * view.up[axis]) / factor));
         return { move, end: () => drag.end() };
     }
 
-    private beginOrbit(x: number, y: number) {
-        const { turn, tilt, center } = this;
-        const [right, up] = this.axes();
-        const factor = this.factor();
+    private beginPan(x: number, y: number): Action {
+        let last: [number, number] = [x, y];
         const move = (nx: number, ny: number) => {
-            if (this.side === 'orbit') {
-                this.turn = turn - (nx - x) * 0.008;
-                this.tilt = Math.max(0.02, Math.min(Math.PI - 0.02, tilt - (ny - y) * 0.008));
-            } else {
-                this.center = center.map(
-                    (c, axis) => c - ((nx - x) * right[axis] - (ny - y) * up[axis]) / factor,
-                ) as Place;
-            }
+            this.pinch(1, last[0], last[1], nx - last[0], ny - last[1]);
+            last = [nx, ny];
+        };
+        return { move, end: () => undefined };
+    }
+
+    private beginOrbit(x: number, y: number): Action {
+        if (this.side !== 'orbit') {
+            const pan = this.beginPan(x, y);
+            return { move: pan.move, end: (moved) => void (moved || this.press(x, y)) };
+        }
+        const { turn, tilt } = this;
+        const move = (nx: number, ny: number) => {
+            this.turn = turn - (nx - x) * 0.008;
+            this.tilt = Math.max(0.02, Math.min(Math.PI - 0.02, tilt - (ny - y) * 0.008));
             this.draw();
         };
-        return { move, end: (moved: boolean) => void (moved || this.select(null)) };
+        return { move, end: (moved: boolean) => void (moved || this.press(x, y)) };
+    }
+
+    // A press on a body tells its place; on nothing it selects nothing.
+    private press(x: number, y: number) {
+        const place = this.placeAt(x, y);
+        if (place) this.onPlace(place, x, y);
+        this.select(null);
+    }
+
+    /** The place of the body that is seen at a point of the canvas; null: there is none. */
+    placeAt(x: number, y: number): Place | null {
+        const { made } = this.stage;
+        const depth = this.stage.depthAt(x, y);
+        if (!made || !(depth > 0)) return null;
+        const { view } = made;
+        const factor = (view.factor * view.distance) / depth;
+        const across = along(view.target, view.right, (x - view.width / 2) / factor, view.up, (view.height / 2 - y) / factor);
+        return add(across, view.back, view.distance - depth);
+    }
+
+    /** The exact value that is seen from here at a point of the canvas. */
+    async valueAt(x: number, y: number): Promise<Probe | null> {
+        const { made } = this.stage;
+        if (!made || !this.model.isCurrent(made.of)) return null;
+        const { view, of, stride } = made;
+        const { camera, columns, rows } = cameraOf(view, stride);
+        const at = [(x - view.width / 2) / view.factor, (view.height / 2 - y) / view.factor];
+        return this.model.client.ask('stageProbe', of, camera, columns, rows, at[0], at[1]);
+    }
+
+    private hover(event: PointerEvent) {
+        if (event.pointerType !== 'mouse' || event.buttons !== 0) return;
+        const { left, top } = this.canvas.getBoundingClientRect();
+        const [x, y] = [event.clientX - left, event.clientY - top];
+        const thing = this.thingAt(x, y);
+        const place = thing ? null : this.placeAt(x, y);
+        this.canvas.style.cursor = thing ? 'grab' : place ? 'crosshair' : 'default';
+        const name = thing ? this.nameOf(thing) : '';
+        if (this.canvas.title !== name) this.canvas.title = name;
+        this.onPlace(place, x, y);
+    }
+
+    private nameOf({ kind, index }: Thing): string {
+        const light = this.model.scene?.lights[index];
+        if (kind === 'observer') return t('observer');
+        if (kind === 'surface') return `${t('body')} ${index + 1}`;
+        const name = `${index + 1} ${light?.name ?? light?.label ?? ''}`;
+        return kind === 'light' ? name : `${name}: ${t(kind === 'aim' ? 'aim of light' : 'direction of light')}`;
     }
 
     select(thing: Thing | null) {
@@ -432,7 +558,8 @@ export class SpaceView {
 
     private wheel(event: WheelEvent) {
         event.preventDefault();
-        this.zoomBy(Math.exp(-event.deltaY * 0.001));
+        const { left, top } = this.canvas.getBoundingClientRect();
+        this.pinch(Math.exp(-event.deltaY * 0.001), event.clientX - left, event.clientY - top, 0, 0);
     }
 
     // Two fingers zoom around the point between them, and move it.
@@ -469,12 +596,50 @@ export class SpaceView {
         if (sides[event.key]) this.setSide(sides[event.key]);
         else if (event.key === '+' || event.key === '=') this.zoomBy(1.25);
         else if (event.key === '-') this.zoomBy(0.8);
-        else if (event.key === '0') this.fit();
+        else if (event.key === '0' || event.key === 'f' || event.key === 'F') this.fit();
+        else if (event.key === 'Home') this.lookFromFront();
         else if (event.key === ' ') this.selectNext(event.shiftKey ? -1 : 1);
         else if (event.key === 'Escape') this.select(null);
         else if (steps[event.key] && this.selected) this.nudge(steps[event.key], event.shiftKey ? 100 : 10);
         else return;
         event.preventDefault();
+    }
+
+    private lookFromFront() {
+        [this.turn, this.tilt] = [0, Math.PI / 2 - 0.12];
+        this.setSide('orbit');
+    }
+
+    /** The camera of the observer, whose screen has so many pixels for a mm, its middle so many beside that of the canvas. */
+    observerView(factor: number, aside: number): View | null {
+        const { whole } = this.model;
+        if (!whole) return null;
+        const { width, height } = this.canvas.getBoundingClientRect();
+        const { corners, middle } = whole.frame;
+        const back = unit(whole.frame.axis);
+        const [right, up] = [1, 3].map((i) => unit(corners[i].map((c, axis) => c - corners[0][axis])));
+        const { observer } = whole;
+        const far = Math.hypot(...observer.position.map((c, axis) => c - middle[axis]));
+        const distance = observer.perspective ? far : FAR_OFF * Math.max(...whole.screen, far);
+        const target = add(middle, right, -aside / factor);
+        return { eye: add(target, back, distance), target, right, up, back, distance, factor, width, height };
+    }
+
+    /** Flies to a camera, or from it back to the view's own; then `arrived` is called. */
+    fly(to: View, isBack: boolean, arrived: () => void) {
+        const isStill = matchMedia('(prefers-reduced-motion: reduce)').matches;
+        this.flight = null;
+        const own = this.wanted();
+        const start = performance.now();
+        const step = () => {
+            const share = isStill ? 1 : Math.min(1, (performance.now() - start) / FLIGHT);
+            const eased = share * share * (3 - 2 * share);
+            this.flight = share < 1 ? between(own, to, isBack ? 1 - eased : eased) : null;
+            this.draw();
+            if (share < 1) requestAnimationFrame(step);
+            else arrived();
+        };
+        step();
     }
 
     private selectNext(step: number) {
@@ -495,4 +660,23 @@ export class SpaceView {
             `keys ${thing.key}`,
         );
     }
+}
+
+/** The corners of a rectangle. */
+function rectangle({ center, size = [0, 0], axis, up }: Shape): Place[] {
+    const [u, v] = basis(axis ?? [0, 0, 1], up);
+    const corner = (a: number, b: number) => along(center, u, (a * size[0]) / 2, v, (b * size[1]) / 2);
+    return [corner(-1, -1), corner(1, -1), corner(1, 1), corner(-1, 1)];
+}
+
+/** A camera on the way from one to another. */
+function between(a: View, b: View, share: number): View {
+    const mixed = (from: number[], to: number[]) => from.map((c, i) => c + share * (to[i] - c)) as Place;
+    const back = unit(mixed(a.back, b.back));
+    const right = unit(cross(mixed(a.up, b.up), back));
+    const up = cross(back, right);
+    const target = mixed(a.target, b.target);
+    const distance = a.distance * (b.distance / a.distance) ** share;
+    const factor = a.factor * (b.factor / a.factor) ** share;
+    return { ...a, eye: add(target, back, distance), target, right, up, back, distance, factor };
 }

@@ -38,16 +38,6 @@ export function circle(center: number[], u: number[], v: number[], radius: numbe
     });
 }
 
-/** The corners of the screen. */
-export function cornersOf([w, h]: number[]): Place[] {
-    return [
-        [-w / 2, -h / 2, 0],
-        [w / 2, -h / 2, 0],
-        [w / 2, h / 2, 0],
-        [-w / 2, h / 2, 0],
-    ];
-}
-
 /** The twelve edges of a box along the axes. */
 export function edgesOf(center: number[], size: number[]): [Place, Place][] {
     const corner = (bits: number) => center.map((c, axis) => c + (bits & (1 << axis) ? 0.5 : -0.5) * size[axis]) as Place;

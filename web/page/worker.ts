@@ -90,6 +90,7 @@ function judge(of: Of) {
             facts,
             (key) => core.get(key),
             (place) => core.project(place),
+            (x, y, height) => core.unproject(x, y, height),
         );
     return { messages, files, facts, geometry };
 }
@@ -158,9 +159,17 @@ const questions = {
         opened(of) && draw(of, stride) ? core.isophotes(wanted, logarithmic) : [],
     extrema: (of: Of) => opened(of).extrema(),
     keys: (of: Of, keys: string[]) => opened(of) && keys.map((key) => core.get(key)),
-    relief: (of: Of, surface: number, eye: number[], up: number[], pixels: number) =>
-        opened(of).relief(surface, eye, up, pixels),
-    silhouette: (of: Of, surface: number, right: number[], up: number[]) => opened(of).silhouette(surface, right, up),
+    /** What another camera sees, how far it is, in half as many columns and rows, and how long it took; null: nothing. */
+    stage: (of: Of, camera: number[], columns: number, rows: number) => {
+        const before = performance.now();
+        const samples = opened(of).stage(camera, columns, rows);
+        const depth = samples && core.stageDepth(camera, columns / 2, rows / 2);
+        return samples && depth && { of, ...samples, depth, milliseconds: performance.now() - before };
+    },
+    /** The value that a camera sees through a point of its screen. */
+    stageProbe: (of: Of, camera: number[], columns: number, rows: number, x: number, y: number) =>
+        opened(of).stageProbe(camera, columns, rows, x, y),
+    project: (of: Of, place: number[]) => opened(of).project(place),
     unproject: (of: Of, x: number, y: number, height: number) => opened(of).unproject(x, y, height),
     file: (of: Of, name: string) => {
         const bytes = opened(of).file(name);

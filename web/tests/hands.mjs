@@ -74,6 +74,17 @@ export async function openText(page, text) {
     }, text);
 }
 
+/** Looks through a camera: 'space' or 'picture'. */
+export async function look(page, camera) {
+    await page.locator('.cameras button').nth(camera === 'space' ? 0 : 1).click();
+    await page.locator(`.stage[data-camera=${camera}]`).waitFor();
+}
+
+/** Opens a tab of the drawer or of the strip. */
+export async function tab(page, name) {
+    await page.locator('.tabs').getByRole('button', { name, exact: true }).click();
+}
+
 /** Where an element is in the window, which is scrolled so that all of it is seen: the mouse reaches nothing else. */
 export async function boxOf(locator) {
     await locator.scrollIntoViewIfNeeded();
@@ -81,6 +92,7 @@ export async function boxOf(locator) {
 }
 
 export async function lampIn(page, view) {
+    if (await page.locator('.cameras').isVisible()) await look(page, view);
     const box = await boxOf(page.locator(`canvas.${view}`));
     const [x, y] =
         view === 'space'

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Lights that join a scene fit it, links carry how it is shown, and very many lights keep the page answering.
-import { inside, opened, openScene, openText, shot, until } from './hands.mjs';
+import { inside, opened, openScene, openText, shot, tab, until } from './hands.mjs';
 import { check, equal, test } from './tap.mjs';
 
 const maximum = (page) => inside(page, 'model.picture.facts.maximum.value');
@@ -28,6 +28,7 @@ async function addsSurfaces(page) {
     const small = `luxel: 1\nscreen: {width: 60, height: 60, resolution: [100, 100]}\nobserver: {z: 150}\nsurfaces:\n
   - {type: sphere, center: [0, 0, 40], radius: 20}\nlights:\n  - {type: point, position: [40, 30, 120], intensity: 1}\n`;
     await openText(page, small);
+    await tab(page, 'Matter');
     for (const kind of ['sphere', 'rectangle', 'disk', 'cylinder']) {
         const count = await inside(page, 'model.scene.surfaces.length');
         await page.getByLabel('Add').nth(1).selectOption(kind);
@@ -42,6 +43,7 @@ async function addsSurfaces(page) {
 
 async function linksLooks(page, browser) {
     await openScene(page, 'two-spheres');
+    await tab(page, 'View');
     await page.getByLabel('Colours').selectOption('turbo');
     await page.getByLabel('Logarithmic').check();
     await page.getByLabel('Isophotes').check();
@@ -51,7 +53,7 @@ async function linksLooks(page, browser) {
     await page.getByLabel('From', { exact: true }).fill('0,5');
     await page.getByLabel('From', { exact: true }).press('Enter');
     await until(page, 'model.isSettled');
-    await page.getByRole('button', { name: 'Copy link' }).click();
+    await page.getByRole('button', { name: 'Share' }).click();
     await page.waitForFunction(() => location.hash.includes('&probe='));
     const state = () => `JSON.stringify([model.text, model.irradiance, picture.probe, picture.scale.map,
         picture.scale.logarithmic, picture.scale.locked, picture.scale.low, picture.showsIsophotes, space.side])`;

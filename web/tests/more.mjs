@@ -5,7 +5,7 @@ import { execFileSync } from 'node:child_process';
 import fs from 'node:fs';
 import os from 'node:os';
 import path from 'node:path';
-import { boxOf, dragBy, inside, opened, openScene, shot, until } from './hands.mjs';
+import { boxOf, dragBy, inside, look, opened, openScene, shot, tab, until } from './hands.mjs';
 import { check, equal, test } from './tap.mjs';
 
 const file = (name, content) => ({ name, mimeType: 'application/octet-stream', buffer: Buffer.from(content) });
@@ -66,6 +66,7 @@ async function joins(page) {
 
 async function compares(page) {
     await openScene(page, 'report');
+    await tab(page, 'View');
     await page.getByRole('button', { name: 'Keep as A' }).click();
     const kept = await inside(page, 'model.picture.facts.maximum.value');
     await inside(page, "void model.change([{ set: 'lights[0].intensity=11' }])");
@@ -90,6 +91,7 @@ async function compares(page) {
 async function turnsDial(page) {
     await openScene(page, 'report');
     const most = await inside(page, 'picture.scale.high');
+    await tab(page, 'View');
     const exposure = page.getByLabel('Exposure', { exact: true });
     await exposure.focus();
     for (let i = 0; i < 4; i++) await page.keyboard.press('ArrowRight');
@@ -110,6 +112,7 @@ async function turnsDial(page) {
 
 async function cuts(page, tool) {
     await openScene(page, 'three-lights');
+    await tab(page, 'View');
     await page.getByLabel('Angle').fill('90');
     await until(page, 'section.last && Math.abs(section.last.from[0] - section.last.to[0]) < 1e-9');
     const axis = (text) =>
@@ -139,6 +142,7 @@ async function cuts(page, tool) {
         .trim()
         .split('\n');
     equal([lines[0], lines.length], ['s_mm,x_mm,y_mm,value,light_1,light_2,light_3', 242], 'table');
+    await look(page, 'picture');
     const canvas = await boxOf(page.locator('canvas.picture'));
     const [x, y] = await inside(
         page,
@@ -223,6 +227,7 @@ async function reportsReflections(page, browser, tool) {
 async function balances(page, tool) {
     await page.evaluate((text) => window.luxel.inside.open(text), REFLECTING);
     await until(page, `model.picture?.of.text === ${JSON.stringify(REFLECTING)} && model.isSettled`);
+    await tab(page, 'Balance');
     const tables = page.locator('.balance:not(.old) table');
     await tables.last().waitFor();
     const scene = path.join(fs.mkdtempSync(path.join(os.tmpdir(), 'luxel-')), 'ball.yaml');

@@ -6,7 +6,7 @@ import { execFileSync } from 'node:child_process';
 import fs from 'node:fs';
 import os from 'node:os';
 import path from 'node:path';
-import { inside, opened, openText, shot, until } from './hands.mjs';
+import { inside, opened, openText, shot, tab, until } from './hands.mjs';
 import { check, equal, test } from './tap.mjs';
 
 const DIRECT = ' (direct light alone)';
@@ -66,7 +66,7 @@ const look = (page) =>
             statistics: textOf('.statistics'),
             heads: all('.points th[scope=col]').map(({ textContent }) => textContent),
             points: all('.points tbody tr').map(({ cells }) => [...cells].map(({ textContent }) => textContent)),
-            kinds: all('.form > details > summary').map(({ textContent }) => textContent),
+            kinds: all('.form .thing summary').map(({ textContent }) => textContent),
             size: hasPicture ? [picture.image.width * model.picture.stride, picture.image.height * model.picture.stride] : null,
             lamps: isShown(picture.canvas) ? picture.marks.filter(({ thing }) => thing.kind === 'light').length : null,
             things: isShown(document.querySelector('canvas.space')) ? model.things.length : null,
@@ -238,6 +238,7 @@ async function lightComes(page, tool) {
         async () => {
             await begin(page, BALL);
             await until(page, 'model.isSettled');
+            await tab(page, 'Balance');
             await page.locator('.balance:not(.old) table').last().waitFor();
             await until(page, 'section.last?.isKnown.every(Boolean) && !section.last.of.direct');
         },
@@ -247,9 +248,10 @@ async function lightComes(page, tool) {
     equal(await page.evaluate(() => window.workers), 1, 'workers that computed reflected light');
     const last = seen.at(-1);
     check(!last.value.includes('direct') && last.saved && !last.saved.of.direct, 'reflected light does not come');
+    await tab(page, 'View');
     const [download] = await Promise.all([
         page.waitForEvent('download'),
-        page.getByRole('button', { name: 'Section (CSV)' }).click(),
+        page.locator('[aria-label="Section (CSV)"]').click(),
     ]);
     const rows = fs.readFileSync(await download.path(), 'utf8').trim().split('\n').slice(1);
     const some = [0, 100, 200, 240].map((i) => rows[i].split(','));

@@ -1,0 +1,220 @@
+// SPDX-License-Identifier: MIT
+// What the space view shows of bodies: pictures that the core computes as a camera at the view sees them, lit by the same
+// sums as the observer's picture, with how far each pixel is.  The newest view wins; coarse pictures follow the hand, finer
+// ones come when it rests.
+import { paint, type Scale } from './colours';
+import type { Client } from './client';
+import type { Model } from './model';
+import type { Place } from './space_math';
+import type { Of } from './version';
+
+/** A camera: where it is, the middle of what it looks at, its vectors to the right, upwards and back to it, and its scale. */
+export interface View {
+    eye: Place; // in mm
+    target: Place;
+    right: Place;
+    up: Place;
+    back: Place;
+    distance: number; // from the target, mm
+    factor: number; // pixels of the page for a mm at the target
+    width: number; // of the canvas, pixels of the page
+    height: number;
+}
+
+/** A picture of the bodies, and of which view it is. */
+interface Made {
+    of: Of;
+    view: View;
+    stride: number; // pixels of the page across one of its own
+    columns: number;
+    rows: number;
+    values: Float32Array<ArrayBuffer>;
+    mask: Uint8Array<ArrayBuffer>;
+    depth: Float32Array<ArrayBuffer>; // in half as many columns and rows
+}
+
+const STRIDES = [0.5, 1, 2, 4, 8, 16];
+const STEPS = [30, 250, 1200, 6000]; // milliseconds that pictures of a view may take, one after the other
+const REST = 140; // milliseconds without a change after which the hand rests
+const PATIENT = 200; // milliseconds that a picture of a view that is gone may still take
+const MOST_PIXELS = 2.2e6;
+const PER_PIXEL = 1.5e-4; // milliseconds, of a scene of which nothing is known yet
+const LATE = 250; // milliseconds after which what is shown is of a view that is gone
+
+const keyOf = (of: Of | null, view: View) =>
+    [of?.number, of?.direct, ...view.eye, ...view.target, ...view.up, view.factor, view.width, view.height].join();
+
+/** The numbers of a camera as the core takes them, and how many pixels it has. */
+export function cameraOf(view: View, stride: number): { camera: number[]; columns: number; rows: number } {
+    const even = (count: number) => 2 * Math.max(4, Math.round(count / 2));
+    const columns = even(view.width / stride);
+    const pixel = view.width / view.factor / columns;
+    const rows = even(view.height / view.factor / pixel);
+    return { camera: [...view.eye, ...view.target, ...view.up, columns * pixel, rows * pixel], columns, rows };
+}
+
+/** Where a place is seen, in pixels of the page, and how far it is along the line of view. */
+export function seenBy(view: View, place: number[]): [x: number, y: number, depth: number] {
+    const off = place.map((coordinate, axis) => coordinate - view.target[axis]);
+    const dot = (a: number[]) => a[0] * off[0] + a[1] * off[1] + a[2] * off[2];
+    const depth = view.distance - dot(view.back);
+    const factor = (view.factor * view.distance) / Math.max(depth, 0.02 * view.distance);
+    return [view.width / 2 + factor * dot(view.right), view.height / 2 - factor * dot(view.up), depth];
+}
+
+export class Stage {
+    /** What is shown; null: nothing yet. */
+    made: Made | null = null;
+    readonly image = document.createElement('canvas');
+    private wanted: { view: View; of: Of } | null = null;
+    private busy = false;
+    private client: Client | null = null;
+    private given = 0; // files that its worker has
+    private perPixel = PER_PIXEL; // milliseconds, by the last picture
+    private awaitedSince = 0; // when another view than the one shown was wanted; 0: it is shown
+    private failed = ''; // the view of which the core made none
+    private painted: unknown[] = [];
+
+    constructor(
+        private readonly model: Model,
+        private readonly scale: () => Scale,
+        private readonly onMade: () => void,
+    ) {}
+
+    /** Shows nothing: another scene was opened. */
+    clear() {
+        this.made = null;
+        this.wanted = null;
+        this.failed = '';
+        this.painted = [];
+        this.perPixel = PER_PIXEL;
+        this.awaitedSince = 0;
+    }
+
+    /** Whether the view has changed for some time, and its picture has not come. */
+    get isLate(): boolean {
+        return this.awaitedSince > 0 && performance.now() - this.awaitedSince > LATE;
+    }
+
+    /** Asks for what is seen from here; what is shown meanwhile is of the view before. */
+    want(view: View) {
+        const of = this.model.asWhole();
+        if (!of || !this.model.isCurrent(of) || view.width < 8 || view.height < 8) return;
+        this.wanted = { view, of };
+        const isOther = !!this.made && keyOf(null, this.made.view) !== keyOf(null, view);
+        if (isOther && !this.awaitedSince) {
+            this.awaitedSince = performance.now();
+            setTimeout(() => this.isLate && this.onMade(), LATE + 10);
+        } else if (!isOther) this.awaitedSince = 0;
+        if (!this.busy) void this.run();
+    }
+
+    private async run() {
+        this.busy = true;
+        while (this.wanted) {
+            const { view, of } = this.wanted;
+            const key = keyOf(of, view);
+            const present = this.made && keyOf(this.made.of, this.made.view) === key ? this.made.stride : Infinity;
+            const stride = this.next(view, present);
+            if (key === this.failed || stride === null) {
+                this.wanted = null;
+                break;
+            }
+            if (present !== Infinity) {
+                await new Promise((resolve) => setTimeout(resolve, REST)); // the hand may still be moving
+                if (this.isGone(key)) continue;
+            }
+            await this.make(view, of, stride, key);
+        }
+        this.busy = false;
+    }
+
+    private isGone(key: string): boolean {
+        return !this.wanted || keyOf(this.wanted.of, this.wanted.view) !== key;
+    }
+
+    // The next finer stride of a view's pictures that is had in some time; null: there is none.
+    private next(view: View, present: number): number | null {
+        const finest = Math.max(0.5, 1 / (window.devicePixelRatio || 1)) * 0.999;
+        const pixels = (stride: number) => (view.width * view.height) / stride ** 2;
+        for (const most of STEPS) {
+            const goes = (stride: number) =>
+                stride >= finest && pixels(stride) <= MOST_PIXELS && pixels(stride) * this.perPixel <= most;
+            const stride = STRIDES.find(goes) ?? STRIDES[STRIDES.length - 1];
+            if (stride < present) return stride;
+        }
+        return null;
+    }
+
+    // Its own worker, so that no number waits for it; another one when files have been given.
+    private async worker(): Promise<Client> {
+        const { client } = this.model;
+        if (!this.client || this.given !== client.given) {
+            this.client?.stop();
+            this.given = client.given;
+            this.client = await client.twin();
+        }
+        return this.client;
+    }
+
+    private async make(view: View, of: Of, stride: number, key: string) {
+        const { camera, columns, rows } = cameraOf(view, stride);
+        const timer = setInterval(() => this.isGone(key) && this.client?.giveWay(), PATIENT);
+        const ask = async () => (await this.worker()).ask('stage', of, camera, columns, rows);
+        const found = await ask().catch(() => undefined);
+        clearInterval(timer);
+        if (of.scene !== this.model.version.scene) return;
+        if (found === undefined) {
+            // It gave way to another one, or the core has failed and is started anew for the next.
+            if (this.client?.isEnded) this.client = null;
+            if (!this.isGone(key)) this.failed = key;
+            return;
+        }
+        if (!found) {
+            this.failed = key;
+            return this.onMade();
+        }
+        this.perPixel = Math.max(1e-6, found.milliseconds / (columns * rows));
+        this.awaitedSince = 0;
+        this.made = { of, view, stride, columns, rows, values: found.values, mask: found.mask, depth: found.depth };
+        this.onMade();
+    }
+
+    /** The picture in the colours of the scale. */
+    picture(): HTMLCanvasElement | null {
+        const { made } = this;
+        if (!made) return null;
+        const { map, low, high, logarithmic } = this.scale();
+        const wanted = [made, map, low, high, logarithmic];
+        if (wanted.some((each, i) => each !== this.painted[i])) {
+            this.painted = wanted;
+            this.image.width = made.columns;
+            this.image.height = made.rows;
+            const pixels = paint(made.values, made.mask, this.scale());
+            this.image.getContext('2d')!.putImageData(new ImageData(pixels, made.columns, made.rows), 0, 0);
+        }
+        return this.image;
+    }
+
+    /** How far it is to what is seen at a point of the page; 0: nothing is there. */
+    depthAt(x: number, y: number): number {
+        const { made } = this;
+        if (!made) return 0;
+        const [columns, rows] = [made.columns / 2, made.rows / 2];
+        const column = Math.floor((x / made.view.width) * columns);
+        const row = Math.floor((y - made.view.height / 2) / (2 * this.pixel()) + rows / 2);
+        if (column < 0 || row < 0 || column >= columns || row >= rows) return 0;
+        return made.depth[row * columns + column];
+    }
+
+    /** The size of its pixels in pixels of the page. */
+    pixel(): number {
+        return this.made ? this.made.view.width / this.made.columns : 1;
+    }
+
+    /** Whether a body hides a place, which is seen at a point and so far. */
+    hides([x, y, depth]: [number, number, number]): boolean {
+        const before = this.depthAt(x, y);
+        return before > 0 && before < depth * (1 - 2e-3);
+    }
+}
