@@ -81,8 +81,10 @@ static bool set_face(struct finding *finding, uint32_t f)
 static bool look(struct finding *finding, uint32_t g)
 {
     const struct lx_group *group = &finding->reflected->groups[g];
-    const enum lx_outlook sight =
-        set_face(finding, group->face) ? lx_occluder_cones_look(finding->cones, &group->cell) : LX_NONE_SEEN;
+    struct lx_partly partly;
+    const enum lx_outlook sight = set_face(finding, group->face)
+                                      ? lx_occluder_cones_look(finding->cones, &group->cell, NULL, &partly)
+                                      : LX_NONE_SEEN;
     struct lx_sent sent;
     if (sight == LX_NONE_SEEN) {
         add_link(finding->made, g, LX_LINK_NONE);
@@ -94,8 +96,8 @@ static bool look(struct finding *finding, uint32_t g)
     }
     if (group->child != LX_NO_GROUP)
         return false;
-    lx_transfer(&finding->transfer, &finding->reflected->tiles[group->first_tile], sight, &sent);
-    add_sent(finding, g, LX_LINK_NEAR, &sent);
+    lx_transfer(&finding->transfer, &finding->reflected->tiles[group->first_tile], sight, &partly, &sent);
+    add_sent(finding, g, sight == LX_ALL_SEEN ? LX_LINK_NEAR : LX_LINK_PART, &sent);
     return true;
 }
 
@@ -111,7 +113,7 @@ static bool keep(struct finding *finding, uint32_t g)
         return true;
     }
     const struct lx_weights *known = &old->weights[finding->next_weights++];
-    if (kind == LX_LINK_NEAR && finding->reflected->groups[g].child != LX_NO_GROUP)
+    if (lx_link_is_of_tile(kind) && finding->reflected->groups[g].child != LX_NO_GROUP)
         return false;
     struct lx_weights *weights = add_weights(finding->made);
     add_link(finding->made, g, kind);
@@ -124,7 +126,8 @@ static bool keep(struct finding *finding, uint32_t g)
 static bool is_up_to_date(const struct lx_radiosity *reflected, const struct lx_links *links)
 {
     for (size_t i = 0; i < links->count; i++)
-        if (links->items[i].kind == LX_LINK_NEAR && reflected->groups[links->items[i].group].child != LX_NO_GROUP)
+        if (lx_link_is_of_tile((enum lx_link_kind)links->items[i].kind) &&
+            reflected->groups[links->items[i].group].child != LX_NO_GROUP)
             return false;
     return links->count > 0;
 }

@@ -10,7 +10,14 @@
 #include "between.h"
 #include "transfer.h"
 
-enum lx_link_kind { LX_LINK_NONE, LX_LINK_FAR, LX_LINK_NEAR }; /* nothing of it is seen, all of it from afar, else */
+/* Nothing of a group is seen, all of it from afar, all of it from nearby, or a part of it. */
+enum lx_link_kind { LX_LINK_NONE, LX_LINK_FAR, LX_LINK_NEAR, LX_LINK_PART };
+
+/* Whether a link holds for its tile as it is, and not for those that it is cut into. */
+static inline bool lx_link_is_of_tile(enum lx_link_kind kind)
+{
+    return kind == LX_LINK_NEAR || kind == LX_LINK_PART;
+}
 
 struct lx_link {
     uint32_t group : 30;
@@ -20,7 +27,7 @@ struct lx_link {
 struct lx_weights {
     uint32_t group;
     float of[LX_RULE_NODES];
-    double direct; /* of a near group */
+    double direct; /* of a tile */
 };
 
 struct lx_links {

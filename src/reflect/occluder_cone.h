@@ -55,18 +55,29 @@ bool lx_may_stand_before(const struct lx_occluder_cones *cones, const double cen
                          const double behind_mm[3], double behind_radius_mm);
 enum lx_outlook lx_occluder_cone_look(const struct lx_occluder_cones *cones, const struct lx_occluder_cone *cone,
                                       const struct lx_tile_cell *cell);
-enum lx_outlook lx_occluder_cones_look(const struct lx_occluder_cones *cones, const struct lx_tile_cell *cell);
 
-/* Whether anything stands before a cell that is asked way by way; whether all that hides it in part are horizons. */
-bool lx_occluder_cones_have_shapes(const struct lx_occluder_cones *cones, const struct lx_tile_cell *cell);
-bool lx_occluder_cones_are_horizons(const struct lx_occluder_cones *cones, const struct lx_tile_cell *cell);
+/* Occluder cones that hide a part of a cell: alone those can hide anything of what is in it. */
+enum { LX_MOST_PARTLY = 24 };
+struct lx_partly {
+    unsigned count;
+    bool is_all; /* there are too many: all cones are to be asked */
+    const struct lx_occluder_cone *cones[LX_MOST_PARTLY];
+};
+
+/* How a cell is seen, which lies in one that `around` is of, if that is not NULL; sets what hides it in part. */
+enum lx_outlook lx_occluder_cones_look(const struct lx_occluder_cones *cones, const struct lx_tile_cell *cell,
+                                       const struct lx_partly *around, struct lx_partly *partly);
+
+/* Whether anything of what hides a cell in part is asked way by way; whether all of it are horizons. */
+bool lx_partly_have_shapes(const struct lx_partly *partly);
+bool lx_partly_are_horizons(const struct lx_partly *partly);
 
 /* Whether a single place of the face is seen. */
 bool lx_occluder_cones_leave(const struct lx_occluder_cones *cones, const double place_mm[3]);
 
-/* Sets the integrals of the rule's polynomials, in coordinates from -1 to 1, over what no cone of planes hides of a
- * parallelogram; false: there are too many. */
+/* Sets the integrals of the rule's polynomials, in coordinates from -1 to 1, over what the cones that hide a cell in
+ * part leave of a parallelogram; false: there are too many. */
 bool lx_occluder_cones_visible(const struct lx_occluder_cones *cones, const struct lx_tile_cell *cell,
-                               double shares[LX_RULE_NODES]);
+                               const struct lx_partly *partly, double shares[LX_RULE_NODES]);
 
 #endif

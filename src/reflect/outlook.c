@@ -89,31 +89,45 @@ enum lx_outlook lx_occluder_cone_look(const struct lx_occluder_cones *cones, con
     return sight;
 }
 
-enum lx_outlook lx_occluder_cones_look(const struct lx_occluder_cones *cones, const struct lx_tile_cell *cell)
+/* Looks at one more cone. */
+static enum lx_outlook look_at(const struct lx_occluder_cones *cones, const struct lx_occluder_cone *cone,
+                               const struct lx_tile_cell *cell, struct lx_partly *partly)
 {
-    enum lx_outlook sight = LX_ALL_SEEN;
-    for (size_t i = 0; i < cones->count; i++) {
-        const enum lx_outlook one = lx_occluder_cone_look(cones, &cones->items[i], cell);
-        if (one == LX_NONE_SEEN)
-            return LX_NONE_SEEN;
-        if (one == LX_PART_SEEN)
-            sight = LX_PART_SEEN;
-    }
+    const enum lx_outlook sight = lx_occluder_cone_look(cones, cone, cell);
+    if (sight != LX_PART_SEEN)
+        return sight;
+    if (partly->count == LX_MOST_PARTLY)
+        partly->is_all = true;
+    else
+        partly->cones[partly->count++] = cone;
     return sight;
 }
 
-bool lx_occluder_cones_have_shapes(const struct lx_occluder_cones *cones, const struct lx_tile_cell *cell)
+enum lx_outlook lx_occluder_cones_look(const struct lx_occluder_cones *cones, const struct lx_tile_cell *cell,
+                                       const struct lx_partly *around, struct lx_partly *partly)
 {
-    for (size_t i = 0; i < cones->count; i++)
-        if (cones->items[i].shape && lx_occluder_cone_look(cones, &cones->items[i], cell) != LX_ALL_SEEN)
+    const bool asks_all = !around || around->is_all;
+    const size_t count = asks_all ? cones->count : around->count;
+    partly->count = 0;
+    partly->is_all = false;
+    for (size_t i = 0; i < count; i++)
+        if (look_at(cones, asks_all ? &cones->items[i] : around->cones[i], cell, partly) == LX_NONE_SEEN)
+            return LX_NONE_SEEN;
+    return partly->count > 0 ? LX_PART_SEEN : LX_ALL_SEEN;
+}
+
+bool lx_partly_have_shapes(const struct lx_partly *partly)
+{
+    for (unsigned i = 0; i < partly->count; i++)
+        if (partly->cones[i]->shape)
             return true;
     return false;
 }
 
-bool lx_occluder_cones_are_horizons(const struct lx_occluder_cones *cones, const struct lx_tile_cell *cell)
+bool lx_partly_are_horizons(const struct lx_partly *partly)
 {
-    for (size_t i = 0; i < cones->count; i++)
-        if (!cones->items[i].is_horizon && lx_occluder_cone_look(cones, &cones->items[i], cell) != LX_ALL_SEEN)
+    for (unsigned i = 0; i < partly->count; i++)
+        if (!partly->cones[i]->is_horizon)
             return false;
     return true;
 }

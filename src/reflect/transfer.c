@@ -105,11 +105,11 @@ static void weigh_seen(const struct sending *sending, const struct lx_tile_cell 
 
 /* The kernel, as a polynomial on all of the cell, over what is seen.  False: that is too complicated. */
 static bool weigh_flat_part(const struct sending *sending, const struct lx_tile_cell *cell,
-                            double values[LX_RULE_NODES])
+                            const struct lx_partly *partly, double values[LX_RULE_NODES])
 {
     double across[3];
     bool sees;
-    if (!lx_occluder_cones_visible(sending->of->cones, cell, values))
+    if (!lx_occluder_cones_visible(sending->of->cones, cell, partly, values))
         return false;
     lx_cross(cell->first_mm, cell->second_mm, across);
     const double area = sqrt(lx_dot(across, across));
@@ -144,40 +144,49 @@ static bool is_small(const struct sending *sending, const struct lx_tile_cell *c
     return cell->radius_mm <= sending->of->least_mm || cell->radius_mm <= share * scale_of(sending->of, cell);
 }
 
-static void send_cell(const struct sending *sending, const struct lx_window *window, struct lx_tile_cell *cell,
-                      const struct light_at *light, enum lx_outlook sight, int level);
+/* How a cell is seen, and what hides it in part. */
+struct view_of {
+    enum lx_outlook sight;
+    const struct lx_partly *partly;
+};
 
+static void send_cell(const struct sending *sending, const struct lx_window *window, struct lx_tile_cell *cell,
+                      const struct light_at *light, struct view_of view, int level);
+
+/* A piece of a cell, of which it is known what hides that. */
 static void send_piece(const struct sending *sending, const struct lx_window *window, const struct light_at *light,
-                       int level)
+                       const struct lx_partly *around, int level)
 {
     struct lx_tile_cell cell;
+    struct lx_partly partly = {0};
     lx_cell_bound(sending->of->face, window, &cell);
-    send_cell(sending, window, &cell, light, lx_occluder_cones_look(sending->of->cones, &cell), level);
+    const enum lx_outlook sight = lx_occluder_cones_look(sending->of->cones, &cell, around, &partly);
+    send_cell(sending, window, &cell, light, (struct view_of){sight, &partly}, level);
 }
 
 static void cut_cell(const struct sending *sending, const struct lx_window *window, const struct lx_tile_cell *cell,
-                     const struct light_at *light, int level)
+                     const struct light_at *light, const struct lx_partly *partly, int level)
 {
     if (light->is_own && light->direct->quarters) {
         for (int i = 0; i < 4; i++) {
             const struct lx_window quarter = lx_window_quarter(window, i);
-            send_piece(sending, &quarter, &(struct light_at){&light->direct->quarters[i], quarter, true}, level + 1);
+            send_piece(sending, &quarter, &(struct light_at){&light->direct->quarters[i], quarter, true}, partly,
+                       level + 1);
         }
         return;
     }
     const int way = cell->lengths_mm[1] > cell->lengths_mm[0];
     for (int i = 0; i < 2; i++) {
         const struct lx_window half = lx_window_half(window, way, i);
-        send_piece(sending, &half, &(struct light_at){light->direct, light->window, false}, level + 1);
+        send_piece(sending, &half, &(struct light_at){light->direct, light->window, false}, partly, level + 1);
     }
 }
 
 /* Where nothing but horizons hide it the integrand has no jump, only a kink. */
-static double part_share(const struct sending *sending, const struct lx_tile_cell *cell)
+static double part_share(const struct sending *sending, const struct lx_partly *partly)
 {
     const double smoother = 2.5;
-    return sending->of->fineness->round_part *
-           (lx_occluder_cones_are_horizons(sending->of->cones, cell) ? smoother : 1);
+    return sending->of->fineness->round_part * (lx_partly_are_horizons(partly) ? smoother : 1);
 }
 
 /* Whether most of the light of a window falls on a small part of it: its polynomial goes up and down then, and errors
@@ -215,13 +224,14 @@ static bool tells_part(const struct lx_fineness *fineness, const struct light_at
 }
 
 static void send_cell(const struct sending *sending, const struct lx_window *window, struct lx_tile_cell *cell,
-                      const struct light_at *light, enum lx_outlook sight, int level)
+                      const struct light_at *light, struct view_of view, int level)
 {
+    const enum lx_outlook sight = view.sight;
     const struct lx_fineness *fineness = sending->of->fineness;
-    const bool by_nodes = sight == LX_PART_SEEN && (!lx_is_polygon(sending->of->face) ||
-                                                    lx_occluder_cones_have_shapes(sending->of->cones, cell));
+    const bool by_nodes =
+        sight == LX_PART_SEEN && (!lx_is_polygon(sending->of->face) || lx_partly_have_shapes(view.partly));
     const double share = sight == LX_ALL_SEEN ? seen_share(fineness, light)
-                         : by_nodes           ? part_share(sending, cell)
+                         : by_nodes           ? part_share(sending, view.partly)
                                               : fineness->flat_part;
     const bool has_levels = level < MOST_LEVELS;
     double values[LX_RULE_NODES];
@@ -229,7 +239,7 @@ static void send_cell(const struct sending *sending, const struct lx_window *win
         return;
     if (has_levels && !(sight == LX_ALL_SEEN && sending->of->constant > 0) &&
         !(is_small(sending, cell, share) && tells_part(fineness, light, sight, by_nodes))) {
-        cut_cell(sending, window, cell, light, level);
+        cut_cell(sending, window, cell, light, view.partly, level);
         return;
     }
     if (cell != &sending->tile->cell)
@@ -238,9 +248,9 @@ static void send_cell(const struct sending *sending, const struct lx_window *win
         weigh_seen(sending, cell, values);
     } else if (by_nodes) {
         weigh_nodes_in_part(sending, cell, values);
-    } else if (!weigh_flat_part(sending, cell, values)) {
+    } else if (!weigh_flat_part(sending, cell, view.partly, values)) {
         if (has_levels)
-            cut_cell(sending, window, cell, light, level);
+            cut_cell(sending, window, cell, light, view.partly, level);
         return;
     }
     add_values(sending, window, cell, light, values);
@@ -263,12 +273,12 @@ struct lx_transfer lx_transfer_of(const struct lx_fineness *fineness, const stru
 }
 
 void lx_transfer(const struct lx_transfer *transfer, const struct lx_tile *tile, enum lx_outlook sight,
-                 struct lx_sent *sent)
+                 const struct lx_partly *partly, struct lx_sent *sent)
 {
     const struct sending sending = {.of = transfer, .tile = tile, .is_rough = tile->direct.quarters, .sent = sent};
     memset(sent, 0, sizeof *sent);
     send_cell(&sending, &tile->window, (struct lx_tile_cell *)&tile->cell,
-              &(struct light_at){&tile->direct, tile->window, true}, sight, 0);
+              &(struct light_at){&tile->direct, tile->window, true}, (struct view_of){sight, partly}, 0);
     for (int q = 0; q < LX_RULE_NODES && !sending.is_rough; q++)
         sent->direct += sent->weights[q] * tile->direct.nodes[q];
 }

@@ -31,9 +31,9 @@ struct lx_transfer {
 struct lx_transfer lx_transfer_of(const struct lx_fineness *fineness, const struct lx_receiver *receiver,
                                   const struct lx_occluder_cones *cones, const struct lx_matte_face *face);
 
-/* A tile, of which it is known how it is seen. */
+/* A tile, of which it is known how it is seen, and what hides it in part. */
 void lx_transfer(const struct lx_transfer *transfer, const struct lx_tile *tile, enum lx_outlook sight,
-                 struct lx_sent *sent);
+                 const struct lx_partly *partly, struct lx_sent *sent);
 
 /* A group that is wholly seen; false: it is too near. */
 bool lx_transfer_group(const struct lx_transfer *transfer, const struct lx_group *group, struct lx_sent *sent);

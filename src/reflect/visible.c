@@ -24,30 +24,39 @@ struct view {
     const struct lx_tile_cell *cell;
     const struct lx_occluder_cone *before[MOST_CONES];
     unsigned count;
-    double *shares;
+    double moments[LX_RULE_NODES];
+};
+
+/* Factors of the integrals of the powers of x from 0 on. */
+static const double factors[LX_ORDER] = {1, 1.0 / 2, 1.0 / 3, 1.0 / 4};
+
+/* Integrals of x^i y^j, at place 4 i + j, over all of the square from -1 to 1. */
+static const double square_moments[LX_RULE_NODES] = {
+    4, 0, 4.0 / 3, 0, 0, 0, 0, 0, 4.0 / 3, 0, 4.0 / 9, 0, 0, 0, 0, 0,
+};
+
+/* The rule's polynomials (rule.h) by powers. */
+#define APART (LX_RULE_OUTER * LX_RULE_OUTER - LX_RULE_INNER * LX_RULE_INNER)
+#define AT_OUTER (1 / (APART * 2 * LX_RULE_OUTER))
+#define AT_INNER (1 / (APART * 2 * LX_RULE_INNER))
+static const double powers[LX_ORDER][LX_ORDER] = {
+    {-LX_RULE_INNER * LX_RULE_INNER * LX_RULE_OUTER * AT_OUTER, LX_RULE_INNER *LX_RULE_INNER *AT_OUTER,
+     LX_RULE_OUTER *AT_OUTER, -AT_OUTER},
+    {LX_RULE_OUTER * LX_RULE_OUTER * LX_RULE_INNER * AT_INNER, -LX_RULE_OUTER *LX_RULE_OUTER *AT_INNER,
+     -LX_RULE_INNER *AT_INNER, AT_INNER},
+    {LX_RULE_OUTER * LX_RULE_OUTER * LX_RULE_INNER * AT_INNER, LX_RULE_OUTER *LX_RULE_OUTER *AT_INNER,
+     -LX_RULE_INNER *AT_INNER, -AT_INNER},
+    {-LX_RULE_INNER * LX_RULE_INNER * LX_RULE_OUTER * AT_OUTER, -LX_RULE_INNER *LX_RULE_INNER *AT_OUTER,
+     LX_RULE_OUTER *AT_OUTER, AT_OUTER},
 };
 
 /* ---- integrals ---- */
 
-/* Integrals from 0 to x of the rule's four polynomials. */
-static void integrate_basis(double x, double integrals[LX_ORDER])
+/* Adds integrals over a polygon, whose corners go counterclockwise, of x^i y^j at place 4 i + j; x is a share of the
+ * cell's width. */
+static void add_polygon(struct view *view, const struct polygon *polygon, double sign)
 {
-    const double outer = LX_RULE_OUTER, inner = LX_RULE_INNER, apart = outer * outer - inner * inner;
-    const double square = x * x, cube = x * (square / 3 - outer * outer),
-                 cube_within = x * (square / 3 - inner * inner);
-    const double even = square * (square / 4 - outer * outer / 2),
-                 even_within = square * (square / 4 - inner * inner / 2);
-    integrals[0] = (outer * cube_within - even_within) / (apart * 2 * outer);
-    integrals[1] = (even - inner * cube) / (apart * 2 * inner);
-    integrals[2] = (inner * cube + even) / (-apart * 2 * inner);
-    integrals[3] = (outer * cube_within + even_within) / (apart * 2 * outer);
-}
-
-/* Adds the integrals over a polygon, whose corners go counterclockwise; coordinates of the polynomials are shares of
- * the cell's width. */
-static void add_polygon(const struct view *view, const struct polygon *polygon, double sign)
-{
-    double *const shares = view->shares;
+    double *const moments = view->moments;
     for (unsigned k = 0; k < polygon->count; k++) {
         const double *from = polygon->at[k], *to = polygon->at[k + 1 < polygon->count ? k + 1 : 0];
         const double rise = sign * (to[1] - from[1]) / 2;
@@ -55,16 +64,39 @@ static void add_polygon(const struct view *view, const struct polygon *polygon, 
             continue;
         for (int p = 0; p < LX_ORDER; p++) {
             const double share = (1 + lx_rule_places[p]) / 2;
-            const double x = from[0] + share * (to[0] - from[0]), y = from[1] + share * (to[1] - from[1]);
-            const double width = lx_cell_width(view->cell, y), weight = rise * lx_rule_weights[p] * width;
-            double across[LX_ORDER], upward[LX_ORDER];
+            const double y = from[1] + share * (to[1] - from[1]);
+            const double width = view->cell->narrow == 1 ? 1 : lx_cell_width(view->cell, y);
             if (!(width > 0)) /* at the tip */
                 continue;
-            integrate_basis(x / width, across);
-            lx_rule_basis(y, upward);
-            for (int i = 0; i < LX_ORDER; i++)
-                for (int j = 0; j < LX_ORDER; j++)
-                    shares[LX_ORDER * i + j] += weight * across[i] * upward[j];
+            const double x = (from[0] + share * (to[0] - from[0])) / width;
+            const double square = y * y, cube = square * y;
+            double power = rise * lx_rule_weights[p] * width * x;
+            for (int i = 0; i < LX_ORDER; i++) {
+                double *row = moments + LX_ORDER * i;
+                const double moment = power * factors[i];
+                row[0] += moment;
+                row[1] += moment * y;
+                row[2] += moment * square;
+                row[3] += moment * cube;
+                power *= x;
+            }
+        }
+    }
+}
+
+/* The integrals of the rule's polynomials, by those of powers. */
+static void set_shares(const struct view *view, double shares[LX_RULE_NODES])
+{
+    for (int i = 0; i < LX_ORDER; i++) {
+        double row[LX_ORDER] = {0};
+        for (int k = 0; k < LX_ORDER; k++)
+            for (int l = 0; l < LX_ORDER; l++)
+                row[l] += powers[i][k] * view->moments[LX_ORDER * k + l];
+        for (int j = 0; j < LX_ORDER; j++) {
+            double sum = 0;
+            for (int l = 0; l < LX_ORDER; l++)
+                sum += powers[j][l] * row[l];
+            shares[LX_ORDER * i + j] = sum;
         }
     }
 }
@@ -121,13 +153,20 @@ static bool hide(const struct view *view, const struct lx_occluder_cone *cone, s
     return true;
 }
 
-/* Adds what is left of a polygon by the cones from `first` on: the polygon, without what each of them hides of it that
- * none of the next ones hides.  False: there are too many corners. */
-static bool add_visible(const struct view *view, const struct polygon *polygon, unsigned first, double sign)
+static bool add_hidden(struct view *view, const struct polygon *polygon, unsigned first, double sign);
+
+/* Adds what is left of a polygon by the cones from `first` on.  False: there are too many corners. */
+static bool add_visible(struct view *view, const struct polygon *polygon, unsigned first, double sign)
 {
     if (!lx_effort_take(view->cones->effort, POLYGON_EFFORT))
         return true;
     add_polygon(view, polygon, sign);
+    return add_hidden(view, polygon, first, sign);
+}
+
+/* Takes off what each of the cones hides of a polygon that none of the next ones hides. */
+static bool add_hidden(struct view *view, const struct polygon *polygon, unsigned first, double sign)
+{
     for (unsigned v = first; v < view->count; v++) {
         struct polygon hidden;
         copy(polygon, &hidden);
@@ -140,17 +179,24 @@ static bool add_visible(const struct view *view, const struct polygon *polygon, 
 }
 
 bool lx_occluder_cones_visible(const struct lx_occluder_cones *cones, const struct lx_tile_cell *cell,
-                               double shares[LX_RULE_NODES])
+                               const struct lx_partly *partly, double shares[LX_RULE_NODES])
 {
     const struct polygon whole = {4, {{-cell->narrow, -1}, {cell->narrow, -1}, {1, 1}, {-1, 1}}};
-    struct view view = {.cones = cones, .cell = cell, .shares = shares};
-    memset(shares, 0, LX_RULE_NODES * sizeof *shares);
-    for (size_t i = 0; i < cones->count; i++) {
-        if (cones->items[i].shape || lx_occluder_cone_look(cones, &cones->items[i], cell) == LX_ALL_SEEN)
+    struct view view = {.cones = cones, .cell = cell};
+    if (partly->is_all)
+        return false;
+    for (unsigned i = 0; i < partly->count; i++) {
+        if (partly->cones[i]->shape)
             continue;
         if (view.count == MOST_CONES)
             return false;
-        view.before[view.count++] = &cones->items[i];
+        view.before[view.count++] = partly->cones[i];
     }
-    return add_visible(&view, &whole, 0, 1);
+    const bool is_square = cell->narrow == 1;
+    if (is_square)
+        memcpy(view.moments, square_moments, sizeof view.moments);
+    if (!(is_square ? add_hidden(&view, &whole, 0, 1) : add_visible(&view, &whole, 0, 1)))
+        return false;
+    set_shares(&view, shares);
+    return true;
 }
