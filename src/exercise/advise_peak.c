@@ -141,7 +141,7 @@ static void advise_place(struct lx_adviser *adviser)
 
 /* ---- how much is reflected ---- */
 
-/* A material that sends back more light than falls in, which a highlight without a norm easily does. */
+/* A material over pi that sends back more light than falls in, which a highlight without a norm easily does. */
 static void advise_albedo(struct lx_adviser *adviser)
 {
     for (struct lx_scene_material at = {0}; lx_next_material(adviser->parameters, &at);) {
@@ -150,7 +150,7 @@ static void advise_albedo(struct lx_adviser *adviser)
         struct lx_material matt = *at.material;
         matt.specular = 0;
         const double diffuse = lx_material_albedo(&matt, 1), glossy = albedo - diffuse;
-        if (!(albedo > 1 + 1e-9) || !(glossy > 0))
+        if (!at.material->over_pi || !(albedo > 1 + 1e-9) || !(glossy > 0))
             continue;
         lx_advise(adviser, about_material(&at, "specular"), LX_MSG_ALBEDO_ABOVE_ONE,
                   lx_write_digits(100 * albedo, 4, number));

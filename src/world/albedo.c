@@ -45,7 +45,7 @@ static struct lx_point_value by_turn(void *data, size_t interval, double turn)
 {
     struct hemisphere *sky = data;
     struct lx_panel memory[INNER_PANELS] = {{.from = 0, .to = sky->slant}, {.from = sky->slant, .to = M_PI / 2}};
-    const unsigned first = sky->slant > 0 ? 0 : 1;
+    const size_t first = sky->slant > 0 ? (size_t)0 : (size_t)1;
     struct lx_panels panels = {memory + first, 2 - first, INNER_PANELS - first};
     const struct lx_integrand integrand = {.at = by_angle, .target = target, .data = sky};
     (void)interval;

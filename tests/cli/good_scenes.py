@@ -176,11 +176,17 @@ def _light(rng):
 
 
 def _material(rng):
-    return _some(rng, {
-        "model": lambda: rng.choice(["blinn-phong", "phong", "lambert"]),
+    material = _some(rng, {
+        "model": lambda: rng.choice(["blinn-phong", "phong", "ggx", "lambert"]),
+        "diffuse_model": lambda: rng.choice(["lambert", "oren-nayar", "eon"]),
+        "sigma": lambda: rng.choice([0, 90, rng.uniform(0, 90)]), "roughness": lambda: rng.choice([0, 1, rng.random()]),
+        "alpha": lambda: rng.choice([1, rng.uniform(1e-3, 1)]), "f0": lambda: rng.choice([0, 1, rng.random()]),
         "diffuse": lambda: _from_zero(rng), "specular": lambda: _from_zero(rng), "shininess": lambda: _above(rng),
         "ambient": lambda: _from_zero(rng), "over_pi": lambda: rng.random() < 0.5,
         "highlight": lambda: rng.choice(["plain", "gated", "cosine"]), "normalized": lambda: rng.random() < 0.5})
+    if material.get("diffuse_model") == "eon" and "diffuse" in material:
+        material["diffuse"] = min(material["diffuse"], 1)
+    return material
 
 
 def _range(rng):

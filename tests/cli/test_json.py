@@ -6,7 +6,7 @@ from tap import Tap
 from tool import SCENE, run_tests
 
 TOP = ["quantity", "unit", "resolution", "max", "min", "mean", "lit", "points"]
-POINT = ["screen", "pixel", "on_surface", "value", "pixel_value", "error", "position", "normal", "lights"]
+POINT = ["screen", "pixel", "on_surface", "value", "pixel_value", "error", "position", "normal", "albedo", "lights"]
 LIGHT = ["type", "irradiance", "diffuse", "specular", "error"]
 EXACT = [2.7275906525546927, 11.038015039262981, 1.1299660232888e-07]
 PIXELS = ["2.7488", "11.0240", "1.1835e-07"]

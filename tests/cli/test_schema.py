@@ -213,7 +213,8 @@ def random_scenes(tap, tool):
                  {"sphere": {"radius": 90, "center": [0, 0, 2490]}},
                  {"cylinder": {"radius": 90, "height": 600, "center": [0, 0, 2490], "axis": [1, 0, 0]}})]}))
     wall = {"model": "phong", "diffuse": 0.5, "specular": 0.2, "shininess": 9, "ambient": 0.1, "over_pi": True,
-            "highlight": "cosine", "normalized": True}
+            "highlight": "cosine", "normalized": True, "diffuse_model": "oren-nayar", "sigma": 12, "roughness": 0.5,
+            "alpha": 0.3, "f0": 0.5}
     made.append(("scene of a room, a box and a sphere from inside", {
         **made[-2][1], "reflections": "none",
         "grids": [{"center": [0, 0, 0], "size": [900, 600], "spacing": "en12464"}],

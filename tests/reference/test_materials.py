@@ -259,7 +259,7 @@ def check_words(tap, luxel):
     unused = [({'sigma': 30}, 'sigma has no effect'), ({'roughness': 0.5}, 'roughness has no effect'),
               ({'alpha': 0.5}, 'alpha has no effect'), ({'model': 'ggx', 'shininess': 5}, 'shininess has no effect'),
               ({'model': 'ggx', 'highlight': 'gated'}, 'highlight has no effect'),
-              ({'specular': 1.0, 'shininess': 2}, 'reflects 230 % of the light, seen straight on')]
+              ({'specular': 1.0, 'shininess': 2, 'over_pi': True}, 'reflects 230 % of the light, seen straight on')]
     for material, words in unused:
         code, out, said = tell(luxel, 'check', '-', scene=scene_of(material, [LAMP]))
         tap.ok(words in out + said, 'luxel check mentions that ' + words, out + said)

@@ -30,8 +30,9 @@ double logarithmic(struct randomness *random, double low, double high)
 
 static struct lx_material random_material(struct randomness *random)
 {
+    static const int models[] = {LX_BLINN_PHONG, LX_PHONG, LX_LAMBERT};
     return (struct lx_material){
-        .model = pick(random, 3),
+        .model = models[pick(random, 3)],
         .diffuse = pick(random, 5) ? uniform(random, 0, 1) : 0,
         .specular = uniform(random, 0, 1),
         .shininess = pick(random, 2) ? logarithmic(random, 0.1, 10000) : uniform(random, 1, 60),

@@ -54,7 +54,7 @@ static void formulas(void **unused)
 {
     static const double exponents[] = {0.5, 1, 20, 3.7, 400};
     (void)unused;
-    for (int model = LX_BLINN_PHONG; model <= LX_LAMBERT; model++)
+    for (int model = LX_BLINN_PHONG; model <= LX_LAMBERT; model += model == LX_PHONG ? LX_LAMBERT - LX_PHONG : 1)
         for (int highlight = LX_HIGHLIGHT_PLAIN; highlight <= LX_HIGHLIGHT_COSINE; highlight++)
             for (int n = 0; n < 5; n++)
                 for (double view = -80; view <= 80; view += 32)

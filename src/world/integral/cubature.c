@@ -23,7 +23,7 @@ enum {
 /* Cuts nearer to each other than this are the same one. */
 static const double NARROWEST = 1e-14;
 
-/* From which tolerance on few points do for what is hidden in part, as pictures ask for. */
+/* From which tolerance on few points do, as pictures ask for, of what they have no samples of. */
 static const double COARSE = 1e-4;
 
 /* The rounding of a whole integral, relative: sweeps are made in float64. */
@@ -509,7 +509,8 @@ struct lx_cubature lx_integrate(const struct lx_emitter *emitter, const struct l
         problem.lobe = lobe;
         problem.known = known / strength.value;
         problem.tolerance = tolerance / caution_for(lobe);
-        problem.is_coarse = (lx_is_occluded(occlusion) || lx_is_opening(emitter)) && problem.tolerance >= COARSE;
+        const bool has_samples = lx_lobe_kind_of(lobe)->power && !lx_is_occluded(occlusion) && !lx_is_opening(emitter);
+        problem.is_coarse = !has_samples && problem.tolerance >= COARSE;
         set_conditions(&problem);
         problem.kink_count = lx_lobe_kinks(lobe, &problem.at, problem.kinks);
         result.specular = lx_mul(strength, integrate(&problem, place));
