@@ -43,7 +43,7 @@ bool lx_spectrum_xy(const double power[LX_WAVELENGTHS], double xy[2])
     double xyz[3] = {0, 0, 0};
     for (int i = 0; i < LX_WAVELENGTHS; i++)
         for (int k = 0; k < 3; k++)
-            xyz[k] += power[i] * observer_table[i][k];
+            xyz[k] += power[i] * observer_table[3 * i + k];
     const double sum = xyz[0] + xyz[1] + xyz[2];
     if (!(xyz[1] > 0) || !isfinite(sum))
         return false;
@@ -69,7 +69,7 @@ bool lx_is_light(const double xy[2])
     bool is_inside = false;
     double before[2] = {0, 0};
     for (int i = -1; i < LX_WAVELENGTHS; i++) {
-        const double *xyz = observer_table[i < 0 ? LX_WAVELENGTHS - 1 : i], sum = xyz[0] + xyz[1] + xyz[2];
+        const double *xyz = &observer_table[3 * (i < 0 ? LX_WAVELENGTHS - 1 : i)], sum = xyz[0] + xyz[1] + xyz[2];
         const double at[2] = {xyz[0] / sum, xyz[1] / sum};
         if (i >= 0 && (at[1] > xy[1]) != (before[1] > xy[1])) {
             const double crossing = at[0] + (before[0] - at[0]) * (xy[1] - at[1]) / (before[1] - at[1]);

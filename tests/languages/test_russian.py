@@ -31,6 +31,7 @@ NAMES = set("""luxel YAML JSON Schema UTF png pfm npy exr csv PNG NPY PFM EXR CS
     disk-lamp box-lamp ball-lamp tube lampshade tin sundial integrating-sphere room office pot all-sources min_reached
     polar cartesian cone LORL DFF TILT NONE INCLUDE IESNA MORE TEST TESTLAB ISSUEDATE MANUFAC Lampe AG LED
     LDT ies ldt lamp
+    warm-and-cold warm cold sRGB rgb channels color grey Duv xy cct
     repeated first_line missing_points submissions asked answered tsv relative accepted pixel""".split())
 
 COMMANDS = [

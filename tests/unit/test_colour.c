@@ -26,7 +26,7 @@ static void observer_has_its_sums(void **state)
     for (int k = 0; k < 3; k++) {
         double sum = 0;
         for (int i = 0; i < LX_WAVELENGTHS; i++)
-            sum += observer_table[i][k];
+            sum += observer_table[3 * i + k];
         assert_true(fabs(sum - sums[k]) < 1e-9);
     }
 }
