@@ -516,11 +516,11 @@ class Page {
     }
 
     // The newest place that the hand points at in space.
-    private pointed: { place: Place; x: number; y: number } | null = null;
+    private pointed: { x: number; y: number } | null = null;
     private isPointing = false;
 
     private async pointInSpace(place: Place | null, x: number, y: number) {
-        this.pointed = place && { place, x, y };
+        this.pointed = place && { x, y };
         if (!place) this.readout.hidden = true;
         if (this.isPointing) return;
         this.isPointing = true;
@@ -533,26 +533,28 @@ class Page {
     }
 
     // The probe goes to where the observer sees the place; of what is hidden from it, the value as it is seen from here is told.
-    private async probeInSpace({ place, x, y }: { place: Place; x: number; y: number }) {
+    private async probeInSpace({ x, y }: { x: number; y: number }) {
         const whole = this.model.asWhole();
         if (!whole || !this.model.isCurrent(whole)) return;
         const { client, screen, scene } = this.model;
-        const seen = await client.ask('project', whole, place);
+        const here = await this.space.valueAt(x, y); // the distances of pixels are too coarse to tell places apart by
+        if (!here || here.surface === null || !this.model.isCurrent(whole) || !scene) return;
+        const seen = await client.ask('project', whole, here.position);
         const isBeside = !seen || [0, 1].some((axis) => Math.abs(seen[axis]) > screen[axis] / 2);
         const met = isBeside ? null : await client.ask('probe', whole, seen[0], seen[1]);
-        if (!this.model.isCurrent(whole) || !scene) return;
-        const off = met && met.surface !== null ? Math.hypot(...met.position.map((c, axis) => c - place[axis])) : Infinity;
+        if (!this.model.isCurrent(whole)) return;
+        const isMet = met && met.surface !== null;
+        const off = isMet ? Math.hypot(...met.position.map((c, axis) => c - here.position[axis])) : Infinity;
         if (seen && off < SAME_PLACE * Math.max(...screen)) {
             this.isReadoutOfProbe = true;
             this.picture.moveProbe(seen[0], seen[1]);
             return this.showReadout(x, y);
         }
-        const probe = await this.space.valueAt(x, y);
-        if (!probe || typeof probe.value !== 'number' || !this.model.isCurrent(whole)) return;
+        if (typeof here.value !== 'number') return;
         this.isReadoutOfProbe = false;
         const unit = scene.unit === 'relative' ? t('relative') : scene.unit;
         const partial = this.model.isPartial(whole) ? `, ${t('direct light alone')}` : '';
-        this.readout.textContent = `${exactly(probe.value, probe.error)} ${unit} (${t('not seen by the observer')}${partial})`;
+        this.readout.textContent = `${exactly(here.value, here.error)} ${unit} (${t('not seen by the observer')}${partial})`;
         this.showReadout(x, y);
     }
 

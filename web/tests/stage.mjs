@@ -93,6 +93,11 @@ async function pointsInSpace(page, tool) {
     const [{ value }] = JSON.parse(execFileSync(tool, ['probe', 'sphere', '-p', at.join(), '--json']).toString()).points;
     const text = await page.locator('.readout').textContent();
     check(text.startsWith(String(Number(value.toPrecision(6)))), `${text} instead of ${value}`);
+    // Below the ball's middle the observer sees nothing of it: the value is that towards the camera.
+    const [lowX, lowY] = await inside(page, 'space.seen([model.shapes[0].center[0], model.shapes[0].center[1], model.shapes[0].center[2] - 1.07 * model.shapes[0].radius])');
+    await page.mouse.move(left + lowX, top + lowY);
+    await page.locator('.readout', { hasText: 'not seen by the observer' }).waitFor();
+    equal(await inside(page, 'picture.probe'), at, 'the probe');
     await page.mouse.move(left + 5, top + 300);
     await page.locator('.readout').waitFor({ state: 'hidden' });
 }
