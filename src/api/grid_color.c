@@ -16,13 +16,9 @@ static size_t cells_of(const luxel_grid *grid)
 }
 
 /* Adds a number with its bound to a sum, or begins that. */
-static void add_number(const struct lx_color_part *part, bool begins, double from, double from_error, double *sum,
-                       double *error)
+static lx_bounded add_number(const struct lx_color_part *part, bool begins, lx_bounded from, lx_bounded sum)
 {
-    const lx_bounded so_far = begins ? lx_exact(0) : (lx_bounded){*sum, *error};
-    const lx_bounded total = lx_add_part(so_far, part->luminance, from, from_error);
-    *sum = total.value;
-    *error = lx_reported_error(total);
+    return lx_reported(lx_add_part(begins ? lx_exact(0) : sum, part->luminance, from.value, from.error));
 }
 
 /* Adds a part to the luminances of a grid, and to what is linear in them.  The first part is the grid itself. */
@@ -33,12 +29,15 @@ static void add_values(luxel_grid *grid, const struct lx_color_part *part, const
     double *values = (double *)grid->values, *errors = (double *)grid->errors;
     uint8_t *mask = (uint8_t *)grid->mask;
     for (size_t i = 0; i < cells_of(grid); i++) {
-        add_number(part, begins, from->values[i], from->errors[i], &values[i], &errors[i]);
+        const lx_bounded sum = add_number(part, begins, (lx_bounded){from->values[i], from->errors[i]},
+                                          (lx_bounded){values[i], errors[i]});
+        values[i] = sum.value;
+        errors[i] = sum.error;
         mask[i] = mask[i] && from->mask[i];
     }
-    add_number(part, begins, from->average, from->average_error, &grid->average, &grid->average_error);
-    add_number(part, begins, from->mean, from->mean_error, &grid->mean, &grid->mean_error);
-    add_number(part, begins, from->flux, from->flux_error, &grid->flux, &grid->flux_error);
+    grid->average = add_number(part, begins, from->average, grid->average);
+    grid->mean = add_number(part, begins, from->mean, grid->mean);
+    grid->flux = add_number(part, begins, from->flux, grid->flux);
     grid->sampling_error = (begins ? 0 : grid->sampling_error) + size * from->sampling_error;
     grid->reflected_average = (begins ? 0 : grid->reflected_average) + part->luminance * from->reflected_average;
     grid->reflected_error = (begins ? 0 : grid->reflected_error) + size * from->reflected_error;
@@ -76,10 +75,10 @@ static void finish_sum(luxel_grid *grid)
         return;
     grid->minimum = extremum_at(grid, least);
     grid->maximum = extremum_at(grid, greatest);
-    grid->has_evenness = grid->average > 0;
-    grid->u0 = grid->has_evenness ? grid->minimum.value / grid->average : 0;
+    grid->has_evenness = grid->average.value > 0;
+    grid->u0 = grid->has_evenness ? grid->minimum.value / grid->average.value : 0;
     grid->ud = grid->has_evenness ? grid->minimum.value / grid->maximum.value : 0;
-    grid->is_coarse = grid->has_sampling_error && grid->sampling_error > 0.01 * grid->average;
+    grid->is_coarse = grid->has_sampling_error && grid->sampling_error > 0.01 * grid->average.value;
 }
 
 /* Adds a part to the channels of the cells, before it is changed. */
@@ -90,7 +89,7 @@ static void add_channels(luxel_color *colors, const struct lx_color_part *part, 
             const lx_bounded so_far = {colors[i].rgb[c], colors[i].error[c]};
             const lx_bounded sum = lx_add_part(so_far, part->rgb[c], from->values[i], from->errors[i]);
             colors[i].rgb[c] = sum.value;
-            colors[i].error[c] = lx_reported_error(sum);
+            colors[i].error[c] = lx_reported(sum).error;
         }
 }
 

@@ -101,7 +101,7 @@ static void add_up_parts(const struct luxel_evaluator *evaluator, const struct l
             *value = found[i];
             value->has_value = has_value;
             value->value = has_value ? sum.value : 0;
-            value->error = has_value ? lx_reported_error(sum) : 0;
+            value->error = has_value ? lx_reported(sum).error : 0;
             for (size_t l = 0; of_lights && l < lights; l++)
                 shares[of[i] * lights + l] += part->weight * of_lights[i * lights + l];
         }

@@ -123,7 +123,7 @@ static void light_rough(const struct lx_prepared *prepared, const struct lx_elem
     struct lx_element rough = *element;
     rough.lobe = &lobe;
     const struct lx_cubature integral =
-        lx_integrate_seen(emitter, &rough, occlusion, false, 0, prepared->tolerance, NULL);
+        lx_integrate(emitter, &rough, occlusion, false, 0, prepared->tolerance, NULL);
     lighting->diffuse = integral.specular;
     lighting->parts += integral.parts;
 }
