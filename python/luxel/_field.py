@@ -47,7 +47,8 @@ class Field(Arithmetic, _luxel.FieldHandle):
     @property
     def shape(self) -> Tuple[int, ...]:
         """Rows and columns, as of the array, and 3 of a picture in colour."""
-        return memoryview(self).shape or ()
+        values: Any = self  # a buffer, which types before Python 3.12 cannot say
+        return memoryview(values).shape or ()
 
     @property
     def quantity(self) -> str:

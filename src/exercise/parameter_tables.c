@@ -132,11 +132,21 @@ static bool add_value(const struct walk *walk, struct lx_text *text, const struc
     }
 }
 
+/* Keys that are told only where a scene has them: without them all is grey, and what is no highlight Lambert's. */
+static bool goes_unsaid(const struct lx_table *table, const void *parameters, const char *name)
+{
+    static const char *const names[] = {"channels", "color", "specular_color", "diffuse_model"};
+    for (size_t i = 0; i < sizeof names / sizeof names[0]; i++)
+        if (strcmp(name, names[i]) == 0)
+            return !lx_is_given(table, parameters, name);
+    return false;
+}
+
 /* Whether a parameter says something about this scene. */
 static bool is_shown(const struct lx_table *table, const struct lx_parameter *parameter, const void *parameters)
 {
     bool given = lx_is_given(table, parameters, parameter->name);
-    if (!given && !parameter->initial)
+    if ((!given && !parameter->initial) || goes_unsaid(table, parameters, parameter->name))
         return false;
     for (size_t i = 0; i < table->rule_count; i++) {
         const struct lx_rule *rule = &table->rules[i];
@@ -286,7 +296,7 @@ void lx_add_parameter_tables(struct luxel_document *document, const struct lx_sc
             lx_text_printf(&prefix, "%s.", parameter->name);
             add_rows(&walk, prefix.bytes ? prefix.bytes : "", parameter->group, value);
             lx_text_clear(&prefix);
-        } else if (parameter->type == LX_CHOICE ||
+        } else if ((parameter->type == LX_CHOICE && !goes_unsaid(&lx_scene_table, scene, parameter->name)) ||
                    (parameter->type == LX_CHOICE_OR_WHOLE && lx_is_given(&lx_scene_table, scene, parameter->name))) {
             add_row(&walk, parameter->name, parameter, value);
         }

@@ -78,7 +78,9 @@ static const char *const NM_NAMES[] = {"nm",        "wavelength", "lambda",     
 static const char *const POWER_NAMES[] = {"power",    "value",    "intensity", "spd",        "spectral power",
                                           "relative", "radiance", "w/nm",      "irradiance", "spectral_power",
                                           "мощность", "отсчёты",  "counts",    "w/(m²·nm)",  NULL};
-static const luxel_table_column COLUMNS[] = {{LUXEL_TABLE_NUMBER, true, NM_NAMES}, {LUXEL_TABLE_NUMBER, true, POWER_NAMES}};
+static const luxel_table_column COLUMNS[] = {
+    {.type = LUXEL_TABLE_NUMBER, .is_required = true, .names = NM_NAMES},
+    {.type = LUXEL_TABLE_NUMBER, .is_required = true, .names = POWER_NAMES}};
 static const struct lx_text_table_form FORM = {.columns = COLUMNS, .count = LX_COUNT(COLUMNS)};
 
 /* A spectrum on the way from its rows to the wavelengths of the observer. */

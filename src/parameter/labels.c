@@ -70,6 +70,7 @@ static const struct {
     {"back", LX_N("back")},
     {"both", LX_N("both sides")},
     {"grey", LX_N("grey")},
+    {"rgb", LX_N("red, green and blue")},
 };
 
 const char *luxel_parameter_choice_label(const char *choice)

@@ -214,7 +214,7 @@ def random_scenes(tap, tool):
                  {"cylinder": {"radius": 90, "height": 600, "center": [0, 0, 2490], "axis": [1, 0, 0]}})]}))
     wall = {"model": "phong", "diffuse": 0.5, "specular": 0.2, "shininess": 9, "ambient": 0.1, "over_pi": True,
             "highlight": "cosine", "normalized": True, "diffuse_model": "oren-nayar", "sigma": 12, "roughness": 0.5,
-            "alpha": 0.3, "f0": 0.5}
+            "alpha": 0.3, "f0": 0.5, "color": [0.2, 0.5, 1], "specular_color": [1, 0.9, 0.1]}
     made.append(("scene of a room, a box and a sphere from inside", {
         **made[-2][1], "reflections": "none",
         "grids": [{"center": [0, 0, 0], "size": [900, 600], "spacing": "en12464"}],
@@ -223,6 +223,10 @@ def random_scenes(tap, tool):
                      {"type": "box", "center": [0, 0, 300], "size": [200, 200, 200], "materials": {
                          name: wall for name in ("left", "right", "bottom", "top", "back", "front")}},
                      {"type": "sphere", "center": [0, 0, 500], "radius": 200, "inside": True}]}))
+    tool.write("lamp-spectrum.csv", "nm,power\n" + "".join("%d,1\n" % nm for nm in range(400, 701, 20)))
+    made.append(("scene in colour", {**made[-1][1], "channels": "rgb", "lights": [
+        {"type": "point", "position": [0, 0, 1500 + 10 * i], "color": {key: value}} for i, (key, value) in enumerate({
+            "temperature": 2700, "xy": [0.4, 0.4], "rgb": [1, 0.5, 0.1], "spectrum": "lamp-spectrum.csv"}.items())]}))
     used = set()
     for title, scene in made:
         complaints = judges.complaints(scene)
