@@ -222,11 +222,11 @@ def random_scenes(tap, tool):
             name: wall for name in ("left", "right", "floor", "ceiling", "back", "front")}},
                      {"type": "box", "center": [0, 0, 300], "size": [200, 200, 200], "materials": {
                          name: wall for name in ("left", "right", "bottom", "top", "back", "front")}},
-                     {"type": "sphere", "center": [0, 0, 500], "radius": 200, "inside": True}]}))
+                     {"type": "sphere", "center": [0, 0, 500], "radius": 200, "inside": True, "material": wall}]}))
     tool.write("lamp-spectrum.csv", "nm,power\n" + "".join("%d,1\n" % nm for nm in range(400, 701, 20)))
     made.append(("scene in colour", {**made[-1][1], "channels": "rgb", "lights": [
-        {"type": "point", "position": [0, 0, 1500 + 10 * i], "color": {key: value}} for i, (key, value) in enumerate({
-            "temperature": 2700, "xy": [0.4, 0.4], "rgb": [1, 0.5, 0.1], "spectrum": "lamp-spectrum.csv"}.items())]}))
+        {"type": "point", "position": [0, 0, 1500], "intensity": 5, "color": color} for color in (
+            {"temperature": 2700}, {"xy": [0.4, 0.4]}, {"rgb": [1, 0.5, 0.1]}, {"spectrum": "lamp-spectrum.csv"})]}))
     used = set()
     for title, scene in made:
         complaints = judges.complaints(scene)

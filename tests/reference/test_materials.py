@@ -210,7 +210,7 @@ def check_lamps(tap, luxel, random, count):
         found = luxel.probe(scene, points, accept=(0, 5))['points']
         for point in found:
             value, coarse = (lamp_sum(material, np.array(point['position']), steps) for steps in (500, 250))
-            doubt = abs(value - coarse) + 1e-6 * value  # more than the sum is off, by whose horizon the lamp is cut, too
+            doubt = abs(value - coarse) + 1e-6 * value  # the horizon may cut the lamp
             off += [(scene, point, value)] * (not abs(point['value'] - value) <= point['error'] + doubt)
         for places in (scene, {**scene, 'surfaces': scene['surfaces'] + [plate]}):
             fine = luxel.probe(places, points, options=['--tolerance', '1e-8'], accept=(0, 5))['points']
