@@ -53,7 +53,8 @@ static void refused(void **state)
         assert_false(value.on_surface);
     }
     for (int type = LUXEL_REGION_ALL; type <= LUXEL_REGION_CIRCLE; type++) {
-        const luxel_region region = {.type = (luxel_region_type)type, .size_mm = {9, 9}, .radius_mm = 9, .reserved = {[3] = state}};
+        const luxel_region region = {
+            .type = (luxel_region_type)type, .size_mm = {9, 9}, .radius_mm = 9, .reserved = {[3] = state}};
         luxel_summary summary;
         luxel_extrema extrema;
         luxel_histogram *histogram;
