@@ -308,7 +308,7 @@ export class Form {
         return this.kinds.find((kind) => kind.list === list && kind.name === type)?.label ?? type;
     }
 
-    // Of two keys of a thing that are called the same, that of a part of it is told with the part: "Axis, rectangle".
+    // A key of a part of a thing is told with the part, "Axis, rectangle", where another key of the thing is called the same.
     private told(path: string, key: Key, all: Entry[]): Key {
         const [, part] = /^\w+\[\d+\]\.(\w+)\./.exec(path) ?? [];
         if (!part || !all.some((other) => other.path !== path && other.key.label === key.label)) return key;

@@ -75,6 +75,7 @@ export class Layout {
     private main = h('main');
     private stage = h('section');
     private edit = h('aside');
+    private partial = h('p');
     private cameras!: Choice<Camera>;
     private tabs!: Choice<Tab>;
     private charts!: Choice<Layout['strip']>;
@@ -104,6 +105,7 @@ export class Layout {
             'Below the stage',
             (chart) => this.chart(chart),
         );
+        this.partial = h('p', { class: 'partial', hidden: true }, t('direct light alone'));
         const caption = (camera: Camera, words: string, ...rest: HTMLElement[]) =>
             h(
                 'button',
@@ -120,6 +122,7 @@ export class Layout {
                 { class: 'view of-space' },
                 h('h2', { class: 'unseen' }, t('Space view')),
                 parts.space,
+                this.partial,
             ),
             h(
                 'div',
@@ -200,10 +203,11 @@ export class Layout {
         this.show();
     }
 
-    /** Offers the balance of the flux where there is one. */
-    offerBalance(isThere: boolean) {
-        this.charts.hide('balance', !isThere);
-        if (!isThere && this.strip === 'balance') this.chart('section');
+    /** Offers the balance of the flux where surfaces reflect light, and says that space is lit by the lamps alone. */
+    tellReflections(areThere: boolean) {
+        this.charts.hide('balance', !areThere);
+        this.partial.hidden = !areThere;
+        if (!areThere && this.strip === 'balance') this.chart('section');
     }
 
     /** The pixels of the picture, in its caption. */

@@ -293,7 +293,7 @@ class Page {
         ];
         this.app.replaceChildren(...parts.filter((part) => part !== null));
         this.stale.textContent = t('The scene has errors. What is dimmed is of the last scene without errors.');
-        this.offerBalance();
+        this.tellReflections();
         this.showHistory();
     }
 
@@ -329,8 +329,8 @@ class Page {
         else this.picture.zoomBy(factor);
     }
 
-    private offerBalance() {
-        this.layout.offerBalance(!!this.model.whole?.reflects);
+    private tellReflections() {
+        this.layout.tellReflections(!!this.model.whole?.reflects);
     }
 
     private header(): HTMLElement {
@@ -386,6 +386,8 @@ class Page {
         this.stale.hidden = true;
         this.app.classList.remove('is-stale');
         this.app.dataset.stride = '0';
+        this.dial.element.hidden = true; // its range and unit were those of the picture before
+        this.layout.tellSize('');
         for (const input of [this.low, this.high]) if (!this.picture.scale.locked) showIn(input, '');
         this.compare.tell();
         this.messages.show();
@@ -450,7 +452,7 @@ class Page {
     }
 
     private geometryChanged() {
-        this.offerBalance();
+        this.tellReflections();
         this.space.geometryChanged();
         this.showChosen();
         this.picture.geometryChanged();
@@ -506,6 +508,7 @@ class Page {
             [this.high, scale.high],
         ] as const)
             showIn(input, number(value, 4));
+        this.dial.element.hidden = !this.model.picture;
         this.dial.draw(scale);
         this.keepAddress();
         this.statistics.show();

@@ -132,7 +132,8 @@ async function flies(page) {
 /** Nothing of the scene before is on the stage, at any moment. */
 async function belongs(page) {
     const wrong = await page.evaluate(async () => {
-        const { model, space, open, builtins } = window.luxel.inside;
+        const { model, space, dial, open, builtins } = window.luxel.inside;
+        const size = document.querySelector('.caption-of-view .dim');
         const seen = [];
         for (const name of ['room', 'sphere', 'desk', 'room', 'spot']) {
             open(builtins.find((each) => each.name === name).text);
@@ -140,12 +141,27 @@ async function belongs(page) {
                 await new Promise((resolve) => setTimeout(resolve, 25));
                 const { made } = space.stage;
                 if (made && made.of.scene !== model.version.scene) seen.push(name);
+                if (!model.picture && (!dial.element.hidden || size.textContent)) seen.push(`the range or the size before ${name}`);
             }
         }
         return seen;
     });
     equal(wrong, [], 'scenes under which another one was shown');
     await until(page, `model.isSettled && ${CURRENT}`);
+}
+
+/** Where surfaces reflect light the stage says that it has direct light alone. */
+async function saysWhatIsMissing(page) {
+    const note = page.locator('.of-space .partial');
+    await openScene(page, 'sphere');
+    check(await note.isHidden(), 'a note beside all the light there is');
+    await page.evaluate(() => {
+        const { builtins, open } = window.luxel.inside;
+        open(builtins.find(({ name }) => name === 'room').text.replace('luxel: 1', 'luxel: 1\nreflections: 1'));
+    });
+    await note.waitFor(); // while all light is still being computed, too
+    equal(await note.textContent(), 'direct light alone', 'the note');
+    await shot(page, 'stage-reflections');
 }
 
 async function hasRoom(browser, url) {
@@ -224,6 +240,7 @@ export async function stage(browser, url, tool) {
     await test('the camera takes all of the scene, on its feet', () => fits(page));
     await test('a hand in space is told the value there', () => pointsInSpace(page, tool));
     await test('cameras fly, wheel and keys zoom', () => flies(page));
+    await test('the stage says that it lacks reflected light', () => saysWhatIsMissing(page));
     await test('the stage shows no other scene', () => belongs(page));
     await test('no fault was reported on the stage', () => equal(page.faults, [], 'faults'));
     await page.context().close();
