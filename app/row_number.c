@@ -75,7 +75,9 @@ static void refuse(AppRow *self, const char *typed)
         text = isinf(self->legal.high)
                    ? g_strdup_printf(self->legal.low_open ? _("must be above %s") : _("must be at least %s"), low)
                    /* TRANSLATORS: the bounds of what is allowed */
-                   : g_strdup_printf(_("must be from %s to %s"), low, high);
+                   : g_strdup_printf(self->legal.low_open ? _("must be above %s and at most %s")
+                                                          : _("must be from %s to %s"),
+                                     low, high);
     }
     self->is_wrong = TRUE;
     app_row_note(self, text, TRUE);

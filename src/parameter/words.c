@@ -36,9 +36,13 @@ void lx_add_range(struct lx_text *text, const struct lx_interval *range, const c
         lx_add_phrase(text, LX_N("any"), NULL);
     } else if (range->low == range->high) {
         add_number(text, range->low);
-    } else if (isinf(range->high)) {
+    } else if (isinf(range->high) || range->low_open) {
         lx_text_puts(text, range->low_open ? "> " : "≥ ");
         add_number(text, range->low);
+        if (!isinf(range->high)) {
+            lx_text_puts(text, ", ≤ ");
+            add_number(text, range->high);
+        }
     } else {
         char low[LX_NUMBER_SIZE], high[LX_NUMBER_SIZE];
         lx_add_phrase(text, LX_N("{0} to {1}"),

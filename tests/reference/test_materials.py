@@ -249,7 +249,7 @@ def tell(luxel, *words, scene=None):
 
 def check_words(tap, luxel):
     """Errors name the key and what is allowed, and advice what has no effect, or reflects too much."""
-    wrong = [({'model': 'ggx', 'alpha': 0}, 'alpha'), ({'model': 'ggx', 'f0': 1.5}, 'f0'),
+    wrong = [({'model': 'ggx', 'alpha': 0}, 'alpha must be > 0, ≤ 1, not 0'), ({'model': 'ggx', 'f0': 1.5}, 'f0'),
              ({'diffuse_model': 'oren-nayar', 'sigma': 91}, 'sigma'), ({'diffuse_model': 'eon', 'roughness': -1},
                                                               'roughness'),
              ({'diffuse_model': 'eon', 'diffuse': 1.25}, 'diffuse is 1.25: diffuse_model: eon reflects between'),
