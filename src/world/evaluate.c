@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "../base/memory.h"
+#include "../scene/colours.h"
 #include "../surface/surface.h"
 
 lx_bounded lx_received_value(const struct lx_received *received, luxel_quantity quantity, size_t i)
@@ -86,17 +87,20 @@ static void add_up_parts(const struct luxel_evaluator *evaluator, const struct l
     double *of_lights = shares ? lx_new_array(LX_BATCH * lights, sizeof *of_lights) : NULL;
     for (size_t i = 0; i < elements->count; i++) {
         places[i] = i;
+        values[of[i]] = (luxel_value){0};
         for (size_t l = 0; shares && l < lights; l++)
             shares[of[i] * lights + l] = 0;
     }
+    if (shares && !of_lights)
+        return; /* memory ran out: no values, rather than values with wrong shares */
     for (size_t p = 0; p < evaluator->part_count; p++) {
         const struct lx_evaluator_part *part = &evaluator->parts[p];
         own.lobe = lobe_in(&part->evaluator->prepared, &evaluator->prepared, elements->lobe);
         lx_evaluate_elements(part->evaluator, &own, asking, places, found, of_lights);
         for (size_t i = 0; i < elements->count; i++) {
             luxel_value *value = &values[of[i]];
-            const lx_bounded sum = lx_add(p > 0 ? (lx_bounded){value->value, value->error} : lx_exact(0),
-                                          lx_mul(lx_exact(part->weight), (lx_bounded){found[i].value, found[i].error}));
+            const lx_bounded sum = lx_add_part((lx_bounded){value->value, value->error}, part->weight, found[i].value,
+                                               found[i].error);
             const bool has_value = found[i].has_value && (p == 0 || value->has_value);
             *value = found[i];
             value->has_value = has_value;
