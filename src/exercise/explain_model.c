@@ -335,7 +335,7 @@ static void name_alike(struct luxel_document *document, const struct lx_scene_pa
 static void explain_material(struct luxel_document *document, const struct lx_material *material)
 {
     const struct lx_lobe_kind *kind = lx_lobe_kinds[material->model];
-    const struct lx_lobe_kind *diffuse = lx_lobe_kinds[LX_LAMBERT + material->diffuse_model];
+    const struct lx_lobe_kind *diffuse = lx_diffuse_kind_of(material);
     const bool is_normalized = material->normalized && kind->words.normalized;
     const char *words = is_normalized ? kind->words.normalized : kind->words.brightness;
     const char *lambertian = material->diffuse_model != 0 ? strstr(words, KD) : NULL;

@@ -80,6 +80,7 @@ static double log_value(const struct lx_lobe *lobe, const struct lx_lobe_at *at,
 }
 
 const struct lx_lobe_kind lx_eon_lobe = {
+    .most_diffuse = 1, /* multiple scattering adds up only where less is sent back than falls in */
     .words =
         {
             .definition = LX_ROUGH_SLOPE ", \\qquad q = \\frac{\\max(0, s)}{\\max(\\mathbf{N} \\cdot \\mathbf{L}, "

@@ -52,6 +52,11 @@ static void prepare_diffuse(const struct lx_material *material, struct lx_lobe *
         lobe->diffuse_own[i] = rough.own[i];
 }
 
+const struct lx_lobe_kind *lx_diffuse_kind_of(const struct lx_material *material)
+{
+    return lx_lobe_kinds[LX_LAMBERT + material->diffuse_model];
+}
+
 struct lx_lobe lx_lobe_prepare(const struct lx_material *material)
 {
     const struct lx_lobe_kind *kind = lx_lobe_kinds[material->model];

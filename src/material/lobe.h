@@ -93,6 +93,9 @@ struct lx_lobe_kind {
     /* Whether all that it reflects but f is Lambert's with the reflectance kd, so that reflections know it. */
     bool is_lambertian;
 
+    /* The greatest kd that a diffuse model has a meaning for; 0: any. */
+    double most_diffuse;
+
     /* Changes what is otherwise than p kd, p ks c, p ka, n and w of the material, which stand there.  NULL: nothing. */
     void (*prepare)(const struct lx_material *material, struct lx_lobe *lobe);
 
@@ -137,6 +140,9 @@ static inline const struct lx_power_lobe *lx_power_lobe_of(enum lx_model model)
 {
     return lx_lobe_kinds[model]->power;
 }
+
+/* The operations of a material's diffuse model, Lambert's too. */
+const struct lx_lobe_kind *lx_diffuse_kind_of(const struct lx_material *material);
 
 struct lx_lobe lx_lobe_prepare(const struct lx_material *material);
 

@@ -4,6 +4,7 @@
 #include "../base/number.h"
 #include "../parameter/check.h"
 #include "../parameter/words.h"
+#include "lobe.h"
 #include "material.h"
 
 #define LX_NAME_MODEL(number, lobe, name) name,
@@ -173,12 +174,12 @@ static const struct lx_rule material_rules[] = {
     {LX_RULE_USED, "normalized", "model", "blinn-phong|phong"},
 };
 
-/* Multiple scattering adds up only where less is sent back than falls in. */
 static void check_material(const struct lx_check *check, void *parameters)
 {
     const struct lx_material *material = parameters;
     char number[LX_NUMBER_SIZE];
-    if (material->diffuse_model == LX_EON - LX_LAMBERT && material->diffuse > 1)
+    const double most = lx_diffuse_kind_of(material)->most_diffuse;
+    if (most > 0 && material->diffuse > most)
         lx_check_report(check, "diffuse", LX_ALL_OF_IT, LX_MSG_EON_ABOVE_ONE,
                         (const char *const[]){lx_write_number(material->diffuse, number), NULL});
 }
