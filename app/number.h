@@ -37,7 +37,7 @@ const char *app_number_mark(char *text);
 const char *app_number_show(double value, int digits, char text[APP_NUMBER_SIZE]);
 const char *app_number_show_all(double value, char text[APP_NUMBER_SIZE]);
 
-/* What stands between numbers that are shown: ", ", or "; " where the mark is a comma. */
+/* The separator of numbers that are shown: ", ", or "; " where the mark is a comma. */
 const char *app_number_separator(void);
 
 /*

@@ -28,7 +28,7 @@ enum bench_view {
 };
 
 /*
- * What is measured: a sphere that fills the picture, under so many equal lights on a ring.  `operations` are the
+ * A case is a sphere that fills the picture, under so many equal lights on a ring.  `operations` are the
  * vector operations that the kernel needs for a vector of elements and a light (docs/KERNELS.md counts them); 0: not
  * counted, as it depends on the elements.
  */

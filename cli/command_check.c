@@ -19,7 +19,7 @@ static void print_text(const struct loaded *loaded, const struct meshes *meshes,
     message_diagnostics(stdout, loaded->diagnostics, LUXEL_SEVERITY_ADVICE, LUXEL_SEVERITY_ADVICE);
 }
 
-/* Of the scene's grids or lights, one a line; those without are left out. */
+/* Prints the names of the scene's grids or lights, one a line; those without one are left out. */
 static void print_names(const luxel_scene *scene, bool of_grids)
 {
     const size_t count = of_grids ? luxel_scene_grid_count(scene) : luxel_scene_light_count(scene);

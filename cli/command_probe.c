@@ -14,7 +14,7 @@
 #include "standard_output.h"
 #include "text.h"
 
-/* So many points are told light by light, and so many of more with their values alone. */
+/* The most points that are told light by light, and the most of which the values alone are told. */
 enum { MOST_IN_DETAIL = 100, MOST_LINES = 1000 };
 
 /* "lights[0] window" */

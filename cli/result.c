@@ -136,7 +136,7 @@ static void write_share(struct json *json, const struct light_strengths *lights,
     json_close(json, '}');
 }
 
-/* Of more places than these none is told: it is an integral for each. */
+/* The most places whose albedo is told, as it is an integral for each. */
 enum { MOST_ALBEDOS = 1000 };
 
 static void write_number_if(struct json *json, const char *key, bool exists, double value)

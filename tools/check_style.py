@@ -95,7 +95,7 @@ def main():
         layouts += ["%s: %s" % (path, fault) for fault in layout_faults(text)]
         if path.startswith("src" + os.sep):
             calls += ["%s: %s" % (path, fault) for fault in forbidden_calls(text)]
-            beginnings += ["%s: %s" % (path, match) for match in BEGINNING.findall(text)]
+        beginnings += ["%s: %s" % (path, match) for match in BEGINNING.findall(text)]
     tap.ok(not heads, "every file has its licence line and says what it is for", *heads)
     tap.ok(not lengths, "no file is longer than %d lines" % LONGEST, *lengths)
     tap.ok(not layouts, "no line is wider than %d columns, has tabs or ends with blanks" % WIDEST, *layouts)

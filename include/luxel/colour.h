@@ -27,7 +27,7 @@ typedef struct luxel_color {
     double error[3]; /* bounds |channel - truth| */
 } luxel_color;
 
-/* What channels say as a colour. */
+/* The colour that channels mean. */
 typedef struct luxel_chromaticity {
     double xyz[3]; /* X, Y, Z */
     bool has_xy;   /* false where the luminance is 0; then the rest is 0 */
@@ -50,7 +50,7 @@ LUXEL_API void luxel_xy_to_rgb(const double xy[2], double rgb[3]);
 /* The chromaticity of a black body with this temperature, above 0. */
 LUXEL_API void luxel_planck_xy(double kelvin, double xy[2]);
 
-/* What a display with sRGB's curve shows of a channel from 0 to 1: 0 to 1. */
+/* The curve of sRGB: the level, 0 to 1, by which a display shows a channel from 0 to 1. */
 LUXEL_API double luxel_srgb_curve(double channel);
 
 /* Whether a committed scene has channels: rgb, so that its values have a color. */

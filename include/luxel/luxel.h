@@ -11,10 +11,10 @@
  *
  * Link with pkg-config's `luxel`.  The library keeps no global state, prints nothing and never exits.
  *
- * What holds everywhere:
+ * Rules that hold everywhere:
  *
  * Names.  luxel_find_X() finds a luxel_X or fills in one of the caller's; luxel_X_free() frees what the library made.
- * What belongs to one object begins with the object's name.
+ * Functions of one object begin with its name.
  *
  * Growth.  A program need not be compiled anew for a later version.  What the library makes and hands out by a pointer,
  * one at a time (luxel_probe, luxel_grid, what a _get() returns), may get members behind its last one: it is neither

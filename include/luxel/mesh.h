@@ -39,7 +39,7 @@ typedef struct luxel_mesh_survey {
  */
 LUXEL_API luxel_status luxel_scene_surface_mesh(const luxel_scene *scene, size_t i, bool *is_mesh,
                                                 luxel_mesh_survey *survey);
-/* The same of light i, whose body it is. */
+/* The mesh that is the body of light i, likewise. */
 LUXEL_API luxel_status luxel_scene_light_mesh(const luxel_scene *scene, size_t i, bool *is_mesh,
                                               luxel_mesh_survey *survey);
 

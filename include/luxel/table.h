@@ -72,7 +72,7 @@ LUXEL_API bool luxel_table_next(luxel_table *table, const luxel_table_row **row)
 
 /*
  * Where a field of the row stands, for messages of the caller's: line and column from 1, the column in characters.
- * Of a column that the table does not have: the beginning of the row.  Of an array the number of the row, and 1.
+ * A column that the table does not have stands at the beginning of the row; in an array it is the row's number, and 1.
  */
 LUXEL_API void luxel_table_place(const luxel_table *table, size_t column, unsigned *line, unsigned *place);
 

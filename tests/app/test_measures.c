@@ -374,7 +374,7 @@ static void answers_the_newest_question(void **state)
     app_shot_unref(shots[1]);
 }
 
-/* Of surfaces that reflect light the balance follows the statistics, with the library's numbers. */
+/* The balance of surfaces that reflect light follows the statistics, with the library's numbers. */
 static void finds_the_balance(void **state)
 {
     (void)state;

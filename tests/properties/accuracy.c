@@ -5,7 +5,7 @@
 #include "properties.h"
 #include "truth.h"
 
-/* So many pixels are looked at: few under extended sources, whose exact values take long, with highlights a thousand
+/* The pixels that are looked at: few under extended sources, whose exact values take long, with highlights a thousand
  * times as long. */
 enum { MOST_PIXELS = 100, FEWER_PIXELS = 20, DEAR_PIXELS = 2 };
 

@@ -31,7 +31,7 @@ luxel_scene *trial_scene_of(const struct draft *draft);
 luxel_settings trial_settings(luxel_precision precision);
 /* A picture, to be freed; NULL where a value is beyond the precision. */
 luxel_field *trial_render(const luxel_scene *scene, const luxel_settings *settings);
-/* The same of a draft. */
+/* The picture of a draft, likewise to be freed. */
 luxel_field *trial_render_draft(const struct draft *draft, const luxel_settings *settings);
 
 /* The scene's picture by the usual settings, kept with the trial; NULL where a value is beyond the precision. */

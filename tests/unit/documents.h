@@ -21,7 +21,7 @@ extern const char *const documents_formulas[];
 /* A document with a block of every type; NULL when memory is short. */
 struct luxel_document *documents_everything(const luxel_language *language);
 
-/* The same words of a user in every place that takes words. */
+/* A document with these words of a user in every place that takes words. */
 struct luxel_document *documents_hostile_one(const char *words);
 
 /* So long that it takes pages: paragraphs, a table of `rows` rows, long formulas, code. */

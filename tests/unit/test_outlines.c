@@ -213,7 +213,7 @@ static bool is_bent(double height)
     return try_square((places)corners, 4, &count).fault == LX_SHAPE_NOT_FLAT;
 }
 
-/* The same of a rhombus that is 10 long and 4 wide, told from the corner `first_corner` on. */
+/* The corner from which on a rhombus is told that is 10 long and 4 wide and bent likewise. */
 static size_t first_corner;
 
 static bool is_rhombus_bent(double height)
