@@ -5,6 +5,8 @@
 #include <math.h>
 #include <string.h>
 
+#include <luxel/bounded.h>
+
 /* Blanks that people put between groups of digits: the plain one and those of typography. */
 static gsize blank_at(const char *text)
 {
@@ -114,6 +116,11 @@ const char *app_number_show(double value, int digits, char text[APP_NUMBER_SIZE]
     return app_number_mark(text);
 }
 
+const char *app_bound_show(double error, int digits, char text[APP_NUMBER_SIZE])
+{
+    return app_number_show(luxel_round_bound(error, digits), digits, text);
+}
+
 const char *app_number_show_all(double value, char text[APP_NUMBER_SIZE])
 {
     app_number_write(value, text);
@@ -153,10 +160,8 @@ const char *app_amount_write(double value, double error, char text[APP_AMOUNT_SI
     char number[APP_NUMBER_SIZE], bound[APP_NUMBER_SIZE];
     const double last = error > 0 ? pow(10, floor(log10(error)) - 1) : 0;
     app_number_round(last > 0 ? round(value / last) * last : value, DIGITS, number);
-    const double whole = error + fabs(g_ascii_strtod(number, NULL) - value);
-    const double grain = whole > 0 ? pow(10, floor(log10(whole)) - 1) : 0;
-    app_number_round(grain > 0 ? ceil(whole / grain * (1 - 1e-12)) * grain : 0, 2, bound);
-    g_snprintf(text, APP_AMOUNT_SIZE, "%s ± %s", app_number_mark(number), app_number_mark(bound));
+    app_bound_show(error + fabs(g_ascii_strtod(number, NULL) - value), 2, bound);
+    g_snprintf(text, APP_AMOUNT_SIZE, "%s ± %s", app_number_mark(number), bound);
     return text;
 }
 

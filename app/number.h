@@ -35,6 +35,8 @@ const char *app_number_mark(char *text);
 
 /* As app_number_round() and app_number_write(), to be shown. */
 const char *app_number_show(double value, int digits, char text[APP_NUMBER_SIZE]);
+/* A bound of an error to be shown, rounded up so that it still is one. */
+const char *app_bound_show(double error, int digits, char text[APP_NUMBER_SIZE]);
 const char *app_number_show_all(double value, char text[APP_NUMBER_SIZE]);
 
 /* The separator of numbers that are shown: ", ", or "; " where the mark is a comma. */

@@ -88,7 +88,7 @@ static void show_point(AppNumbers *self, const AppPoint *point, guint row)
         app_numbers_set_number(value, point->value);
     else
         app_numbers_set_text(value, "–");
-    g_snprintf(text, sizeof text, "± %s", app_number_show(point->error, 1, x));
+    g_snprintf(text, sizeof text, "± %s", app_bound_show(point->error, 1, x));
     gtk_widget_set_tooltip_text(value, point->has_value ? text : NULL);
     name_cell(value, _("value"), row);
     if (point->has_pixel)

@@ -119,7 +119,7 @@ static void show_reflected(AppNumbers *self, const luxel_statistics *statistics,
     const gboolean is_missed = !statistics->reflected_reached;
     GtkWidget *label = self->lines[LINE_REFLECTED];
     choose_line(self, LINE_REFLECTED, statistics->has_reflected && !is_difference);
-    g_snprintf(text, sizeof text, "%s %%%s", app_number_show(100 * statistics->reflected_error, 2, number),
+    g_snprintf(text, sizeof text, "%s %%%s", app_bound_show(100 * statistics->reflected_error, 2, number),
                is_missed ? " ⚠" : "");
     app_numbers_set_text(label, text);
     gtk_widget_set_tooltip_text(label, is_missed ? _("Less exact than it should be: many surfaces stand close to each "

@@ -104,7 +104,7 @@ void app_window_rest(AppWindow *self)
     }
     char share[APP_NUMBER_SIZE];
     char *text = g_strdup_printf(_("Reflected light is less exact than it should be: within %s %% of the maximum"),
-                                 app_number_show(100 * statistics->reflected_error, 2, share));
+                                 app_bound_show(100 * statistics->reflected_error, 2, share));
     gtk_label_set_text(GTK_LABEL(self->status_label), text);
     g_free(text);
 }

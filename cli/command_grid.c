@@ -354,7 +354,7 @@ static void add_peak(struct text_table *table, const char *name, const luxel_gri
 
     if (peak->exists)
         text_table_row(table, TEXT_CELLS(name, text_bounded(value, 6, peak->value, peak->error),
-                                         text_format(cell, "± %s", text_bound(bound, peak->value, peak->error)),
+                                         text_format(cell, "± %s", text_bound(bound, 6, peak->value, peak->error)),
                                          text_lengths(peak->position_mm, 3, position)));
 }
 
@@ -364,7 +364,7 @@ static void add_bounded(struct text_table *table, const char *name, double value
     char number[TEXT_SIZE], bound[TEXT_SIZE], cell[TEXT_SIZE];
 
     text_table_row(table, TEXT_CELLS(name, text_bounded(number, 9, value, error),
-                                     text_format(cell, "± %s", text_bound(bound, value, error)), ""));
+                                     text_format(cell, "± %s", text_bound(bound, 9, value, error)), ""));
 }
 
 /* How far the average of the values is from the mean over the plane. */
@@ -373,11 +373,13 @@ static void add_sampling(struct text_table *table, const luxel_grid *grid)
     const double size = fabs(grid->has_mean ? grid->mean.value : grid->average.value);
     char number[TEXT_SIZE], share[TEXT_SIZE];
 
-    text_table_row(
-        table, TEXT_CELLS(grid->sampling_is_bound ? _("average of the values off the mean by at most")
-                                                  : _("average of the values off the mean by about"),
-                          text_error(grid->sampling_error, number),
-                          size > 0.0 ? text_format(share, "%.2g %%", 100.0 * grid->sampling_error / size) : "", ""));
+    text_table_row(table, TEXT_CELLS(grid->sampling_is_bound ? _("average of the values off the mean by at most")
+                                                             : _("average of the values off the mean by about"),
+                                     text_error(grid->sampling_error, number),
+                                     size > 0.0 ? text_format(share, "%.2g %%",
+                                                              luxel_round_bound(100.0 * grid->sampling_error / size, 2))
+                                                : "",
+                                     ""));
 }
 
 static void print_statistics(const luxel_grid *grid, const luxel_grid_extrema *extrema)

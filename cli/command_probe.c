@@ -58,10 +58,11 @@ static void print_shares(const luxel_scene *scene, const luxel_probe *probe)
         char irradiance[TEXT_SIZE], value[TEXT_SIZE], error[TEXT_SIZE];
 
         text_table_row(
-            table, TEXT_CELLS(_("reflected"), "",
-                              text_bounded(irradiance, 12, probe->reflected_irradiance, probe->reflected.error * share),
-                              text_bounded(value, 12, probe->reflected.value, probe->reflected.error), "",
-                              text_bound(error, probe->reflected.value, probe->reflected.error), split ? "" : NULL));
+            table,
+            TEXT_CELLS(_("reflected"), "",
+                       text_bounded(irradiance, 12, probe->reflected_irradiance, probe->reflected.error * share),
+                       text_bounded(value, 12, probe->reflected.value, probe->reflected.error), "",
+                       text_bound(error, 12, probe->reflected.value, probe->reflected.error), split ? "" : NULL));
     }
     text_table_print(table, stdout, 4);
 }
@@ -161,7 +162,7 @@ static void print_lines(const struct result *result)
         if (probe->has_value)
             text_table_row(table, TEXT_CELLS(result_point_name(result, i, name),
                                              text_bounded(value, 12, probe->value, probe->error),
-                                             text_bound(error, probe->value, probe->error)));
+                                             text_bound(error, 12, probe->value, probe->error)));
         else
             text_table_line(table, result_no_value(result, i, value));
     }

@@ -88,7 +88,7 @@ static void add_point(struct text_table *table, const struct result *result, siz
         text_format(pixel, "%s", _("off the screen"));
     text_table_row(table,
                    TEXT_CELLS(name, text_bounded(value, 12, probe->value, probe->error),
-                              text_bound(error, probe->value, probe->error),
+                              text_bound(error, 12, probe->value, probe->error),
                               probe->has_pixel_value ? text_value(pixel_value, 6, probe->pixel_value) : "", pixel));
 }
 

@@ -97,12 +97,10 @@ const char *text_bounded(char buffer[TEXT_SIZE], unsigned usual, double value, d
     return text_format(buffer, "%.*g", digits < (int)usual ? digits : (int)usual, value);
 }
 
-const char *text_bound(char buffer[TEXT_SIZE], double value, double error)
+const char *text_bound(char buffer[TEXT_SIZE], unsigned usual, double value, double error)
 {
-    enum { MOST_DIGITS = 17 };
-
     if (isfinite(value) && isfinite(error))
-        error += fabs(strtod(text_bounded(buffer, MOST_DIGITS, value, error), NULL) - value);
+        error += fabs(strtod(text_bounded(buffer, usual, value, error), NULL) - value);
     return text_error(error, buffer);
 }
 
@@ -111,7 +109,7 @@ const char *text_value_bound(char buffer[TEXT_SIZE], unsigned usual, double valu
     char bounded[TEXT_SIZE], bound[TEXT_SIZE];
 
     text_bounded(bounded, usual, value, error);
-    text_bound(bound, value, error);
+    text_bound(bound, usual, value, error);
     return strcmp(bound, "0") == 0 ? text_format(buffer, "%s", bounded)
                                    : text_format(buffer, "%s ± %s", bounded, bound);
 }
@@ -123,7 +121,7 @@ const char *text_unit(const char *unit)
 
 const char *text_error(double error, char buffer[TEXT_SIZE])
 {
-    return text_format(buffer, error > 0.0 ? "%.1e" : "%.0f", error);
+    return text_format(buffer, error > 0.0 ? "%.1e" : "%.0f", luxel_round_bound(error, 2));
 }
 
 void text_print_escaped(FILE *stream, const char *text)

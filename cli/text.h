@@ -19,14 +19,13 @@ void text_set_digits(unsigned digits);
 const char *text_value(char buffer[TEXT_SIZE], unsigned usual, double value);
 /* A value with a bound of its error: in no more digits than that leaves, two of its own, or those asked for. */
 const char *text_bounded(char buffer[TEXT_SIZE], unsigned usual, double value, double error);
-/* The bound of a value's error as text_error() prints it, of the value as it stands there when its digits are asked for
- * or its error rounds it. */
-const char *text_bound(char buffer[TEXT_SIZE], double value, double error);
+/* The bound of a value's error as text_error() prints it, of the value as text_bounded() prints it, which rounds it. */
+const char *text_bound(char buffer[TEXT_SIZE], unsigned usual, double value, double error);
 /* "2.7275907 ± 1.4e-08": a value with its bound; one that is known exactly, such as the 0 of an unlit place, alone. */
 const char *text_value_bound(char buffer[TEXT_SIZE], unsigned usual, double value, double error);
 /* A unit behind a number, translated. */
 const char *text_unit(const char *unit);
-/* A bound of an error, with two digits. */
+/* A bound of an error, with two digits, rounded up. */
 const char *text_error(double error, char buffer[TEXT_SIZE]);
 /* printf into a cell. */
 const char *text_format(char buffer[TEXT_SIZE], const char *format, ...) __attribute__((format(printf, 2, 3)));

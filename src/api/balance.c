@@ -102,7 +102,7 @@ static void report_error(const luxel_balance *balance, const struct lx_radiosity
         greatest = fmax(greatest, balance->sides[i].irradiance.value);
     }
     lx_report(diagnostics, LUXEL_SEVERITY_ADVICE, NULL, LX_MSG_BALANCE_ERROR,
-              LX_ARGS(lx_write_digits(greatest > 0 ? error / greatest : 0, 2, share)));
+              LX_ARGS(lx_write_bound(greatest > 0 ? error / greatest : 0, 2, share)));
     lx_hint_overlap(reflected, prepared, diagnostics);
 }
 

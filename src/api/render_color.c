@@ -85,7 +85,7 @@ static luxel_status finish_sum(struct luxel_field *field, const luxel_settings *
     if (!statistics->reflected_reached) {
         char error[LX_NUMBER_SIZE];
         lx_report(diagnostics, LUXEL_SEVERITY_ADVICE, NULL, LX_MSG_REFLECTED_ERROR,
-                  LX_ARGS(lx_write_digits(statistics->reflected_error, 2, error)));
+                  LX_ARGS(lx_write_bound(statistics->reflected_error, 2, error)));
     }
     return LUXEL_OK;
 }

@@ -321,7 +321,7 @@ static void finish_statistics(struct lx_rendering *rendering)
         return;
     char error[LX_NUMBER_SIZE];
     lx_report(rendering->diagnostics, LUXEL_SEVERITY_ADVICE, NULL, LX_MSG_REFLECTED_ERROR,
-              LX_ARGS(lx_write_digits(statistics->reflected_error, 2, error)));
+              LX_ARGS(lx_write_bound(statistics->reflected_error, 2, error)));
     lx_hint_overlap(rendering->session->world.reflected, &rendering->session->prepared, rendering->diagnostics);
 }
 

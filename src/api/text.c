@@ -1,13 +1,20 @@
 /* SPDX-License-Identifier: MIT */
 /* Texts for people, as front ends need them. */
+#include <luxel/bounded.h>
 #include <luxel/text.h>
 
 #include <string.h>
 
 #include "../base/diagnostics.h"
 #include "../base/ending.h"
+#include "../base/number.h"
 #include "../base/sink.h"
 #include "../base/text.h"
+
+double luxel_round_bound(double error, int digits)
+{
+    return lx_round_up(error, digits);
+}
 
 const char *luxel_nearest_word(const char *typed, const char *const *words, size_t count)
 {

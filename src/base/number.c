@@ -144,3 +144,29 @@ char *lx_write_digits(double value, int digits, char buffer[LX_NUMBER_SIZE])
     print_digits(value, digits < MOST ? digits : MOST, buffer);
     return buffer;
 }
+
+double lx_round_up(double value, int digits)
+{
+    char text[LX_NUMBER_SIZE];
+    double rounded = 0;
+    if (!(value > 0) || !isfinite(value))
+        return value;
+    const double grain = pow(10, floor(log10(value)) - digits + 1);
+    print_digits(value, digits, text);
+    if (lx_read_number(text, strlen(text), &rounded) && rounded < value) {
+        print_digits(rounded + grain, digits, text);
+        lx_read_number(text, strlen(text), &rounded);
+    }
+    return rounded < value ? value : rounded;
+}
+
+double lx_error_of_shown(const char *shown, double value, double error)
+{
+    double read;
+    return lx_read_number(shown, strlen(shown), &read) ? error + fabs(read - value) : error;
+}
+
+char *lx_write_bound(double error, int digits, char buffer[LX_NUMBER_SIZE])
+{
+    return lx_write_digits(lx_round_up(error, digits), digits, buffer);
+}

@@ -24,4 +24,11 @@ char *lx_write_number(double value, char buffer[LX_NUMBER_SIZE]);
 /* Writes with `digits` significant digits like printf's %.*g.  Returns buffer. */
 char *lx_write_digits(double value, int digits, char buffer[LX_NUMBER_SIZE]);
 
+/* The least number of so many significant digits that is not below a value above 0; another value as it is. */
+double lx_round_up(double value, int digits);
+/* The bound of a number as a text shows it, which has rounded something away. */
+double lx_error_of_shown(const char *shown, double value, double error);
+/* Writes a bound, rounded up so that it is still one.  Returns buffer. */
+char *lx_write_bound(double error, int digits, char buffer[LX_NUMBER_SIZE]);
+
 #endif

@@ -45,9 +45,10 @@ static void add_result(const struct explaining *explaining)
 {
     const luxel_probe *probe = explaining->probe;
     char value[LX_NUMBER_SIZE], error[LX_NUMBER_SIZE], pixel[LX_NUMBER_SIZE];
+    digits(probe->value, RESULT_DIGITS, value);
+    lx_write_bound(lx_error_of_shown(value, probe->value, probe->error), 2, error);
     lx_document_paragraph(explaining->document, LX_N("The value is {0} {1}, with an error of at most {2}."),
-                          LX_SPANS(LX_PLAIN(digits(probe->value, RESULT_DIGITS, value)), LX_PLAIN(explaining->unit),
-                                   LX_PLAIN(digits(probe->error, 2, error))));
+                          LX_SPANS(LX_PLAIN(value), LX_PLAIN(explaining->unit), LX_PLAIN(error)));
     if (!probe->has_pixel)
         lx_document_paragraph(explaining->document, LX_N("The point lies off the screen: no pixel shows it."), NULL);
     else if (probe->has_pixel_value)

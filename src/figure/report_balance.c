@@ -10,11 +10,12 @@
 enum { CELL = 2 * LX_NUMBER_SIZE + 8 };
 
 /* "208.3341 ± 0.085" */
-static const char *write_amount(const luxel_bounded *amount, char cell[CELL])
+static const char *write_amount(const struct lx_report *report, const luxel_bounded *amount, char cell[CELL])
 {
-    char error[LX_NUMBER_SIZE];
-    snprintf(cell, CELL, "%s ± %s", lx_report_number(amount->value, (char[LX_NUMBER_SIZE]){0}),
-             lx_write_digits(amount->error, 2, error));
+    char value[LX_NUMBER_SIZE], error[LX_NUMBER_SIZE];
+    lx_report_bounded(report, amount->value, amount->error, LX_REPORT_DIGITS, value);
+    snprintf(cell, CELL, "%s ± %s", value,
+             lx_write_bound(lx_error_of_shown(value, amount->value, amount->error), 2, error));
     return cell;
 }
 
@@ -37,8 +38,8 @@ static void add_side(const struct lx_report *report, const luxel_balance_side *s
     char direct[CELL], all[CELL];
     name_side(report, side, &name);
     lx_document_row(report->document,
-                    LX_SPANS(LX_PLAIN(name.bytes), LX_PLAIN(write_amount(&side->direct, direct)),
-                             LX_PLAIN(write_amount(&side->irradiance, all))),
+                    LX_SPANS(LX_PLAIN(name.bytes), LX_PLAIN(write_amount(report, &side->direct, direct)),
+                             LX_PLAIN(write_amount(report, &side->irradiance, all))),
                     false);
     lx_text_clear(&name);
 }
@@ -46,7 +47,8 @@ static void add_side(const struct lx_report *report, const luxel_balance_side *s
 static void add_flux(const struct lx_report *report, const char *english, const luxel_bounded *flux)
 {
     char cell[CELL];
-    lx_document_row(report->document, LX_SPANS(LX_TERM_SPAN(english), LX_PLAIN(write_amount(flux, cell))), false);
+    lx_document_row(report->document, LX_SPANS(LX_TERM_SPAN(english), LX_PLAIN(write_amount(report, flux, cell))),
+                    false);
 }
 
 static void add_fluxes(const struct lx_report *report)

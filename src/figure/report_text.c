@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* The words of a report: aim, task, results, and how to repeat it. */
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include "../base/number.h"
@@ -98,7 +97,7 @@ void lx_report_task(struct lx_report *report)
 static void add_probe(struct lx_report *report, size_t i)
 {
     const luxel_probe *probe = luxel_probes_get(report->probes, i);
-    char value[LX_NUMBER_SIZE], error[LX_NUMBER_SIZE], pixel[LX_NUMBER_SIZE], all[LX_NUMBER_SIZE];
+    char value[LX_NUMBER_SIZE], error[LX_NUMBER_SIZE], pixel[LX_NUMBER_SIZE];
     struct lx_text name = {0}, place = {0};
     lx_text_printf(&name, "P%zu", i + 1);
     lx_report_add_place(&place, (const double[]){probe->x_mm, probe->y_mm}, 2);
@@ -106,11 +105,7 @@ static void add_probe(struct lx_report *report, size_t i)
     struct lx_span exact =
         LX_PLAIN(lx_report_bounded(report, probe->value, probe->error, LX_REPORT_EXACT_DIGITS, value));
     struct lx_span none = LX_TERM_SPAN(without), blank = LX_PLAIN("");
-    /* what is rounded away, as it was asked for or lies within the error, counts as an error, too */
-    enum { ALL_DIGITS = 17 };
-    const double rounded =
-        fabs(strtod(lx_report_bounded(report, probe->value, probe->error, ALL_DIGITS, all), NULL) - probe->value);
-    struct lx_span bound = LX_PLAIN(lx_write_digits(probe->error + rounded, 2, error));
+    struct lx_span bound = LX_PLAIN(lx_write_bound(lx_error_of_shown(value, probe->value, probe->error), 2, error));
     struct lx_span nearest = LX_PLAIN(lx_report_value(report, probe->pixel_value, LX_REPORT_DIGITS, pixel));
     lx_document_row(report->document,
                     LX_SPANS(LX_PLAIN(name.bytes), LX_PLAIN(place.bytes), probe->has_value ? exact : none,

@@ -175,6 +175,31 @@ static void ignores_the_locale(void **state)
     setlocale(LC_ALL, before);
 }
 
+/* Digits of a bound are not below it, and no smaller ones would do. */
+static void rounds_bounds_up(void **state)
+{
+    (void)state;
+    static const struct {
+        double error;
+        const char *text;
+    } cases[] = {{0.0853, "0.086"},   {0.0041, "0.0041"}, {0.00411, "0.0042"}, {0.0996, "0.1"},
+                 {9.91e-13, "1e-12"}, {1, "1"},           {1.0000001, "1.1"},  {0, "0"},
+                 {5e-324, "4.9e-324"}};
+    char text[LX_NUMBER_SIZE];
+    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++)
+        assert_string_equal(lx_write_bound(cases[i].error, 2, text), cases[i].text);
+    assert_true(isinf(lx_round_up(HUGE_VAL, 2)));
+    uint64_t seed = 1;
+    for (int i = 0; i < 20000; i++) {
+        seed = seed * 6364136223846793005u + 1442695040888963407u;
+        const double error = pow(10, (double)(seed >> 11) * 0x1p-53 * 600 - 300);
+        const int digits = 1 + i % 4;
+        const double shown = strtod(lx_write_bound(error, digits, text), NULL);
+        assert_true(shown >= error && shown <= error * (1 + 1.000001 * pow(10, 1 - digits)));
+    }
+    assert_true(fabs(lx_error_of_shown("2.73", 2.7275, 0.001) - 0.0035) < 1e-12);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -184,6 +209,7 @@ int main(void)
         cmocka_unit_test(reads_as_the_library),
         cmocka_unit_test(writes_shortest),
         cmocka_unit_test(ignores_the_locale),
+        cmocka_unit_test(rounds_bounds_up),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

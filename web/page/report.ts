@@ -10,7 +10,7 @@ import { localized } from './local';
 import type { Model } from './model';
 import type { PictureView } from './picture';
 import { Outdated } from './version';
-import { currentLanguage, number, t } from './words';
+import { bound, currentLanguage, number, t } from './words';
 
 const INSIDE = 0,
     PLATEAU = 4; // places of extrema
@@ -206,7 +206,7 @@ function results(facts: Facts): string {
             `P${i + 1}`,
             place([x, y]),
             value === null ? none : number(value, 12),
-            value === null ? '' : number(probe!.error, 2),
+            value === null ? '' : bound(probe!.error),
         ];
     });
     const heads = ['point', '', 'exact value', 'error at most'].map((head) => (head ? word(head) : '(x; y)'));

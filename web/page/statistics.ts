@@ -4,13 +4,13 @@ import type { PictureFacts } from './core';
 import { h } from './dom';
 import type { Model } from './model';
 import type { Version } from './version';
-import { number, t } from './words';
+import { bound, number, t } from './words';
 
 /** What a picture is, in one line. */
 function told(facts: PictureFacts, unit: string): string {
     const extremes = `${t('maximum')} ${number(facts.maximum.value, 5)}, ${t('mean')} ${number(facts.mean, 5)}`;
     const reflected =
-        facts.reflected === null ? '' : `; ${t('reflected light within')} ${number(100 * facts.reflected, 2)} %`;
+        facts.reflected === null ? '' : `; ${t('reflected light within')} ${bound(100 * facts.reflected)} %`;
     const missed = facts.reached ? '' : ` (${t('less exact than it should be')})`;
     return `${t(facts.word)}, ${unit}: ${extremes}${reflected}${missed}`;
 }

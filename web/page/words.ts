@@ -205,6 +205,13 @@ export function number(value: number | null | undefined, digits = 5): string {
     return (language === 'ru' ? text.replace('.', ',') : text).replace('-', '−');
 }
 
+/** A bound of an error, rounded up so that it still is one. */
+export function bound(error: number, digits = 2): string {
+    const rounded = Number(error.toPrecision(digits));
+    const grain = 10 ** (Math.floor(Math.log10(error)) - digits + 1);
+    return number(rounded < error ? rounded + grain : rounded, digits);
+}
+
 /**
  * A number with the bound of its error, "208.33 ± 0.086": no digits beyond those of the bound, which is rounded up and
  * covers the rounding of the number.
@@ -213,16 +220,14 @@ export function amount([value, error]: [number, number]): string {
     const grainOf = (size: number) => 10 ** (Math.floor(Math.log10(size)) - 1);
     const rounded = error > 0 ? Math.round(value / grainOf(error)) * grainOf(error) : value;
     const shown = Number(rounded.toPrecision(7));
-    const whole = error + Math.abs(shown - value);
-    const grain = whole > 0 ? grainOf(whole) : 1;
-    const bound = Math.ceil((whole / grain) * (1 - 1e-12)) * grain;
-    return `${number(shown, 7)} ± ${number(bound, 2)}`;
+    return `${number(shown, 7)} ± ${bound(error + Math.abs(shown - value))}`;
 }
 
 /** An exact value; digits that are shown are exact, but for a value whose error may be seen in them, which is told. */
 export function exactly(value: number, error: number): string {
     const isRough = error > 5e-6 * Math.abs(value);
-    return `${number(value, 6)}${isRough ? ` ± ${number(error, 2)}` : ''}`;
+    const rounded = Math.abs(Number(value.toPrecision(6)) - value);
+    return `${number(value, 6)}${isRough ? ` ± ${bound(error + rounded)}` : ''}`;
 }
 
 /** What was typed as a number, with a point or a comma; null: it is none. */
