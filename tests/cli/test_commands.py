@@ -35,6 +35,23 @@ def probe_text(tap, tool):
         tap.ok(text in result.out, "the text has " + text, result)
 
 
+def bounds_in_text(tap, tool):
+    """A bound is printed rounded up, and covers what was rounded off the number beside it."""
+    false, found = [], 0
+    for scene in "report", "office", "room":
+        for command, row in (("probe", r"P\d+ \([^)]*\): (\S+) ± (\S+)"),
+                             ("render", r"  P\d+ \([^)]*\) +(\S+) +(\S+)")):
+            told = tool.run("probe", scene, "--json").json()["points"]
+            shown = re.findall(row, tool.run(command, scene).out)
+            found += len(shown)
+            for (number, bound), point in zip(shown, (each for each in told if each["value"] is not None)):
+                if abs(float(number) - point["value"]) + point["error"] > float(bound) * (1 + 1e-12):
+                    false.append("%s %s: %s, %s, not %r ± %r" % (
+                        command, scene, number, bound, point["value"], point["error"]))
+    tap.ok(not false, "bounds in text are bounds", *false)
+    tap.ok(found >= 12, "points in text", found)
+
+
 def scenes(tap, tool):
     text = tool.run("scene")
     tap.equal((text.code, text.err), (0, ""), "scene")
@@ -186,5 +203,5 @@ def many_errors(tap, tool):
     tap.ok("and 10 more errors" in result.err, "and the number of the rest", result)
 
 
-run_tests(Tap(), render_text, probe_text, scenes, exact_zero, json_scene, names_and_files, assignments, check,
-          strict_everywhere, tolerance, many_errors)
+run_tests(Tap(), render_text, probe_text, bounds_in_text, scenes, exact_zero, json_scene, names_and_files, assignments,
+          check, strict_everywhere, tolerance, many_errors)

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-"""Every light with every body, apart and touching: direct light against sums over many points of the source, and
-reflected light in furnaces.
+"""Every light with every body, apart and touching: direct light against sums over many points of the source, of
+irradiance and of brightness with highlights, and reflected light in furnaces.
 
 The truth shares no code and no method with the library: stratified points of the lamp, each with its ray, which is
 tried against each body; and in a closed room of one reflectance, whatever stands in it, ambient light E makes
@@ -27,6 +27,7 @@ SHOWN = 12
 PROCESSOR_S = 120         # for a scene
 FEW = 30                  # scenes, in which bodies may chance to hide nothing
 MATT = {"model": "lambert", "diffuse": 0.5}
+ANGLES, CANDELAS = (0.0, 40.0, 75.0, 90.0, 130.0, 180.0), (900.0, 1000.0, 250.0, 120.0, 60.0, 0.0)
 TOUCHES = ("apart", "tangent", "in one plane", "reaching in", "in a wall")
 
 
@@ -174,19 +175,53 @@ def points_of(light, u, v):
     return tuple(np.concatenate(each) for each in zip(side, *ends))
 
 
-def truth(scene, place, normal, rng):
-    """The irradiance by each set of points, and that without bodies."""
+def sent(light, shape, u, v):
+    """Points of a lamp, and for ways from a place to them the irradiance at right angles that each gives there."""
+    if light["type"] in ("point", "spot"):
+        def by_point(ways, squares):
+            given = light["intensity"] * 1e6 / squares
+            if light["type"] == "spot":
+                angle = np.degrees(np.arccos(np.clip(-ways @ unit(light["axis"]) / np.sqrt(squares), -1, 1)))
+                given = given * np.clip((light["outer"] - angle) / (light["outer"] - light["inner"]), 0, 1)
+            return given
+        return np.array([light["position"]]), by_point
+    points, normals, areas = points_of(shape, u, v)
+    if light["type"] == "luminaire":
+        def by_table(ways, squares):
+            cosines = -ways @ unit(light["axis"]) / np.sqrt(squares)
+            candelas = np.interp(-cosines, -np.cos(np.radians(ANGLES)), CANDELAS)
+            return candelas * areas / areas.sum() * 1e6 / squares
+        return points, by_table
+    return points, lambda ways, squares: (light["radiance"] / len(u) * areas * np.maximum(
+        -(ways * normals).sum(1), 0) / squares ** 1.5)
+
+
+def seen_by(material, normal, towards):
+    """The share of the irradiance from directions that counts: its cosine, or what a material makes of it."""
+    cosine = np.maximum(towards @ normal, 0)
+    if material is None:
+        return cosine
+    if material["model"] == "phong":
+        power = 2 * (towards @ normal) * normal[2] - towards[:, 2]
+    else:
+        half = towards + np.array([0, 0, 1.0])
+        power = half @ normal / np.linalg.norm(half, axis=1)
+    weight = {"plain": np.ones(len(towards)), "gated": towards @ normal > 0, "cosine": cosine}[material["highlight"]]
+    return material["diffuse"] * cosine + material["specular"] * weight * np.maximum(power, 0) ** material["shininess"]
+
+
+def truth(scene, shape, material, place, normal, rng):
+    """The irradiance, or the brightness by a material, by each set of points, and that without bodies."""
     sums, whole = [], []
     light = scene["lights"][0]
     for _ in range(SETS):
         steps = np.arange(SIDE)
         u, v = (grid.ravel() for grid in np.meshgrid(steps, steps))
         u, v = (u + rng.random(len(u))) / SIDE, (v + rng.random(len(v))) / SIDE
-        points, normals, areas = points_of(light, u, v)
+        points, irradiance = sent(light, shape, u, v)
         ways = points - place
         squares = (ways * ways).sum(1)
-        given = np.maximum(ways @ normal, 0) * np.maximum(-(ways * normals).sum(1), 0) / squares ** 2 * areas
-        given *= light["radiance"] / len(u)
+        given = irradiance(ways, squares) * seen_by(material, normal, ways / np.sqrt(squares)[:, None])
         shines = given > 0
         ways, given = ways[shines], given[shines]
         whole.append(given.sum())
@@ -211,7 +246,15 @@ def direction(rng, is_round):
 
 
 def lamp_of(kind, rng, is_round):
-    """A lamp around (0, 0, 1000), most of which shine down."""
+    """A lamp around (0, 0, 1000), most of which shine down, its axis, and the shape that shines."""
+    if kind == "point":
+        return {"type": "point", "position": [0.0, 0.0, 1000.0], "intensity": 100.0}, [0.0, 0.0, -1.0], None
+    if kind == "spot":
+        axis = [0.0, 0.0, -1.0] if rng.random() < 0.6 else direction(rng, is_round)
+        return {"type": "spot", "position": [0.0, 0.0, 1000.0], "intensity": 100.0, "axis": axis, "inner": 25.0,
+                "outer": 60.0, "falloff": "linear"}, axis, None
+    if kind.startswith("opening "):
+        return luminaire_of(kind.split()[1], rng, is_round)
     axis = [0.0, 0.0, -1.0] if rng.random() < 0.6 else direction(rng, is_round)
     up = list(beside(axis)[0]) if rng.random() < 0.5 else list(beside(axis)[1])
     center, size = [0.0, 0.0, 1000.0], [max(number(rng, 100, 600, is_round), 50) for _ in range(3)]
@@ -226,7 +269,19 @@ def lamp_of(kind, rng, is_round):
     else:
         what = shapes[kind]
     is_flat = kind in ("rectangle", "disk", "vertices")
-    return {"type": "planar" if is_flat else "volume", kind: what, "radiance": 100.0}, axis
+    light = {"type": "planar" if is_flat else "volume", kind: what, "radiance": 100.0}
+    return light, axis, {kind: what}
+
+
+def luminaire_of(kind, rng, is_round):
+    """A luminaire with an opening, whose table is the same all around."""
+    _, axis, shape = lamp_of(kind, rng, is_round)
+    what, axis = shape[kind], [0.0, 0.0, -1.0] if kind == "box" else [float(x) for x in axis]
+    across = [0.0, 1.0, 0.0] if kind == "box" else what.get("up", beside(axis)[0])
+    sizes = {key: what[key] for key in ("size", "radius", "height") if key in what}
+    return {"type": "luminaire", "file": "lamp.ies", "position": what["center"], "axis": axis,
+            "c0": [float(x) for x in np.cross(axis, across)], "interpolation": "cosine",
+            "opening": {kind: sizes}}, axis, shape
 
 
 def body_of(kind, rng, is_round, center, axis, scale):
@@ -269,8 +324,10 @@ def reach(body, way):
 
 def make(lamp, bodies, touch, rng):
     is_round = rng.random() < 0.5
-    light, axis = lamp_of(lamp, rng, is_round)
-    what = {"type": lamp, **light[lamp]} if lamp != "vertices" else None
+    light, axis, shape = lamp_of(lamp, rng, is_round)
+    what = None
+    if shape and "vertices" not in shape:
+        what = [{"type": kind, **keys} for kind, keys in shape.items()][0]
     surfaces = []
     for kind in bodies:
         way = unit([rng.gauss(0, 1), rng.gauss(0, 1), -abs(rng.gauss(0, 2))]) if not is_round else np.array(
@@ -298,14 +355,18 @@ def make(lamp, bodies, touch, rng):
         place = [number(rng, -500, 500, is_round), number(rng, -500, 500, is_round), number(rng, 0, 600, is_round)]
         normal = [0.0, 0.0, 1.0] if rng.random() < 0.6 else [rng.gauss(0, 0.5), rng.gauss(0, 0.5), 1.0]
         elements.append((place, [float(x) for x in unit(normal)]))
-    return {"lights": [light], "surfaces": surfaces}, elements
+    return {"lights": [light], "surfaces": surfaces}, shape, elements
 
 
 # ---- the trial ----
 
-def ask(luxel, scene, elements, folder, *options):
-    """What luxel tells of the elements."""
+def ask(luxel, scene, elements, folder, *options, material=None):
+    """What luxel tells of the elements, of which a material makes brightness."""
     surfaces = []
+    with open(os.path.join(folder, "lamp.ies"), "w") as file:
+        file.write("IESNA:LM-63-2002\n[TEST] own\n[TESTLAB] own\n[ISSUEDATE] now\n[MANUFAC] own\nTILT=NONE\n"
+                   "1 -1 1 %d 1 1 2 0 0 0\n1 1 20\n%s\n0\n%s\n" % (
+                       len(ANGLES), " ".join(map(repr, ANGLES)), " ".join(map(repr, CANDELAS))))
     for i, body in enumerate(scene["surfaces"]):
         if body["type"] == "mesh":
             with open(os.path.join(folder, "body%d.off" % i), "w") as file:
@@ -314,47 +375,73 @@ def ask(luxel, scene, elements, folder, *options):
                 file.writelines("3 %d %d %d\n" % tuple(face) for face in body["faces"])
             body = {"type": "mesh", "file": "body%d.off" % i, "normals": "flat",
                     **({"material": body["material"]} if "material" in body else {})}
-        surfaces.append({"material": MATT, **body})
+        surfaces.append({"material": material or MATT, **body})
     with open(os.path.join(folder, "scene.yaml"), "w") as file:
         json.dump({"luxel": 1, "shadows": "all", "screen": {"width": 4000, "height": 4000, "resolution": [40, 40]},
                    "observer": {"z": 9000}, **scene, "surfaces": surfaces}, file)
     with open(os.path.join(folder, "places.csv"), "w") as file:
         file.write("x,y,z,nx,ny,nz\n")
         file.writelines(",".join("%.17g" % x for x in place + normal) + "\n" for place, normal in elements)
-    done = subprocess.run([luxel, "probe", "scene.yaml", "--points", "places.csv", "--quantity", "irradiance", "--json",
-                           *options], cwd=folder, capture_output=True, encoding="utf-8",
+    done = subprocess.run([luxel, "probe", "scene.yaml", "--points", "places.csv", "--quantity",
+                           "brightness" if material else "irradiance", "--json", *options],
+                          cwd=folder, capture_output=True, encoding="utf-8",
                           preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_CPU, (PROCESSOR_S, PROCESSOR_S)))
     if done.returncode not in (0, 5):
         raise RuntimeError(done.stderr or "ended by %d" % done.returncode)
     return json.loads(done.stdout)["points"]
 
 
+LAMPS = ("rectangle", "disk", "vertices", "box", "sphere", "cylinder", "point", "spot", "opening rectangle",
+         "opening disk", "opening box", "opening sphere")
+EACH = len(LAMPS) * len(TOUCHES) * len(HIDES)  # scenes with one of each
+
+
+def glossy(rng):
+    return {"model": rng.choice(["blinn-phong", "phong"]), "diffuse": 0.5, "specular": 0.4,
+            "shininess": rng.choice([1, 8, 50.5]), "highlight": rng.choice(["plain", "gated", "cosine"])}
+
+
+def is_doubtful(scene, place):
+    """Whether a point source lies on a body, or the way to it along a border."""
+    light = scene["lights"][0]
+    if light["type"] not in ("point", "spot"):
+        return False
+    way = np.array(light["position"]) - place
+    rng = np.random.default_rng(1)
+    ways = np.concatenate([way + rng.normal(size=(40, 3)) * 1e-4, [way]])
+    return any(len(set(HIDES[body["type"]](body, place, ways))) > 1 for body in scene["surfaces"])
+
+
 def direct(tap, luxel, count, seed):
     """No error is larger than the bound that is told, and no bound larger than what arrives without bodies."""
-    lamps, kinds = ("rectangle", "disk", "vertices", "box", "sphere", "cylinder"), list(HIDES)
+    kinds = list(HIDES)
     false, wide, answered, hidden = [], [], 0, 0
     for i in range(count):
         rng, points = random.Random(seed + i), np.random.default_rng(seed + i)
-        lamp, touch = lamps[i % len(lamps)], TOUCHES[i // len(lamps) % len(TOUCHES)]
-        bodies = [kinds[i // (len(lamps) * len(TOUCHES)) % len(kinds)] if i < 180 else rng.choice(kinds)]
+        lamp, touch = LAMPS[i % len(LAMPS)], TOUCHES[i // len(LAMPS) % len(TOUCHES)]
+        bodies = [kinds[i // (len(LAMPS) * len(TOUCHES)) % len(kinds)] if i < EACH else rng.choice(kinds)]
         bodies += [rng.choice(kinds)] if rng.random() < 0.3 else []
-        scene, elements = make(lamp, bodies, touch, rng)
+        scene, shape, elements = make(lamp, bodies, touch, rng)
+        material = glossy(rng) if rng.random() < 0.4 else None
         with tempfile.TemporaryDirectory() as folder:
             try:
-                told = ask(luxel, scene, elements, folder)
+                told = ask(luxel, scene, elements, folder, material=material)
             except RuntimeError as fault:
                 false.append("%d: %s, %s %s: %s" % (seed + i, lamp, ", ".join(bodies), touch, str(fault)[:300]))
                 continue
         for (place, normal), point in zip(elements, told):
             if point.get("value") is None:
                 continue
-            sums, whole = truth(scene, np.array(place), np.array(normal), points)
+            if is_doubtful(scene, np.array(place)):
+                continue
+            sums, whole = truth(scene, shape, material, np.array(place), np.array(normal), points)
             doubt = CERTAIN * sums.std(ddof=1) / math.sqrt(SETS)
             answered += 1
             hidden += bool(sums.mean() < 0.999 * whole)
-            words = "%d: %s, %s %s at %s %s: told %.9g ± %.2g, is %.9g ± %.2g of %.6g" % (
-                seed + i, lamp, ", ".join(bodies), touch, place, [round(x, 4) for x in normal], point["value"],
-                point["error"], sums.mean(), doubt, whole)
+            words = "%d: %s, %s %s%s at %s %s: told %.9g ± %.2g, is %.9g ± %.2g of %.6g" % (
+                seed + i, lamp, ", ".join(bodies), touch,
+                ", %(model)s %(shininess)g %(highlight)s" % material if material else "", place,
+                [round(x, 4) for x in normal], point["value"], point["error"], sums.mean(), doubt, whole)
             if abs(point["value"] - sums.mean()) > point["error"] + doubt + 1e-9 * whole:
                 false.append(words)
             if point["error"] > 1.01 * whole + 1e-12:
