@@ -2,6 +2,7 @@
 """Tables for notebooks."""
 from __future__ import annotations
 
+from decimal import ROUND_CEILING, Context
 from math import floor, log10
 from typing import Iterable, Optional, Sequence, Tuple
 
@@ -14,14 +15,16 @@ def number(value: Optional[float], digits: int = 9) -> str:
 
 
 def bounded(amount: Tuple[float, float]) -> str:
-    """A value with no digits beyond those of its error's bound, 0 where all are, and the bound of what is shown."""
+    """A value with no digits beyond those of its error's bound, 0 where all are, and the bound of what is shown,
+    rounded up."""
     value, error = amount
     if error > 0:
         told = 0.0 if abs(value) < error / 10 else round(value, 1 - floor(log10(error))) + 0.0
     else:
         told = value
     shown = "%.7g" % told
-    return "%s ± %.2g" % (shown, error + abs(float(shown) - value))
+    whole = error + abs(float(shown) - value)
+    return "%s ± %.2g" % (shown, Context(prec=2, rounding=ROUND_CEILING).create_decimal_from_float(whole))
 
 
 def table(heading: Sequence[str], rows: Iterable[Sequence[str]], caption: str = "") -> str:

@@ -83,7 +83,7 @@ static bool write_turned(const luxel_photometry *photometry, const char *path, l
     if (has_memory) {
         lx_report(diagnostics, LUXEL_SEVERITY_ADVICE, NULL, LX_MSG_EULUMDAT_TYPE,
                   LX_ARGS(path, types[photometry->type], lx_write_number(turned.planes[1], planes),
-                          lx_write_number(turned.angles[1], angles), lx_write_digits(100 * turned.off, 2, off)));
+                          lx_write_number(turned.angles[1], angles), lx_write_bound(100 * turned.off, 2, off)));
         lx_hint(diagnostics, LX_MSG_HINT_EULUMDAT_TYPE, NULL);
     }
     lx_turned_clear(&turned);
