@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: MIT
 """Every light with every body, apart and touching: direct light against sums over many points of the source, of
-irradiance and of brightness with highlights, and reflected light in furnaces.
+irradiance and of brightness with highlights, and reflected light in furnaces and in integrating spheres.
 
 The truth shares no code and no method with the library: stratified points of the lamp, each with its ray, which is
 tried against each body; and in a closed room of one reflectance, whatever stands in it, ambient light E makes
-E / (1 - rho) everywhere.  test_touching.py LUXEL 300 60 2000 tries 300 scenes and 60 furnaces from the seed 2000 on;
-LUXEL_CAMPAIGN is the share of the usual number in per cent.
+E / (1 - rho) everywhere.  test_touching.py LUXEL 300 60 20 2000 tries 300 scenes, 60 furnaces and 20 integrating
+spheres from the seed 2000 on; LUXEL_CAMPAIGN is the share of the usual number in per cent.
 """
 import json
 import math
@@ -534,14 +534,64 @@ def furnaces(tap, luxel, count, seed):
     tap.ok(not wide, "no bound is larger than the value", *wide[:SHOWN])
 
 
+# ---- integrating spheres ----
+
+SPHERE_MM = 2000.0
+
+
+def flux_of(light, shape):
+    """All that a lamp sends."""
+    if light["type"] == "point":
+        return 4 * math.pi * light["intensity"]
+    if light["type"] == "spot":
+        inner, outer = math.radians(light["inner"]), math.radians(light["outer"])
+        return 2 * math.pi * light["intensity"] * (1 - (math.sin(outer) - math.sin(inner)) / (outer - inner))
+    if light["type"] == "luminaire":
+        cosines = np.cos(np.radians(ANGLES))
+        return 2 * math.pi * -np.trapz(CANDELAS, cosines)
+    steps = (np.arange(2) + 0.5) / 2
+    normals, areas = points_of(shape, steps, steps)[1:]
+    return math.pi * light["radiance"] * areas.sum() / len(steps) * 1e-6
+
+
+def spheres(tap, luxel, count, seed):
+    """In an empty sphere that reflects rho, flux F makes F rho / (1 - rho) / area everywhere, whoever sends it."""
+    false, answered = [], 0
+    for i in range(count):
+        rng = random.Random(seed + i)
+        light, _, shape = lamp_of(LAMPS[-1 - i % len(LAMPS)], rng, rng.random() < 0.5)
+        material = {"model": "lambert", "diffuse": rng.choice([0.2, 0.5, 0.8]), "over_pi": True}
+        ball = {"type": "sphere", "center": [0, 0, 0], "radius": SPHERE_MM, "inside": True, "material": material}
+        ways = [unit([rng.gauss(0, 1) for _ in range(3)]) for _ in range(3)]
+        elements = [([float(x) for x in SPHERE_MM * way], [float(-x) for x in way]) for way in ways]
+        value = flux_of(light, shape) * material["diffuse"] / (1 - material["diffuse"]) / (
+            4 * math.pi * (SPHERE_MM / 1000) ** 2)
+        with tempfile.TemporaryDirectory() as folder:
+            try:
+                told = ask(luxel, {"reflections": "all", "lights": [light], "surfaces": [ball]}, elements, folder,
+                           "--reflected-error", "0.01")
+            except RuntimeError as fault:
+                false.append("%d: %s: %s" % (seed + i, light["type"], str(fault)[-300:]))
+                continue
+        for point in told:
+            answered += 1
+            found = point["reflected"]
+            if abs(found["value"] - value) > found["error"] + 1e-9 * value:
+                false.append("%d: %s: told %.9g ± %.2g, is %.9g" % (
+                    seed + i, light, found["value"], found["error"], value))
+    tap.ok(not false and answered == 3 * count, "%d places in %d spheres are within their bounds" % (answered, count),
+           *false[:SHOWN])
+
+
 def main():
     share = int(os.environ.get("LUXEL_CAMPAIGN", "100")) / 100
-    counts = [max(round(usual * share), 3) for usual in (60, 12)]
+    counts = [max(round(usual * share), 3) for usual in (60, 12, 4)]
     given = [int(word) for word in sys.argv[2:]] + [1000]
-    counts[:len(given) - 1] = given[:-1][:2]
-    tap, luxel, seed = Tap(), os.path.abspath(sys.argv[1]), given[2] if len(given) > 3 else 1000
+    counts[:len(given) - 1] = given[:-1][:3]
+    tap, luxel, seed = Tap(), os.path.abspath(sys.argv[1]), given[3] if len(given) > 4 else 1000
     tap.run(direct, tap, luxel, counts[0], seed)
     tap.run(furnaces, tap, luxel, counts[1], seed)
+    tap.run(spheres, tap, luxel, counts[2], seed)
     tap.finish()
 
 
