@@ -206,7 +206,7 @@ function results(facts: Facts): string {
             `P${i + 1}`,
             place([x, y]),
             value === null ? none : number(value, 12),
-            value === null ? '' : bound(probe!.error),
+            value === null ? '' : bound(probe!.error + Math.abs(Number(value.toPrecision(12)) - value)),
         ];
     });
     const heads = ['point', '', 'exact value', 'error at most'].map((head) => (head ? word(head) : '(x; y)'));
