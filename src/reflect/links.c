@@ -54,6 +54,7 @@ static void add_sent(struct finding *finding, uint32_t group, enum lx_link_kind 
         return;
     weights->group = group;
     weights->direct = sent->direct;
+    weights->doubt = (float)sent->doubt;
     for (int q = 0; q < LX_RULE_NODES; q++)
         weights->of[q] = (float)sent->weights[q];
 }
@@ -198,16 +199,10 @@ static double product(const float weights[LX_RULE_NODES], const double values[LX
     return (sums[0] + sums[1]) + (sums[2] + sums[3]);
 }
 
-/* Errors of a near tile's direct light as they arrive, those around its nodes from there. */
-static double unsure_near(const struct lx_tile *tile, const float weights[LX_RULE_NODES], double kernel)
+/* Errors of a near tile's direct light as they arrive: all of it where another face lies on the tile. */
+static double unsure_near(const struct lx_tile *tile, const struct lx_weights *weights)
 {
-    double spread = lx_tile_unsure(tile) * lx_tile_area(tile), local = 0;
-    for (int q = 0; q < LX_RULE_NODES; q++) {
-        spread -= tile->local_error[q];
-        local += tile->local_error[q] * fmax((double)weights[q], 0) / tile->cell.area[q] +
-                 lx_tile_bent(tile, q, (double)weights[q]);
-    }
-    return local + fmax(spread, 0) * kernel;
+    return (double)weights->doubt + (tile->is_overlaid ? fabs(weights->direct) : 0);
 }
 
 struct lx_arrival lx_links_sum(const struct lx_radiosity *reflected, const struct lx_links *links,
@@ -224,12 +219,11 @@ struct lx_arrival lx_links_sum(const struct lx_radiosity *reflected, const struc
         const size_t nodes = (size_t)weights->group * LX_RULE_NODES;
         const bool is_far = links->items[i].kind == LX_LINK_FAR;
         double value = is_far ? product(weights->of, group->direct) : weights->direct;
-        double total = 0, area = 0, most = 0, slack = 0;
+        double total = 0, most = 0, slack = 0;
         for (int q = 0; q < LX_RULE_NODES; q++) {
             const double weight = fabs((double)weights->of[q]);
             total += (double)weights->of[q];
             if (light->slack) {
-                area += group->cell.area[q];
                 most = fmax(most, weight / group->cell.area[q]);
                 slack += weight * fabs(light->slack[nodes + (size_t)q]);
             }
@@ -240,9 +234,7 @@ struct lx_arrival lx_links_sum(const struct lx_radiosity *reflected, const struc
         if (light->slack)
             sum.slack += reflectance *
                          (slack + (is_far ? group->unsure * most
-                                   : group->tile_count == 1
-                                       ? unsure_near(&reflected->tiles[group->first_tile], weights->of, total / area)
-                                       : group->unsure * total / area));
+                                          : unsure_near(&reflected->tiles[group->first_tile], weights)));
         sum.seen += total;
     }
     return sum;
