@@ -55,6 +55,7 @@ static void add_sent(struct finding *finding, uint32_t group, enum lx_link_kind 
     weights->group = group;
     weights->direct = sent->direct;
     weights->doubt = (float)sent->doubt;
+    weights->squares = (float)sent->squares;
     for (int q = 0; q < LX_RULE_NODES; q++)
         weights->of[q] = (float)sent->weights[q];
 }
@@ -209,6 +210,7 @@ struct lx_arrival lx_links_sum(const struct lx_radiosity *reflected, const struc
                                const struct lx_light *light)
 {
     struct lx_arrival sum = {0};
+    double squares = 0; /* of what samples differ by, of which each is off by itself */
     size_t w = 0;
     for (size_t i = 0; i < links->count; i++) {
         if (links->items[i].kind == LX_LINK_NONE)
@@ -220,6 +222,7 @@ struct lx_arrival lx_links_sum(const struct lx_radiosity *reflected, const struc
         const bool is_far = links->items[i].kind == LX_LINK_FAR;
         double value = is_far ? product(weights->of, group->direct) : weights->direct;
         double total = 0, most = 0, slack = 0;
+        squares += reflectance * reflectance * (double)weights->squares;
         for (int q = 0; q < LX_RULE_NODES; q++) {
             const double weight = fabs((double)weights->of[q]);
             total += (double)weights->of[q];
@@ -237,6 +240,7 @@ struct lx_arrival lx_links_sum(const struct lx_radiosity *reflected, const struc
                                           : unsure_near(&reflected->tiles[group->first_tile], weights)));
         sum.seen += total;
     }
+    sum.slack += light->slack ? sqrt(squares) : 0;
     return sum;
 }
 

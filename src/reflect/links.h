@@ -27,7 +27,7 @@ struct lx_link {
 struct lx_weights {
     uint32_t group;
     float of[LX_RULE_NODES];
-    float doubt; /* of a tile, of its direct light, */
+    float doubt, squares; /* of a tile, of its direct light (transfer.h), */
     double direct;
 };
 

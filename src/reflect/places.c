@@ -36,7 +36,7 @@ static int weigh_place(const struct lx_radiosity *reflected, const struct lx_rec
         for (size_t t = group->first_tile; t < group->first_tile + group->tile_count; t++)
             shares[t].seen += sum * lx_tile_area(&reflected->tiles[t]) / area;
         if (links.items[i].kind != LX_LINK_FAR)
-            shares[group->first_tile].bent += (double)weights->doubt;
+            shares[group->first_tile].bent += (double)weights->doubt + sqrt((double)weights->squares);
     }
     const bool failed = links.failed || cones.failed;
     lx_links_clear(&links);

@@ -306,7 +306,6 @@ void lx_transfer(const struct lx_transfer *transfer, const struct lx_tile *tile,
     memset(sent, 0, sizeof *sent);
     send_cell(&sending, &tile->window, (struct lx_tile_cell *)&tile->cell,
               &(struct light_at){&tile->direct, tile->window, true}, (struct view_of){sight, partly}, 0);
-    sent->doubt += sqrt(sent->squares);
     for (int q = 0; q < LX_RULE_NODES && !sending.is_rough; q++)
         sent->direct += sent->weights[q] * tile->direct.nodes[q];
 }

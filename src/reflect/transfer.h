@@ -18,7 +18,7 @@ struct lx_sent {
     double weights[LX_RULE_NODES];
     double direct;
     double doubt; /* irradiance that the direct light is not sure of, by the greatest kernel of each window, and */
-    double squares; /* of what its last samples differ by; in `doubt`, too, once it is whole */
+    double squares; /* of what its last samples differ by */
 };
 
 /* One face and one receiver, for which the cones are set. */
