@@ -11,27 +11,24 @@ static const double BETWEEN = 4;
 /* Cells farther away than so many of their radii have the kernel of their nodes. */
 static const double NEAR = 4;
 
-static double kernel_at(const struct lx_receiver *receiver, const struct lx_matte_face *face, const double way[3])
+double lx_kernel_at(const struct lx_receiver *receiver, const double place_mm[3], const double normal[3])
 {
-    const double square = lx_dot(way, way), here = lx_dot(receiver->normal, way);
-    const double there = -face->sheet.turn * lx_dot(face->sheet.axis, way);
+    double way[3];
+    for (int i = 0; i < 3; i++)
+        way[i] = place_mm[i] - receiver->place_mm[i];
+    const double square = lx_dot(way, way), here = lx_dot(receiver->normal, way), there = -lx_dot(normal, way);
     return here > 0 && there > 0 ? here * there / (M_PI * square * square) : 0;
 }
 
-/* On a flat cell that is not near the kernel is no greater than a little above that in its corners and its middle. */
-static double greatest_afar(const struct lx_receiver *receiver, const struct lx_matte_face *face,
-                            const struct lx_tile_cell *cell, const double way[3])
+/* On a cell that is not near, and on which normals turn little, the kernel is no greater than a little above that at
+ * its nodes. */
+static double greatest_afar(const struct lx_receiver *receiver, const struct lx_tile_cell *cell)
 {
-    const double between = 1.1;
-    double greatest = kernel_at(receiver, face, way);
-    for (int c = 0; c < 4; c++) {
-        const double y = c & 2 ? 1 : -1, x = (c & 1 ? 1 : -1) * lx_cell_width(cell, y);
-        double corner[3];
-        for (int i = 0; i < 3; i++)
-            corner[i] = way[i] + x * cell->first_mm[i] + y * cell->second_mm[i];
-        greatest = fmax(greatest, kernel_at(receiver, face, corner));
-    }
-    return between * greatest;
+    const double beyond = 1.3;
+    double greatest = 0;
+    for (int q = 0; q < LX_RULE_NODES; q++)
+        greatest = fmax(greatest, lx_kernel_at(receiver, cell->place_mm[q], cell->normal[q]));
+    return beyond * greatest;
 }
 
 double lx_greatest_kernel(const struct lx_receiver *receiver, const struct lx_matte_face *face,
@@ -40,8 +37,8 @@ double lx_greatest_kernel(const struct lx_receiver *receiver, const struct lx_ma
     double way[3];
     for (int i = 0; i < 3; i++)
         way[i] = cell->center_mm[i] - receiver->place_mm[i];
-    if (face->is_flat && lx_is_polygon(face) && 2 * cell->radius_mm < sqrt(lx_dot(way, way)))
-        return greatest_afar(receiver, face, cell, way);
+    if (1.5 * cell->radius_mm < fmin(sqrt(lx_dot(way, way)), face->is_flat ? HUGE_VAL : 1.5 * face->sheet.half_mm[0]))
+        return greatest_afar(receiver, cell);
     const double here = lx_dot(receiver->normal, way) + cell->radius_mm;
     double least = sqrt(lx_dot(way, way)) - cell->radius_mm, there = HUGE_VAL;
     if (face->is_flat) {

@@ -9,7 +9,8 @@
 #include "receiver.h"
 #include "tile.h"
 
-/* The greatest kernel between a receiver and any place of a cell. */
+/* The kernel between a receiver and a place, and the greatest one between it and any place of a cell with nodes. */
+double lx_kernel_at(const struct lx_receiver *receiver, const double place_mm[3], const double normal[3]);
 double lx_greatest_kernel(const struct lx_receiver *receiver, const struct lx_matte_face *face,
                           const struct lx_tile_cell *cell);
 

@@ -235,9 +235,8 @@ struct lx_arrival lx_links_sum(const struct lx_radiosity *reflected, const struc
             value += product(weights->of, light->indirect + nodes);
         sum.value += reflectance * value;
         if (light->slack)
-            sum.slack += reflectance *
-                         (slack + (is_far ? group->unsure * most
-                                          : unsure_near(&reflected->tiles[group->first_tile], weights)));
+            sum.slack += reflectance * (slack + (is_far ? group->unsure * most
+                                                        : unsure_near(&reflected->tiles[group->first_tile], weights)));
         sum.seen += total;
     }
     sum.slack += light->slack ? sqrt(squares) : 0;

@@ -176,23 +176,37 @@ static double lit_flux(const struct lx_radiosity *reflected, bool *is_lit)
     return sent > 0 ? sent / most : flux;
 }
 
-/* The places that are asked, once it is known how much light there is: what they receive is about what arrives of it
- * in a sphere. */
-static int find_near(struct lx_radiosity *reflected, const struct lx_reflected_request *request, double flux)
+/* What a place receives of the direct light that tiles have by now, about, and without regard to what hides it. */
+static double received_by(const struct lx_radiosity *reflected, const struct lx_receiver *receiver)
 {
-    double area = 0, reflecting = 0;
+    static const int inner[] = {5, 6, 9, 10};
+    double sum = 0;
+    for (size_t t = 0; t < reflected->tile_count; t++) {
+        const struct lx_tile *tile = &reflected->tiles[t];
+        double sent = 0, kernel = 0, area = 0;
+        for (int q = 0; q < LX_RULE_NODES; q++) {
+            sent += tile->cell.area[q] * tile->direct.nodes[q];
+            area += tile->cell.area[q];
+        }
+        for (int k = 0; k < 4 && sent > 0; k++)
+            kernel += lx_kernel_at(receiver, tile->cell.place_mm[inner[k]], tile->cell.normal[inner[k]]) / 4;
+        sum += reflected->faces[tile->face].reflectance * fmax(sent, 0) * fmin(kernel, 1 / area);
+    }
+    return sum;
+}
+
+/* The places that are asked, once it is known how much light there is. */
+static int find_near(struct lx_radiosity *reflected, const struct lx_reflected_request *request)
+{
+    const double share = NEARBY * fmax(request->error, LEAST_ERROR);
     reflected->near = lx_new_array(request->place_count, sizeof *reflected->near);
     if (!reflected->near)
         return -1;
-    for (size_t t = 0; t < reflected->tile_count; t++) {
-        area += lx_tile_area(&reflected->tiles[t]);
-        reflecting += lx_tile_area(&reflected->tiles[t]) * reflected->faces[reflected->tiles[t].face].reflectance;
+    for (size_t p = 0; p < request->place_count; p++) {
+        const struct lx_reflected_place *place = &request->places[p];
+        const double least = share * (fabs(place->direct) + received_by(reflected, &place->receiver));
+        reflected->near[p] = (struct lx_near){place->receiver, least};
     }
-    const double received = flux * reflecting / area / (area - reflecting);
-    for (size_t p = 0; p < request->place_count; p++)
-        reflected->near[p] =
-            (struct lx_near){request->places[p].receiver,
-                             NEARBY * fmax(request->error, LEAST_ERROR) * (fabs(request->places[p].direct) + received)};
     reflected->sampling.near = reflected->near;
     reflected->sampling.near_count = request->place_count;
     return 0;
@@ -224,7 +238,7 @@ static luxel_status light_up(struct lx_radiosity *reflected, const struct lx_ref
     sampling->least_flux = share * flux;
     sampling->narrow_flux = NARROW * sampling->least_flux;
     sampling->fold_flux = FOLDED * sampling->least_flux;
-    return find_near(reflected, request, flux) ? LUXEL_ERROR_MEMORY : sample(reflected);
+    return find_near(reflected, request) ? LUXEL_ERROR_MEMORY : sample(reflected);
 }
 
 /* ---- what is asked for ---- */

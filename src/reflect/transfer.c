@@ -274,6 +274,8 @@ static void send_cell(const struct sending *sending, const struct lx_window *win
     if (!take_cell(sending, window, cell, light, view, level) || !light->is_own || view.sight == LX_NONE_SEEN)
         return;
     const struct lx_doubt *doubt = &light->direct->doubt;
+    if (cell != &sending->tile->cell)
+        lx_cell_nodes(sending->of->face, window, cell);
     const double seen = fabs(seen_of(sending->sent) - before);
     const double kernel = sending->of->constant > 0
                               ? sending->of->constant

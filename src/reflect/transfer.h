@@ -17,7 +17,7 @@
 struct lx_sent {
     double weights[LX_RULE_NODES];
     double direct;
-    double doubt; /* irradiance that the direct light is not sure of, by the greatest kernel of each window, and */
+    double doubt;   /* irradiance that the direct light is not sure of, by the greatest kernel of each window, and */
     double squares; /* of what its last samples differ by */
 };
 
