@@ -13,6 +13,10 @@ from tap import Tap
 # Room, place, normal, irradiance there of reflected and direct light, and how well that is known.
 CASES = [
     ('beside the edge of a shadow', 22000, [1400.033376573696, 15, 0], [0, 0, 1], 6.4746, 0.0099, (3e-2, 1e-2)),
+    ('on the underside of a board', 40000, [2647.561670865764, 50, 1823.180306732021], [0, -1, 0], 0.8151, 0.0016,
+     (1e-1, 3e-2)),
+    ('on the floor under a board', 40000, [2647.561670865764, 0, 1823.180306732021], [0, 1, 0], 0.9412, 0.0009,
+     (1e-1, 3e-2)),
 ]
 
 
