@@ -88,6 +88,8 @@ struct descent {
     double squares; /* of the errors of leaves' fluxes */
     double errors;  /* of the samples, in the same */
     struct lx_tile *tile;
+    struct lx_near *near; /* places that it is near to */
+    size_t near_count;
 };
 
 /* The node of a tile that stands for where a window is. */
@@ -104,6 +106,7 @@ static int node_around(const struct lx_window *tile, const struct lx_window *win
 /* Fluxes that the samples of a cell are off by, as geometry tells. */
 struct missed {
     double shadows; /* at outlines, */
+    double open;    /* of light that would be so bright there if nothing hid it, where that is asked; */
     struct lx_beside beside;
     bool counts; /* so much that it is to be looked at more closely */
 };
@@ -114,14 +117,6 @@ static void leave(struct descent *descent, const struct lx_window *window, const
     const double jumps = SAFETY * missed->beside.jumps;
     descent->squares += jumps * jumps;
     descent->tile->local_error[node_around(&descent->tile->window, window)] += missed->shadows + missed->beside.bends;
-}
-
-/* Adds a flux by which the last samples are beside the polynomial of a window, without signs. */
-static void bend(const struct descent *descent, const struct lx_window *window, double flux, double radius_mm)
-{
-    const int q = node_around(&descent->tile->window, window);
-    descent->tile->bent_error[q] += flux;
-    descent->tile->bent_reach[q] += flux * radius_mm;
 }
 
 /* Samples of a quarter beside the polynomial of the window. */
@@ -149,25 +144,48 @@ static void add_change(struct change *sum, const struct change *change)
     sum->error += change->error;
 }
 
+static double squares_of(const struct change *change)
+{
+    return SAFETY * SAFETY * (change->difference * change->difference + 1e-4 * change->off * change->off);
+}
+
 /* Where it ends, what the last samples tell is the error. */
 static void end_at(struct descent *descent, const struct change *change)
 {
-    descent->squares += SAFETY * SAFETY * (change->difference * change->difference + 1e-4 * change->off * change->off);
+    descent->squares += squares_of(change);
     descent->errors += change->error;
+}
+
+/* The doubt of a quarter, with its nodes by samples and by the polynomial around it; the samples are nearer to the
+ * light than that, so that only a share of the difference counts where they stay. */
+static struct lx_doubt doubt_of(const struct change *change, double share, const struct missed *missed,
+                                const struct lx_tile_cell *cell, const double nodes[LX_RULE_NODES],
+                                const double foreseen[LX_RULE_NODES])
+{
+    const double jumps = SAFETY * missed->beside.jumps;
+    struct lx_doubt doubt = {.off = share * change->off,
+                             .reach = share * change->off * cell->radius_mm,
+                             .left = missed->shadows + missed->beside.bends + change->error,
+                             .squares = squares_of(change) + jumps * jumps};
+    for (int q = 0; q < LX_RULE_NODES; q++)
+        doubt.greatest = fmax(doubt.greatest, SAFETY * fmax(fabs(nodes[q]), fabs(foreseen[q])));
+    doubt.greatest = fmax(doubt.greatest, missed->open);
+    return doubt;
 }
 
 /* Finds the outlines on a cell, of those on a larger one, and puts what its samples are off by there right as far as
  * that is known; returns the flux that is left. */
 static double find_crossings(const struct descent *descent, const struct lx_tile_cell *cell,
-                             const struct lx_crossings *larger, struct lx_crossings *found, double nodes[LX_RULE_NODES])
+                             const struct lx_crossings *larger, struct lx_crossings *found, double nodes[LX_RULE_NODES],
+                             double *open)
 {
     const struct lx_sampling_direct *sampling = descent->sampling;
     lx_crossings_find(&sampling->outlines, descent->face, cell, larger, found);
     lx_effort_take(descent->asking->effort, (larger ? larger->count : sampling->outlines.count) / OUTLINES_EACH);
     for (int q = 0; q < LX_RULE_NODES; q++)
         nodes[q] += found->correction[q];
-    const double open = found->share > 0 ? found->share * lx_direct_open_flux(sampling, descent->asking, cell) : 0;
-    return found->irradiance * lx_cell_area(cell) + open;
+    *open = found->share > 0 ? lx_direct_open_flux(sampling, descent->asking, cell) / lx_cell_area(cell) : 0;
+    return (found->irradiance + found->share * *open) * lx_cell_area(cell);
 }
 
 static struct missed find_missed(const struct descent *descent, const struct lx_tile_cell *cell,
@@ -175,7 +193,8 @@ static struct missed find_missed(const struct descent *descent, const struct lx_
                                  double nodes[LX_RULE_NODES])
 {
     const struct lx_sampling_direct *sampling = descent->sampling;
-    struct missed missed = {.shadows = find_crossings(descent, cell, larger, found, nodes)};
+    struct missed missed = {0};
+    missed.shadows = find_crossings(descent, cell, larger, found, nodes, &missed.open);
     const bool is_plain = sampling->outlines.count > 0 && found->count == 0;
     missed.beside =
         lx_folds_beside(&sampling->folds, cell, is_plain ? sampling->world.prepared : NULL, descent->face->surface);
@@ -199,20 +218,23 @@ static int look_closer(struct descent *descent, const struct lx_window *window, 
     struct lx_crossings on[4];
     struct change changes[4] = {{0}}, all = {0};
     struct missed missed[4] = {{0}};
-    double moments[LX_RULE_NODES] = {0};
+    double moments[LX_RULE_NODES] = {0}, foreseen[4][LX_RULE_NODES];
     bool is_narrow[4] = {false};
     int failed = quarters && cells && room ? 0 : -1, narrow = 0;
     for (int i = 0; i < 4 && !failed; i++) {
         const struct lx_window quarter = lx_window_quarter(window, i);
-        double foreseen[LX_RULE_NODES], error;
+        double error;
         lx_cell_make(descent->face, &quarter, &cells[i]);
         failed = sample_cell(sampling, &cells[i], descent->asking, quarters[i].nodes, &error);
         on[i].items = room + (size_t)i * crossings->count;
         missed[i] = find_missed(descent, &cells[i], crossings, &on[i], quarters[i].nodes);
-        foresee(direct->nodes, i, foreseen);
-        changes[i] = quarter_change(foreseen, quarters[i].nodes, &cells[i], error);
+        foresee(direct->nodes, i, foreseen[i]);
+        changes[i] = quarter_change(foreseen[i], quarters[i].nodes, &cells[i], error);
         add_change(&all, &changes[i]);
-        is_narrow[i] = level < DEEPEST && (lx_beams_narrow(&sampling->beams, &cells[i]) || missed[i].counts);
+        quarters[i].doubt = doubt_of(&changes[i], KEPT, &missed[i], &cells[i], quarters[i].nodes, foreseen[i]);
+        is_narrow[i] = level < DEEPEST && (lx_beams_narrow(&sampling->beams, &cells[i]) || missed[i].counts ||
+                                           lx_near_counts(descent->near, descent->near_count, descent->face, &cells[i],
+                                                          &quarters[i].doubt));
         narrow += is_narrow[i];
     }
     direct->quarters = quarters;
@@ -230,9 +252,12 @@ static int look_closer(struct descent *descent, const struct lx_window *window, 
         if (narrow > 0)
             end_at(descent, &changes[i]);
         leave(descent, &quarter, &missed[i]);
-        if (on[i].count == 0)
-            bend(descent, &quarter, (narrow > 0 ? KEPT : 1) * changes[i].off, cells[i].radius_mm);
+        if (narrow == 0)
+            quarters[i].doubt = doubt_of(&changes[i], 1, &missed[i], &cells[i], quarters[i].nodes, foreseen[i]);
     }
+    direct->doubt = (struct lx_doubt){0};
+    for (int i = 0; i < 4 && !failed; i++)
+        lx_doubt_add(&direct->doubt, &quarters[i].doubt);
     for (int i = 0; i < 4 && !failed; i++)
         lift(quarters[i].nodes, cells[i].area, i, moments);
     for (int q = 0; q < LX_RULE_NODES && !failed; q++)
@@ -252,9 +277,11 @@ int lx_direct_sample(const struct lx_sampling_direct *sampling, const struct lx_
     double error;
     lx_direct_clear(&tile->direct);
     memset(tile->local_error, 0, sizeof tile->local_error);
-    memset(tile->bent_error, 0, sizeof tile->bent_error);
-    memset(tile->bent_reach, 0, sizeof tile->bent_reach);
-    int failed = !crossings.items || sample_cell(sampling, &tile->cell, asking, tile->direct.nodes, &error) ? -1 : 0;
+    descent.near = lx_new_array(sampling->near_count, sizeof *descent.near);
+    if (descent.near)
+        descent.near_count = lx_near_find(sampling->near, sampling->near_count, face, &tile->cell, descent.near);
+    int failed = !crossings.items || !descent.near ? -1 : 0;
+    failed = failed || sample_cell(sampling, &tile->cell, asking, tile->direct.nodes, &error) ? -1 : 0;
     if (!failed) {
         const struct missed missed = find_missed(&descent, &tile->cell, NULL, &crossings, tile->direct.nodes);
         if (isfinite(sampling->least_flux) || lx_beams_narrow(&sampling->beams, &tile->cell) || missed.counts)
@@ -267,6 +294,7 @@ int lx_direct_sample(const struct lx_sampling_direct *sampling, const struct lx_
         descent.errors += tile->local_error[q];
     tile->direct_error = (sqrt(descent.squares) + descent.errors) / lx_tile_area(tile);
     free(crossings.items);
+    free(descent.near);
     return failed;
 }
 

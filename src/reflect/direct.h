@@ -10,6 +10,7 @@
 #include "../world/world.h"
 #include "beam.h"
 #include "crossing.h"
+#include "doubt.h"
 #include "fold.h"
 #include "tile.h"
 
@@ -26,6 +27,8 @@ struct lx_sampling_direct {
     double narrow_flux; /* nor does what may be missed between outlines on one window, */
     double fold_flux;   /* or at folds */
     int most_levels;    /* of quarters, below those that beams ask for */
+    const struct lx_near *near; /* places at which the light is wanted: near to them it is sampled more finely */
+    size_t near_count;
 };
 
 /* The flux on a cell that no surface stands in the way of, about. */

@@ -54,6 +54,8 @@ static void add_sent(struct finding *finding, uint32_t group, enum lx_link_kind 
         return;
     weights->group = group;
     weights->direct = sent->direct;
+    weights->doubt = (float)sent->doubt;
+    weights->squares = (float)sent->squares;
     for (int q = 0; q < LX_RULE_NODES; q++)
         weights->of[q] = (float)sent->weights[q];
 }
@@ -198,22 +200,17 @@ static double product(const float weights[LX_RULE_NODES], const double values[LX
     return (sums[0] + sums[1]) + (sums[2] + sums[3]);
 }
 
-/* Errors of a near tile's direct light as they arrive, those around its nodes from there. */
-static double unsure_near(const struct lx_tile *tile, const float weights[LX_RULE_NODES], double kernel)
+/* Errors of a near tile's direct light as they arrive: all of it where another face lies on the tile. */
+static double unsure_near(const struct lx_tile *tile, const struct lx_weights *weights)
 {
-    double spread = lx_tile_unsure(tile) * lx_tile_area(tile), local = 0;
-    for (int q = 0; q < LX_RULE_NODES; q++) {
-        spread -= tile->local_error[q];
-        local += tile->local_error[q] * fmax((double)weights[q], 0) / tile->cell.area[q] +
-                 lx_tile_bent(tile, q, (double)weights[q]);
-    }
-    return local + fmax(spread, 0) * kernel;
+    return (double)weights->doubt + (tile->is_overlaid ? fabs(weights->direct) : 0);
 }
 
 struct lx_arrival lx_links_sum(const struct lx_radiosity *reflected, const struct lx_links *links,
                                const struct lx_light *light)
 {
     struct lx_arrival sum = {0};
+    double squares = 0; /* of what samples differ by, of which each is off by itself */
     size_t w = 0;
     for (size_t i = 0; i < links->count; i++) {
         if (links->items[i].kind == LX_LINK_NONE)
@@ -224,12 +221,12 @@ struct lx_arrival lx_links_sum(const struct lx_radiosity *reflected, const struc
         const size_t nodes = (size_t)weights->group * LX_RULE_NODES;
         const bool is_far = links->items[i].kind == LX_LINK_FAR;
         double value = is_far ? product(weights->of, group->direct) : weights->direct;
-        double total = 0, area = 0, most = 0, slack = 0;
+        double total = 0, most = 0, slack = 0;
+        squares += reflectance * reflectance * (double)weights->squares;
         for (int q = 0; q < LX_RULE_NODES; q++) {
             const double weight = fabs((double)weights->of[q]);
             total += (double)weights->of[q];
             if (light->slack) {
-                area += group->cell.area[q];
                 most = fmax(most, weight / group->cell.area[q]);
                 slack += weight * fabs(light->slack[nodes + (size_t)q]);
             }
@@ -238,13 +235,11 @@ struct lx_arrival lx_links_sum(const struct lx_radiosity *reflected, const struc
             value += product(weights->of, light->indirect + nodes);
         sum.value += reflectance * value;
         if (light->slack)
-            sum.slack += reflectance *
-                         (slack + (is_far ? group->unsure * most
-                                   : group->tile_count == 1
-                                       ? unsure_near(&reflected->tiles[group->first_tile], weights->of, total / area)
-                                       : group->unsure * total / area));
+            sum.slack += reflectance * (slack + (is_far ? group->unsure * most
+                                                        : unsure_near(&reflected->tiles[group->first_tile], weights)));
         sum.seen += total;
     }
+    sum.slack += light->slack ? sqrt(squares) : 0;
     return sum;
 }
 

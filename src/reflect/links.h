@@ -27,7 +27,8 @@ struct lx_link {
 struct lx_weights {
     uint32_t group;
     float of[LX_RULE_NODES];
-    double direct; /* of a tile */
+    float doubt, squares; /* of a tile, of its direct light (transfer.h), */
+    double direct;
 };
 
 struct lx_links {

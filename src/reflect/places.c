@@ -28,7 +28,6 @@ static int weigh_place(const struct lx_radiosity *reflected, const struct lx_rec
             continue;
         const struct lx_weights *weights = &links.weights[w++];
         const struct lx_group *group = &reflected->groups[weights->group];
-        const struct lx_tile *first = &reflected->tiles[group->first_tile];
         double sum = 0, area = 0;
         for (int q = 0; q < LX_RULE_NODES; q++) {
             sum += fabs((double)weights->of[q]);
@@ -36,8 +35,8 @@ static int weigh_place(const struct lx_radiosity *reflected, const struct lx_rec
         }
         for (size_t t = group->first_tile; t < group->first_tile + group->tile_count; t++)
             shares[t].seen += sum * lx_tile_area(&reflected->tiles[t]) / area;
-        for (int q = 0; q < LX_RULE_NODES && links.items[i].kind != LX_LINK_FAR && group->tile_count == 1; q++)
-            shares[group->first_tile].bent += lx_tile_bent(first, q, (double)weights->of[q]);
+        if (links.items[i].kind != LX_LINK_FAR)
+            shares[group->first_tile].bent += (double)weights->doubt + sqrt((double)weights->squares);
     }
     const bool failed = links.failed || cones.failed;
     lx_links_clear(&links);

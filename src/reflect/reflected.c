@@ -34,6 +34,8 @@ static const double LITTLE = 5e-2;
 static const double NARROW = 1.0 / 64, NARROW_AT_FIRST = 1e-3;
 /* Light at folds that may be missed on one window, as a share of that; they are looked for once it is known. */
 static const double FOLDED = 1.0 / 32;
+/* What the samples of one window beside a place may leave there, as a share of the bound that is wanted. */
+static const double NEARBY = 1.0 / 64;
 /* How exact integrals over sources are made that samples of direct light take, as a share of the bound that is wanted:
  * errors of samples count as errors of the direct light. */
 static const double SAMPLED = 1e-3;
@@ -59,6 +61,7 @@ static void free_solution(struct lx_kept *kept)
     lx_beams_clear(&reflected->sampling.beams);
     lx_outlines_clear(&reflected->sampling.outlines);
     lx_folds_clear(&reflected->sampling.folds);
+    free(reflected->near);
     free(reflected->tiles);
     free(reflected->groups);
     free(reflected->first_tile);
@@ -173,13 +176,49 @@ static double lit_flux(const struct lx_radiosity *reflected, bool *is_lit)
     return sent > 0 ? sent / most : flux;
 }
 
+/* What a place receives of the direct light that tiles have by now, about, and without regard to what hides it. */
+static double received_by(const struct lx_radiosity *reflected, const struct lx_receiver *receiver)
+{
+    static const int inner[] = {5, 6, 9, 10};
+    double sum = 0;
+    for (size_t t = 0; t < reflected->tile_count; t++) {
+        const struct lx_tile *tile = &reflected->tiles[t];
+        double sent = 0, kernel = 0, area = 0;
+        for (int q = 0; q < LX_RULE_NODES; q++) {
+            sent += tile->cell.area[q] * tile->direct.nodes[q];
+            area += tile->cell.area[q];
+        }
+        for (int k = 0; k < 4 && sent > 0; k++)
+            kernel += lx_kernel_at(receiver, tile->cell.place_mm[inner[k]], tile->cell.normal[inner[k]]) / 4;
+        sum += reflected->faces[tile->face].reflectance * fmax(sent, 0) * fmin(kernel, 1 / area);
+    }
+    return sum;
+}
+
+/* The places that are asked, once it is known how much light there is. */
+static int find_near(struct lx_radiosity *reflected, const struct lx_reflected_request *request)
+{
+    const double share = NEARBY * fmax(request->error, LEAST_ERROR);
+    reflected->near = lx_new_array(request->place_count, sizeof *reflected->near);
+    if (!reflected->near)
+        return -1;
+    for (size_t p = 0; p < request->place_count; p++) {
+        const struct lx_reflected_place *place = &request->places[p];
+        const double least = share * (fabs(place->direct) + received_by(reflected, &place->receiver));
+        reflected->near[p] = (struct lx_near){place->receiver, least};
+    }
+    reflected->sampling.near = reflected->near;
+    reflected->sampling.near_count = request->place_count;
+    return 0;
+}
+
 /* First the nodes, beams and outlines, which tell how much light there is, then all that counts. */
-static luxel_status light_up(struct lx_radiosity *reflected, double error)
+static luxel_status light_up(struct lx_radiosity *reflected, const struct lx_reflected_request *request)
 {
     struct lx_sampling_direct *sampling = &reflected->sampling;
     bool *is_lit = lx_new_array(reflected->face_count, sizeof *is_lit);
     double flux = 0;
-    const double share = LITTLE * fmax(error, LEAST_ERROR);
+    const double share = LITTLE * fmax(request->error, LEAST_ERROR);
     const bool has_room = is_lit && !lx_beams_make(&reflected->prepared->emitters, share, &sampling->beams) &&
                           !lx_outlines_make(&reflected->sampled, &sampling->outlines) &&
                           !lx_folds_make(&reflected->sampled.emitters, share, &sampling->folds);
@@ -199,7 +238,7 @@ static luxel_status light_up(struct lx_radiosity *reflected, double error)
     sampling->least_flux = share * flux;
     sampling->narrow_flux = NARROW * sampling->least_flux;
     sampling->fold_flux = FOLDED * sampling->least_flux;
-    return sample(reflected);
+    return find_near(reflected, request) ? LUXEL_ERROR_MEMORY : sample(reflected);
 }
 
 /* ---- what is asked for ---- */
@@ -299,7 +338,7 @@ static luxel_status work(struct lx_radiosity *reflected, const struct lx_reflect
     struct lx_reflected_request within_reach = *wanted;
     within_reach.error = fmax(wanted->error, LEAST_ERROR);
     const struct lx_reflected_request *request = &within_reach;
-    luxel_status status = lx_tiling_make(reflected) ? LUXEL_ERROR_MEMORY : light_up(reflected, request->error);
+    luxel_status status = lx_tiling_make(reflected) ? LUXEL_ERROR_MEMORY : light_up(reflected, request);
     set_fineness(reflected);
     for (int round = 0; status == LUXEL_OK; round++) {
         bool failed = false;

@@ -34,6 +34,7 @@ struct lx_radiosity {
     struct lx_prepared sampled;         /* likewise, with the tolerance that samples of direct light are good for, */
     struct lx_prepared open;            /* and without shadows */
     struct lx_sampling_direct sampling;
+    struct lx_near *near; /* the places that are asked */
     double error;     /* the bound that is wanted */
     unsigned bounces; /* 0: all */
     double size_mm;   /* of the scene */

@@ -151,13 +151,3 @@ double lx_tile_unsure_at(const struct lx_tile *tile, int q)
         local += tile->local_error[k];
     return lx_tile_unsure(tile) - local / lx_tile_area(tile) + tile->local_error[q] / tile->cell.area[q];
 }
-
-/* Windows have their light, and its moments, so that only those count that take a good part of the view. */
-double lx_tile_bent(const struct lx_tile *tile, int q, double weight)
-{
-    const double between = 4; /* the samples light may be farther off */
-    if (!(weight > 0 && tile->bent_error[q] > 0))
-        return 0;
-    const double kernel = weight / tile->cell.area[q], reach = 2 * tile->bent_reach[q] / tile->bent_error[q];
-    return between * tile->bent_error[q] * kernel * fmin(M_PI * reach * reach * kernel, 1);
-}

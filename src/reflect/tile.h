@@ -38,10 +38,20 @@ struct lx_matte_face {
     bool is_small;     /* and whether they are so many that reflected light is linear on it unless it is cut */
 };
 
+/* What samples of the direct light of a window are not sure of (doubt.h): fluxes in mm^2 times irradiance. */
+struct lx_doubt {
+    double off;      /* beside its polynomials, without signs, which cancel from afar, */
+    double reach;    /* times the radii of the windows that it is in, in mm */
+    double left;     /* of outlines, of folds that bend and of the samples themselves */
+    double squares;  /* of what the last samples differ by, window by window */
+    double greatest; /* irradiance that may be wrong anywhere on it */
+};
+
 /* Direct light on a window: coefficients at the nodes that have the true integrals with all polynomials of the rule's
  * degree; children, quarters, where that is not all of it. */
 struct lx_direct {
     double nodes[LX_RULE_NODES];
+    struct lx_doubt doubt;
     struct lx_direct *quarters; /* four of them; NULL: none */
 };
 
@@ -59,9 +69,7 @@ struct lx_tile {
     bool has_past;                          /* solutions before told it */
     double past[LX_RULE_NODES], past_error; /* reflected irradiance, and a bound on all of it */
     double direct_error;                    /* of the mean of the direct light that was sampled, */
-    double local_error[LX_RULE_NODES];      /* and the part of it that is around each node, as a flux; */
-    double bent_error[LX_RULE_NODES];       /* a flux that is beside its polynomials there, which cancels from afar, */
-    double bent_reach[LX_RULE_NODES];       /* times the radii of the windows that it is in, in mm */
+    double local_error[LX_RULE_NODES];      /* and the part of it that is around each node, as a flux */
     double seen_error; /* of the share of all ways from the tile that end on faces (lx_radiosity.seen), in the mean */
     double residual[2][2]; /* changes of the solution's: along s and t, towards the low and the high edge */
     double own_error;      /* what the polynomial of the solution may be off by itself, anywhere on the tile, */
@@ -76,8 +84,6 @@ double lx_tile_area(const struct lx_tile *tile);
 /* The error of the direct light that a tile sends on, in the mean, and around a node. */
 double lx_tile_unsure(const struct lx_tile *tile);
 double lx_tile_unsure_at(const struct lx_tile *tile, int q);
-/* The irradiance that what is beside its polynomials around a node may add where that weighs so much. */
-double lx_tile_bent(const struct lx_tile *tile, int q, double weight);
 
 /* The bounds and nodes of a window. */
 void lx_cell_make(const struct lx_matte_face *face, const struct lx_window *window, struct lx_tile_cell *cell);

@@ -15,9 +15,14 @@
 #include "overlap.h"
 #include "solution.h"
 
-enum { MOST_MARKS = 64 };
+enum { MOST_MARKS = 128 };
 /* The number of triangles of a mesh from which on they are small. */
 enum { MANY = 150 };
+
+/* Light has kinks where surfaces stand on a face, or almost: no farther from it than these shares of their size.  Up to
+ * a greater share they darken a place as small as they are, and between things all is darker still; places of windows
+ * that are larger than it by a factor would miss that. */
+static const double STANDS = 0.15, MESH_STANDS = 0.05, OVER = 0.8, LARGER = 2;
 
 /* ---- marks ---- */
 
@@ -25,10 +30,11 @@ enum { MANY = 150 };
 struct marks {
     int count;
     double low[MOST_MARKS][2], high[MOST_MARKS][2];
+    bool is_over[MOST_MARKS]; /* it does not stand there: large windows alone are cut */
 };
 
 /* Adds a mark, of which the face has but what lies on it. */
-static void add_mark(struct marks *marks, const double low[2], const double high[2])
+static void add_mark(struct marks *marks, const double low[2], const double high[2], bool is_over)
 {
     if (marks->count == MOST_MARKS)
         return;
@@ -38,7 +44,7 @@ static void add_mark(struct marks *marks, const double low[2], const double high
         marks->low[marks->count][k] = fmax(low[k], -1);
         marks->high[marks->count][k] = fmin(high[k], 1);
     }
-    marks->count++;
+    marks->is_over[marks->count++] = is_over;
 }
 
 /* How high a place lies over a plate, and where on it. */
@@ -51,25 +57,37 @@ static double stand(const struct lx_matte_face *plate, const double place_mm[3],
     return plate->sheet.turn * lx_dot(from, plate->sheet.axis);
 }
 
-/* The corners of a plate that are near to another one. */
-static void mark_plate(const struct lx_matte_face *face, const struct lx_matte_face *other, double least_mm,
-                       struct marks *marks)
+/* The corners of a surface, of which a face is the first, that are no higher over another one than this. */
+static void mark_corners(const struct lx_radiosity *reflected, const struct lx_matte_face *face, size_t first,
+                         const double heights_mm[2], bool is_over, struct marks *marks)
 {
-    const double near = 0.15, limit = near * fmax(other->size_mm[0], other->size_mm[1]);
+    const size_t surface = reflected->faces[first].surface;
     double low[2] = {HUGE_VAL, HUGE_VAL}, high[2] = {-HUGE_VAL, -HUGE_VAL};
-    double corners[4][3];
-    const int count = lx_sheet_corners(&other->sheet, corners);
-    for (int k = 0; k < count; k++) {
-        double at[2];
-        const double height = stand(face, corners[k], at);
-        if (height < -least_mm || height > limit)
-            continue;
-        for (int i = 0; i < 2; i++) {
-            low[i] = fmin(low[i], at[i]);
-            high[i] = fmax(high[i], at[i]);
+    for (size_t f = first; f < reflected->face_count && reflected->faces[f].surface == surface; f++) {
+        double corners[4][3], at[2];
+        const int count = lx_sheet_corners(&reflected->faces[f].sheet, corners);
+        for (int c = 0; c < count; c++) {
+            const double height = stand(face, corners[c], at);
+            for (int i = 0; i < 2 && height >= heights_mm[0] && height <= heights_mm[1]; i++) {
+                low[i] = fmin(low[i], at[i]);
+                high[i] = fmax(high[i], at[i]);
+            }
         }
     }
-    add_mark(marks, low, high);
+    add_mark(marks, low, high, is_over);
+}
+
+/* A plate or a mesh. */
+static void mark_straight(const struct lx_radiosity *reflected, const struct lx_matte_face *face, size_t first,
+                          double least_mm, struct marks *marks)
+{
+    const struct lx_matte_face *other = &reflected->faces[first];
+    const double size = other->is_facet ? reflected->prepared->surfaces[other->surface].shape.radius_mm
+                                        : fmax(other->size_mm[0], other->size_mm[1]);
+    const double stands[2] = {-least_mm, (other->is_facet ? MESH_STANDS : STANDS) * size};
+    const double over[2] = {-least_mm, OVER * size};
+    mark_corners(reflected, face, first, stands, false, marks);
+    mark_corners(reflected, face, first, over, true, marks);
 }
 
 /* A ball touches a plate at a point, what else is round along its outline. */
@@ -77,40 +95,19 @@ static void mark_round(const struct lx_matte_face *face, const struct lx_matte_f
                        struct marks *marks)
 {
     const struct lx_smooth_sheet *sheet = &other->sheet;
-    const double near = 0.3, radius = sheet->half_mm[0], turn = -face->sheet.turn;
+    const double radius = sheet->half_mm[0], turn = -face->sheet.turn;
     const double down[3] = {turn * face->sheet.axis[0], turn * face->sheet.axis[1], turn * face->sheet.axis[2]};
     double at[2], low[2], high[2];
     const double gap = stand(face, sheet->center_mm, at) - sheet->type->reach(sheet, down);
-    if (gap < -least_mm || gap > near * radius)
+    if (gap < -least_mm || gap > OVER * 2 * radius)
         return;
+    const bool is_over = gap > STANDS * 2 * radius;
     for (int i = 0; i < 2; i++) {
-        const double beside = sheet->type->bends == 2 ? 0 : radius / face->sheet.half_mm[i];
+        const double beside = sheet->type->bends == 2 && !is_over ? 0 : radius / face->sheet.half_mm[i];
         low[i] = at[i] - beside;
         high[i] = at[i] + beside;
     }
-    add_mark(marks, low, high);
-}
-
-/* The corners of a mesh that are near to a plate. */
-static void mark_mesh(const struct lx_radiosity *reflected, const struct lx_matte_face *face, size_t first,
-                      double least_mm, struct marks *marks)
-{
-    const double near = 0.05;
-    const size_t surface = reflected->faces[first].surface;
-    const double limit = near * reflected->prepared->surfaces[surface].shape.radius_mm;
-    double low[2] = {HUGE_VAL, HUGE_VAL}, high[2] = {-HUGE_VAL, -HUGE_VAL};
-    for (size_t f = first; f < reflected->face_count && reflected->faces[f].surface == surface; f++) {
-        double corners[4][3], at[2];
-        const int count = lx_sheet_corners(&reflected->faces[f].sheet, corners);
-        for (int c = 0; c < count; c++) {
-            const double height = stand(face, corners[c], at);
-            for (int i = 0; i < 2 && height >= -least_mm && height <= limit; i++) {
-                low[i] = fmin(low[i], at[i]);
-                high[i] = fmax(high[i], at[i]);
-            }
-        }
-    }
-    add_mark(marks, low, high);
+    add_mark(marks, low, high, is_over);
 }
 
 static void find_marks(const struct lx_radiosity *reflected, const struct lx_matte_face *face, struct marks *marks)
@@ -123,10 +120,8 @@ static void find_marks(const struct lx_radiosity *reflected, const struct lx_mat
         if (other->surface == face->surface || other->surface == last)
             continue;
         last = other->surface; /* one of its sheets tells for all */
-        if (other->is_facet)
-            mark_mesh(reflected, face, f, least_mm, marks);
-        else if (lx_is_polygon(other))
-            mark_plate(face, other, least_mm, marks);
+        if (lx_is_polygon(other))
+            mark_straight(reflected, face, f, least_mm, marks);
         else
             mark_round(face, other, least_mm, marks);
     }
@@ -166,7 +161,10 @@ static bool find_line(const struct cutting *cutting, const struct lx_window *win
             const double off = fabs(line - window->middle[across]) / window->half[across];
             const double overlap = fmin(marks->high[m][along], window->middle[along] + window->half[along]) -
                                    fmax(marks->low[m][along], window->middle[along] - window->half[along]);
+            const double extent = marks->high[m][across] - marks->low[m][across];
             const bool is_line = marks->high[m][along] - marks->low[m][along] < least;
+            if (marks->is_over[m] && window->half[across] < LARGER * extent / 2)
+                continue;
             if (overlap < (is_line ? -least : least) || off >= best || (1 - off) * window->half[across] < least)
                 continue;
             best = off;

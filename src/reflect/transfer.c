@@ -223,7 +223,8 @@ static bool tells_part(const struct lx_fineness *fineness, const struct light_at
     return sight != LX_PART_SEEN || !has_detail(light) || (by_nodes && !fineness->has_details);
 }
 
-static void send_cell(const struct sending *sending, const struct lx_window *window, struct lx_tile_cell *cell,
+/* False: the quarters of its direct light are asked in its place. */
+static bool take_cell(const struct sending *sending, const struct lx_window *window, struct lx_tile_cell *cell,
                       const struct light_at *light, struct view_of view, int level)
 {
     const enum lx_outlook sight = view.sight;
@@ -236,11 +237,11 @@ static void send_cell(const struct sending *sending, const struct lx_window *win
     const bool has_levels = level < MOST_LEVELS;
     double values[LX_RULE_NODES];
     if (sight == LX_NONE_SEEN || !lx_effort_take(sending->of->cones->effort, CELL_EFFORT))
-        return;
+        return true;
     if (has_levels && !(sight == LX_ALL_SEEN && sending->of->constant > 0) &&
         !(is_small(sending, cell, share) && tells_part(fineness, light, sight, by_nodes))) {
         cut_cell(sending, window, cell, light, view.partly, level);
-        return;
+        return !has_detail(light);
     }
     if (cell != &sending->tile->cell)
         lx_cell_nodes(sending->of->face, window, cell);
@@ -251,9 +252,37 @@ static void send_cell(const struct sending *sending, const struct lx_window *win
     } else if (!weigh_flat_part(sending, cell, view.partly, values)) {
         if (has_levels)
             cut_cell(sending, window, cell, light, view.partly, level);
-        return;
+        return !has_levels || !has_detail(light);
     }
     add_values(sending, window, cell, light, values);
+    return true;
+}
+
+/* The share of the view that is known of a tile by now. */
+static double seen_of(const struct lx_sent *sent)
+{
+    double seen = 0;
+    for (int q = 0; q < LX_RULE_NODES; q++)
+        seen += sent->weights[q];
+    return seen;
+}
+
+static void send_cell(const struct sending *sending, const struct lx_window *window, struct lx_tile_cell *cell,
+                      const struct light_at *light, struct view_of view, int level)
+{
+    const double before = light->is_own ? seen_of(sending->sent) : 0;
+    if (!take_cell(sending, window, cell, light, view, level) || !light->is_own || view.sight == LX_NONE_SEEN)
+        return;
+    const struct lx_doubt *doubt = &light->direct->doubt;
+    if (cell != &sending->tile->cell)
+        lx_cell_nodes(sending->of->face, window, cell);
+    const double seen = fabs(seen_of(sending->sent) - before);
+    const double kernel = sending->of->constant > 0
+                              ? sending->of->constant
+                              : lx_greatest_kernel(sending->of->receiver, sending->of->face, cell);
+    const double differs = lx_doubt_differs(doubt, kernel, seen);
+    sending->sent->doubt += lx_doubt_at(doubt, kernel, seen);
+    sending->sent->squares += differs * differs;
 }
 
 struct lx_transfer lx_transfer_of(const struct lx_fineness *fineness, const struct lx_receiver *receiver,
@@ -288,7 +317,7 @@ bool lx_transfer_group(const struct lx_transfer *transfer, const struct lx_group
     const struct lx_tile_cell *cell = &group->cell;
     if (transfer->constant == 0 && cell->radius_mm > transfer->fineness->group * scale_of(transfer, cell))
         return false;
-    sent->direct = 0;
+    sent->direct = sent->doubt = sent->squares = 0;
     for (int q = 0; q < LX_RULE_NODES; q++) {
         sent->weights[q] = kernel(transfer, cell->place_mm[q], cell->normal[q]) * cell->area[q];
         sent->direct += sent->weights[q] * group->direct[q];

@@ -10,12 +10,15 @@
 #ifndef LX_REFLECT_TRANSFER_H
 #define LX_REFLECT_TRANSFER_H
 
+#include "doubt.h"
 #include "group.h"
 #include "occluder_cone.h"
 
 struct lx_sent {
     double weights[LX_RULE_NODES];
     double direct;
+    double doubt;   /* irradiance that the direct light is not sure of, by the greatest kernel of each window, and */
+    double squares; /* of what its last samples differ by */
 };
 
 /* One face and one receiver, for which the cones are set. */

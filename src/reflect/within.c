@@ -120,6 +120,8 @@ int lx_within_guess(const struct lx_radiosity *reflected, const struct lx_asking
     }
     lx_direct_clear(&tile->direct);
     tile->direct_error += light / lx_tile_area(tile);
+    tile->direct.doubt.left += light;
+    tile->direct.doubt.greatest = fmax(tile->direct.doubt.greatest, 2 * tile->most_direct);
     tile->is_guessed = true;
     return 0;
 }

@@ -1,0 +1,36 @@
+# SPDX-License-Identifier: MIT
+"""Reflected light within millimetres of where faces meet, at loose tolerances.
+
+    test_reflected_near.py LUXEL
+
+Values of tight tolerances, which finer tiles do not change, stand against those of loose ones.
+"""
+import sys
+
+import reflected_places
+from tap import Tap
+
+# Room, place, normal, irradiance there of reflected and direct light, and how well that is known.
+CASES = [
+    ('beside the edge of a shadow', 22000, [1400.033376573696, 15, 0], [0, 0, 1], 6.4746, 0.0099, (3e-2, 1e-2)),
+    ('on the underside of a board', 40000, [2647.561670865764, 50, 1823.180306732021], [0, -1, 0], 0.8151, 0.0016,
+     (1e-1, 3e-2)),
+    ('on the floor under a board', 40000, [2647.561670865764, 0, 1823.180306732021], [0, 1, 0], 0.9412, 0.0009,
+     (1e-1, 3e-2)),
+]
+
+
+def main():
+    tap = Tap()
+    for name, seed, place, normal, truth, rest, tolerances in CASES:
+        room = reflected_places.Room(seed)
+        room.places = [(place, normal)]
+        for tolerance in tolerances:
+            [(value, bound)] = reflected_places.probe(sys.argv[1], room, tolerance)
+            tap.ok(abs(value - truth) <= bound + rest, '%s at %g' % (name, tolerance),
+                   '%.5g +- %.2g, not %.5g' % (value, bound, truth))
+    tap.finish()
+
+
+if __name__ == '__main__':
+    main()
