@@ -449,7 +449,6 @@ static void bind_settings(AppWindow *self)
     g_settings_bind(settings, "window-width", self, "default-width", G_SETTINGS_BIND_DEFAULT);
     g_settings_bind(settings, "window-height", self, "default-height", G_SETTINGS_BIND_DEFAULT);
     g_settings_bind(settings, "window-maximized", self, "maximized", G_SETTINGS_BIND_DEFAULT);
-    g_settings_bind(settings, "right-shown", self->right_box, "visible", G_SETTINGS_BIND_DEFAULT);
     char *palette = g_settings_get_string(settings, "palette");
     const char *known = app_palette_named(palette);
     if (known && strcmp(known, "grey") != 0)
@@ -529,6 +528,8 @@ static void app_window_class_init(AppWindowClass *class)
     BIND(left_scroll);
     BIND(left_box);
     BIND(right_box);
+    BIND(view_overlay);
+    BIND(bars_box);
     BIND(compare_box);
     BIND(compare_label);
     BIND(bar);

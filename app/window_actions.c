@@ -95,8 +95,8 @@ static void change_isophotes(GSimpleAction *action, GVariant *state, gpointer da
 static void change_numbers(GSimpleAction *action, GVariant *state, gpointer data)
 {
     AppWindow *self = data;
-    gtk_widget_set_visible(self->right_box, g_variant_get_boolean(state));
-    g_simple_action_set_state(action, state);
+    (void)action;
+    app_window_show_right(self, g_variant_get_boolean(state));
 }
 
 static void change_quantity(GSimpleAction *action, GVariant *state, gpointer data)

@@ -64,6 +64,7 @@ static void show_comparison(AppWindow *self, const AppPicture *picture)
 {
     char *text = NULL;
     gtk_widget_set_visible(self->compare_box, self->pinned != NULL);
+    gtk_widget_set_visible(self->compare_label, self->pinned != NULL);
     if (!self->pinned)
         return;
     if (picture->has_comparison) {
