@@ -217,6 +217,7 @@ static GtkListItemFactory *new_short_factory(void)
     static const char template[] =
         "<interface><template class='GtkListItem'><property name='child'><object class='GtkLabel'>"
         "<property name='ellipsize'>end</property><property name='xalign'>0</property>"
+        "<property name='max-width-chars'>8</property>"
         "<binding name='label'><lookup name='string' type='GtkStringObject'><lookup name='item'>GtkListItem</lookup>"
         "</lookup></binding></object></property></template></interface>";
     GBytes *bytes = g_bytes_new_static(template, sizeof template - 1);

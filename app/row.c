@@ -217,6 +217,7 @@ static void add_text(AppRow *self, const char *hint)
     self->control = gtk_entry_new();
     gtk_editable_set_enable_undo(GTK_EDITABLE(self->control), FALSE);
     gtk_editable_set_width_chars(GTK_EDITABLE(self->control), 6);
+    gtk_editable_set_max_width_chars(GTK_EDITABLE(self->control), 6);
     gtk_entry_set_placeholder_text(GTK_ENTRY(self->control), hint);
     g_signal_connect_swapped(self->control, "activate", G_CALLBACK(entered), self);
     g_signal_connect_swapped(focus, "leave", G_CALLBACK(text_left), self);

@@ -9,7 +9,7 @@
  */
 #include "window_private.h"
 
-enum { LEFT_WIDTH = 262, RIGHT_WIDTH = 240, LEAST_LEFT = 206, LEAST_RIGHT = 205, LEAST_CENTER = 300, NARROW = 1300, DRAWER_WIDTH = 320 };
+enum { LEFT_WIDTH = 252, RIGHT_WIDTH = 236, LEAST_LEFT = 206, LEAST_RIGHT = 205, LEAST_CENTER = 300, NARROW = 1300, DRAWER_WIDTH = 320 };
 static const double LEFT_SHARE = 0.4; /* of a window, at most */
 
 static void keep(AppWindow *self, const char *key, int *kept, int width)
@@ -142,8 +142,8 @@ void app_window_watch_panes(AppWindow *self)
     self->left_width = self->settings ? g_settings_get_int(self->settings, "left-width") : LEFT_WIDTH;
     self->right_width = self->settings ? g_settings_get_int(self->settings, "right-width") : RIGHT_WIDTH;
     self->is_right_shown = !self->settings || g_settings_get_boolean(self->settings, "right-shown");
-    int width;
-    gtk_window_get_default_size(GTK_WINDOW(self), &width, NULL);
+    int width, height;
+    gtk_window_get_default_size(GTK_WINDOW(self), &width, &height);
     become(self, width < NARROW && !gtk_window_is_maximized(GTK_WINDOW(self)));
     show_right(self);
     gtk_paned_set_position(GTK_PANED(self->left_pane), self->left_width);
