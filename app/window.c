@@ -559,12 +559,10 @@ static void app_window_class_init(AppWindowClass *class)
 
 static void make_space(AppWindow *self)
 {
-    GtkWidget *space = gtk_box_new(GTK_ORIENTATION_VERTICAL, 6);
     self->stage = app_stage_new(self->document);
     self->why = app_why_new();
-    gtk_box_append(GTK_BOX(space), self->stage);
-    gtk_box_append(GTK_BOX(space), self->why);
-    self->numbers = app_numbers_new(self->document, space);
+    gtk_overlay_add_overlay(GTK_OVERLAY(self->view_overlay), self->why);
+    self->numbers = app_numbers_new(self->document, self->stage);
 }
 
 static void app_window_init(AppWindow *self)

@@ -152,4 +152,6 @@ void app_window_watch_panes(AppWindow *self)
     g_signal_connect_after(self->left_pane, "move-handle", G_CALLBACK(divider_moved_by_keys), self);
     g_signal_connect_after(self->right_pane, "move-handle", G_CALLBACK(divider_moved_by_keys), self);
     g_signal_connect(self->right_pane, "notify::max-position", G_CALLBACK(room_changed), self);
+    /* which a pane with one child does not tell */
+    g_signal_connect(self->left_pane, "notify::max-position", G_CALLBACK(room_changed), self);
 }

@@ -111,12 +111,6 @@ class Window:
         return wait("toggle %r" % name,
                     lambda: self.widget.find("toggle button", name) or self.widget.find("button", name))
 
-    def slider(self, name):
-        """The slider of a value, which is shown when it is asked for."""
-        if not self.widget.find("slider", name + ", slider"):
-            self.toggle(name + ": show the slider").act()
-        return self.control("slider", name + ", slider")
-
     def place(self, widget):
         """The middle of a widget on the screen, brought into view where it is in the panel on the left."""
         frame, panel = self.widget.area(), self.panel()
