@@ -3,7 +3,7 @@
  * A row of a form: one value with its label, unit and control, all by the parameter table.  Values come and go as
  * YAML, the way the scene has them.
  *
- * A number has a field, and its label is dragged through the advised range; legal values beyond it are taken and marked.
+ * A number has a field, and its label is dragged through the advised range; legal values beyond it are taken, marked.
  * What cannot be taken turns the field red, with the reason below it, and changes nothing.  A number that is a part of
  * a vector stands with the others in one line (vector.h), which has what is said of them.
  *

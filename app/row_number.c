@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* The control of a number: a field that takes what people type, and a label that is dragged through the advised range. */
+/* The control of a number: a field that takes what people type, and a label that is dragged. */
 #include <math.h>
 #include <string.h>
 

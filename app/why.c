@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * The value and what each source gives of it are read as under the pointer, and follow a hand.  Explanations take longer
- * than a frame: they are made in a thread, when the pointer rests.  Both only while they are shown.
+ * The value and what each source gives of it are read as under the pointer, and follow a hand.  Explanations take
+ * longer than a frame: they are made in a thread, when the pointer rests.  Both only while they are shown.
  */
 #include "why.h"
 
@@ -33,7 +33,7 @@ struct _AppWhy {
     guint timer;
     gboolean is_busy, is_outdated;
     gsize light;
-    char *text;             /* of the place that was explained last; NULL: none */
+    char *text;                   /* of the place that was explained last; NULL: none */
     guint64 wanted, serial, read; /* of the version that is shown, and that the text and the value are of */
     GCancellable *cancellable;
 };
@@ -82,7 +82,8 @@ static char *write_shares(const AppReading *reading)
         char *color = app_lamp_color_name(order[i]);
         app_number_show(100 * reading->shares[order[i]] / reading->value.value, 2, percent);
         g_string_append_printf(text, "%s<span background=\"%s\" color=\"black\"> %zu </span>\t%s\t%s %%", i ? "\n" : "",
-                               color, order[i] + 1, app_number_show(reading->shares[order[i]], DIGITS, number), percent);
+                               color, order[i] + 1, app_number_show(reading->shares[order[i]], DIGITS, number),
+                               percent);
         g_free(color);
     }
     if (rest != 0) {

@@ -12,6 +12,7 @@
 #include "../front/words.h"
 #include "choices.h"
 #include "pulse.h"
+#include "reveal.h"
 #include "row.h"
 #include "window_private.h"
 
@@ -377,6 +378,7 @@ static void add_group(AppWindow *self, const char *title, gboolean expanded, Gtk
     app_name_control(expander, title);
     gtk_expander_set_expanded(GTK_EXPANDER(expander), expanded);
     gtk_box_append(GTK_BOX(self->left_box), expander);
+    app_reveal_when_opened(GTK_EXPANDER(expander), GTK_SCROLLED_WINDOW(self->left_scroll));
 }
 
 static GtkWidget *new_surface_list(AppWindow *self)

@@ -9,7 +9,15 @@
  */
 #include "window_private.h"
 
-enum { LEFT_WIDTH = 252, RIGHT_WIDTH = 236, LEAST_LEFT = 206, LEAST_RIGHT = 205, LEAST_CENTER = 300, NARROW = 1300, DRAWER_WIDTH = 320 };
+enum {
+    LEFT_WIDTH = 252,
+    RIGHT_WIDTH = 236,
+    LEAST_LEFT = 206,
+    LEAST_RIGHT = 205,
+    LEAST_CENTER = 300,
+    NARROW = 1300,
+    DRAWER_WIDTH = 320
+};
 static const double LEFT_SHARE = 0.4; /* of a window, at most */
 
 static void keep(AppWindow *self, const char *key, int *kept, int width)

@@ -62,7 +62,8 @@ struct _AppWindow {
 
     /* of the template */
     AppView *view;
-    GtkWidget *pages, *left_pane, *right_pane, *left_scroll, *left_box, *right_box, *view_overlay, *bars_box, *compare_box, *compare_label, *bar;
+    GtkWidget *pages, *left_pane, *right_pane, *left_scroll, *left_box, *right_box, *compare_box, *compare_label, *bar;
+    GtkWidget *view_overlay, *bars_box; /* what lies over the picture */
     GtkWidget *unsaved_bar, *unsaved_label, *discard_button, *fault_bar, *fault_label, *outside_bar, *outside_label;
     GtkWidget *direct_label; /* what the picture is, before reflected light has come */
     GtkWidget *progress_label, *stop_button;

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The other parts of the window: names that are dragged, sections, comparing, light from afar by hand, dialogs, what is remembered."""
+"""The other parts of the window: names that are dragged, sections, comparing, light from afar, dialogs."""
 import re
 
 from desk import trial
@@ -58,8 +58,11 @@ def vectors(tap, desk):
     tap.ok(all(field.area()[2] >= 40 for field in fields), "each with room for its digits", fields)
     form = [window.control(*part) for part in (("combo box", "Type"), ("spin button", "Intensity"),
                                                ("combo box", "Attenuation"), ("combo box", "Pattern"))]
-    tap.equal(len({(part.area()[0], part.area()[2]) for part in form}), 1, "fields and lists have one edge and one width")
-    name = next(label for label in window.widget.all("label", "y") if abs(label.area()[1] - fields[1].area()[1]) < 20)
+    left, right = ([part.area()[0] + side * part.area()[2] for part in form] for side in (0, 1))
+    tap.ok(max(left) - min(left) <= 2 and max(right) - min(right) <= 2, "fields and lists have one edge and one width",
+           left, right)
+    name = next(label for label in window.widget.all("label", "y")
+                if abs(label.area()[1] - fields[1].area()[1]) < 20)
     x, y = window.place(name)
     values = window.values()
     desk.drag((x, y), (x + 20, y))
@@ -76,7 +79,18 @@ def vectors(tap, desk):
     wait("another place", lambda: window.enabled("undo"))
     window.click(window.control("label", "Position"), count=2)
     wait("the old place", lambda: window.control("spin button", "Position, x").text == "2000")
-    tap.ok(place.group(0) in window.save(), "a double click on the name brings all three back, as they were saved")
+    tap.ok(b"position: [2000, 0, 2000]" in window.save(),
+           "a double click on the name brings all three back, as they were saved")
+
+
+def opened(tap, desk):
+    """A part at the bottom that is opened is brought into sight."""
+    window = desk.start().window()
+    window.press("Screen and observer", None)
+    panel = window.panel()
+    field = window.control("combo box", "Projection")
+    seen = lambda: panel[1] <= field.area()[1] and field.area()[1] + field.area()[3] <= panel[1] + panel[3]
+    tap.ok(wait("the panel", seen), "what it holds is seen", panel, field.area())
 
 
 def sections(tap, desk):
@@ -152,4 +166,4 @@ def dialogs(tap, desk):
     tap.equal(window.values()[0], "2.727591", "light or dark, the numbers stay")
 
 
-trial(dragged_names, surfaces, vectors, sections, comparing, from_afar, dialogs)
+trial(dragged_names, surfaces, vectors, opened, sections, comparing, from_afar, dialogs)

@@ -4,7 +4,7 @@ import time
 
 from accessible import Rejected
 
-DEADLINE = 20  # seconds
+DEADLINE = 120  # seconds
 STEP = 0.05  # between two questions, or as long as the question took: who is asked has other work
 
 
