@@ -211,7 +211,22 @@ static void app_choice_init(AppChoice *self)
     self->high = 1;
 }
 
-/* The words as labels, as the drop down's factory shows them. */
+/* The word that is chosen is shortened where it is longer than the field; the list of them has its room. */
+static GtkListItemFactory *new_short_factory(void)
+{
+    static const char template[] =
+        "<interface><template class='GtkListItem'><property name='child'><object class='GtkLabel'>"
+        "<property name='ellipsize'>end</property><property name='xalign'>0</property>"
+        "<property name='max-width-chars'>8</property>"
+        "<binding name='label'><lookup name='string' type='GtkStringObject'><lookup name='item'>GtkListItem</lookup>"
+        "</lookup></binding></object></property></template></interface>";
+    GBytes *bytes = g_bytes_new_static(template, sizeof template - 1);
+    GtkListItemFactory *factory = gtk_builder_list_item_factory_new_from_bytes(NULL, bytes);
+    g_bytes_unref(bytes);
+    return factory;
+}
+
+/* The words as labels. */
 static void add_list(AppChoice *self)
 {
     GtkStringList *labels = gtk_string_list_new(NULL);
@@ -222,6 +237,10 @@ static void add_list(AppChoice *self)
     else if (self->numbers == 1)
         gtk_string_list_append(labels, _("a number"));
     self->list = gtk_drop_down_new(G_LIST_MODEL(labels), NULL);
+    GtkListItemFactory *factory = new_short_factory();
+    gtk_drop_down_set_list_factory(GTK_DROP_DOWN(self->list), gtk_drop_down_get_factory(GTK_DROP_DOWN(self->list)));
+    gtk_drop_down_set_factory(GTK_DROP_DOWN(self->list), factory);
+    g_object_unref(factory);
     g_signal_connect(self->list, "notify::selected", G_CALLBACK(selected), self);
     gtk_box_append(GTK_BOX(self), self->list);
 }
@@ -232,8 +251,8 @@ static void add_fields(AppChoice *self)
     for (guint i = 0; i < self->numbers; i++) {
         GtkEventController *focus = gtk_event_controller_focus_new();
         self->fields[i] = gtk_entry_new();
-        gtk_editable_set_width_chars(GTK_EDITABLE(self->fields[i]), 8);
-        gtk_editable_set_max_width_chars(GTK_EDITABLE(self->fields[i]), 8);
+        gtk_editable_set_width_chars(GTK_EDITABLE(self->fields[i]), 4);
+        gtk_editable_set_max_width_chars(GTK_EDITABLE(self->fields[i]), 4);
         gtk_editable_set_enable_undo(GTK_EDITABLE(self->fields[i]), FALSE);
         gtk_widget_set_hexpand(self->fields[i], TRUE);
         g_signal_connect_swapped(self->fields[i], "activate", G_CALLBACK(tell_numbers), self);

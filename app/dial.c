@@ -17,7 +17,7 @@ enum {
     INSET = 22, /* of the bar at both ends: half a finger */
     ABOVE = 17, /* the room for the isophotes' values */
     BAR = 16,
-    HEIGHT = 72,
+    HEIGHT = 64,
     LEAST_WIDTH = 150,
     LETTERS = 11,
     TICK = 4,

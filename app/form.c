@@ -30,7 +30,6 @@ struct _AppForm {
     char *type;
     GArray *others; /* gsize: the elements that take the changes, too */
     GPtrArray *entries;
-    GHashTable *slid; /* the paths of the parameters whose sliders are shown */
     gboolean is_photometric;
 };
 
@@ -348,6 +347,7 @@ static Entry *new_entry(AppForm *self, const luxel_parameter *parameter, int com
         .advised = parameter->advised_range[MAX(component, 0)],
         .advised_words = parameter->advised,
         .hint = parameter->choices ? parameter->choices : parameter->type,
+        .missing = parameter->default_value,
         .is_file = is_file(parameter),
     };
     *entry = (Entry){self, parameter, component, app_row_new(&spec), NULL};
@@ -360,30 +360,10 @@ static Entry *new_entry(AppForm *self, const luxel_parameter *parameter, int com
     return entry;
 }
 
-/* Sliders that were shown are shown again when the form is made for another element. */
-static void slid(GtkToggleButton *toggle, AppForm *self)
-{
-    const char *path = g_object_get_data(G_OBJECT(toggle), "luxel-path"); /* of the table, which outlives the form */
-    if (gtk_toggle_button_get_active(toggle))
-        g_hash_table_add(self->slid, (gpointer)path);
-    else
-        g_hash_table_remove(self->slid, path);
-}
-
-static void watch_toggle(AppForm *self, GtkWidget *toggle, const char *path)
-{
-    if (!toggle)
-        return;
-    g_object_set_data(G_OBJECT(toggle), "luxel-path", (gpointer)path);
-    gtk_toggle_button_set_active(GTK_TOGGLE_BUTTON(toggle), g_hash_table_contains(self->slid, path));
-    g_signal_connect(toggle, "toggled", G_CALLBACK(slid), self);
-}
-
 static void add_single(AppForm *self, const luxel_parameter *parameter)
 {
     Entry *entry = new_entry(self, parameter, -1);
     entry->block = entry->row;
-    watch_toggle(self, app_row_toggle(APP_ROW(entry->row)), parameter->path);
     gtk_box_append(GTK_BOX(self), entry->block);
 }
 
@@ -396,7 +376,6 @@ static void add_vector(AppForm *self, const luxel_parameter *parameter)
         entry->block = vector;
         app_vector_add(APP_VECTOR(vector), APP_ROW(entry->row));
     }
-    watch_toggle(self, app_vector_toggle(APP_VECTOR(vector)), parameter->path);
     gtk_box_append(GTK_BOX(self), vector);
     g_free(label);
 }
@@ -545,7 +524,6 @@ static void app_form_finalize(GObject *object)
 {
     AppForm *self = APP_FORM(object);
     g_ptr_array_unref(self->entries);
-    g_hash_table_unref(self->slid);
     g_array_unref(self->others);
     g_free(self->type);
     G_OBJECT_CLASS(app_form_parent_class)->finalize(object);
@@ -561,7 +539,6 @@ static void app_form_init(AppForm *self)
 {
     self->entries = g_ptr_array_new_with_free_func(g_free);
     self->others = g_array_new(FALSE, FALSE, sizeof(gsize));
-    self->slid = g_hash_table_new(g_str_hash, g_str_equal);
     gtk_orientable_set_orientation(GTK_ORIENTABLE(self), GTK_ORIENTATION_VERTICAL);
     gtk_box_set_spacing(GTK_BOX(self), 4);
 }

@@ -448,6 +448,21 @@ void app_meter_ask(AppMeter *meter, const AppQuestion *question)
 
 /* ---- the pointer ---- */
 
+static int by_share(gconstpointer a, gconstpointer b, gpointer shares)
+{
+    const double *of = shares, first = fabs(of[*(const gsize *)a]), second = fabs(of[*(const gsize *)b]);
+    return first < second ? 1 : first > second ? -1 : 0;
+}
+
+gsize *app_reading_order(const AppReading *reading)
+{
+    gsize *order = g_new(gsize, reading->share_count);
+    for (gsize i = 0; i < reading->share_count; i++)
+        order[i] = i;
+    g_qsort_with_data(order, (int)reading->share_count, sizeof *order, by_share, reading->shares);
+    return order;
+}
+
 typedef struct Place {
     AppShot *shot, *minus;
     double x_mm, y_mm;

@@ -90,6 +90,9 @@ typedef struct AppReading {
     AppVersion version;
 } AppReading;
 
+/* The lights by what they give, the greatest first; the caller's, g_free(). */
+gsize *app_reading_order(const AppReading *reading);
+
 typedef struct AppPointer AppPointer;
 
 AppPointer *app_pointer_new(void (*tell)(const AppReading *reading, gpointer owner), gpointer owner);

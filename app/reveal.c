@@ -1,21 +1,24 @@
 /* SPDX-License-Identifier: MIT */
-/* A row that is new has its place behind the next frame: so long it is waited. */
+/* A row that is new, or what was just opened, has its place behind the next frame: so long it is waited. */
 #include "reveal.h"
 
 typedef struct Wish {
     GtkScrolledWindow *scrolled;
+    GtkWidget *part; /* NULL: the row of a list */
     int row, frames;
 } Wish;
 
-static gboolean reveal(GtkWidget *list, GdkFrameClock *clock, gpointer data)
+static gboolean reveal(GtkWidget *inside, GdkFrameClock *clock, gpointer data)
 {
     Wish *wish = data;
-    GtkListBoxRow *row = gtk_list_box_get_row_at_index(GTK_LIST_BOX(list), wish->row);
+    GtkWidget *row = wish->part;
     graphene_rect_t at;
     (void)clock;
     if (wish->frames++ == 0)
         return G_SOURCE_CONTINUE;
-    if (row && gtk_widget_compute_bounds(GTK_WIDGET(row), list, &at))
+    if (!row)
+        row = GTK_WIDGET(gtk_list_box_get_row_at_index(GTK_LIST_BOX(inside), wish->row));
+    if (row && gtk_widget_compute_bounds(row, inside, &at))
         gtk_adjustment_clamp_page(gtk_scrolled_window_get_vadjustment(wish->scrolled), (double)at.origin.y,
                                   (double)(at.origin.y + at.size.height));
     return G_SOURCE_REMOVE;
@@ -26,4 +29,20 @@ void app_reveal_row(GtkListBox *list, GtkScrolledWindow *scrolled, int row)
     Wish *wish = g_new(Wish, 1);
     *wish = (Wish){.scrolled = scrolled, .row = row};
     gtk_widget_add_tick_callback(GTK_WIDGET(list), reveal, wish, g_free);
+}
+
+static void opened(GtkExpander *expander, GParamSpec *spec, GtkScrolledWindow *scrolled)
+{
+    Wish *wish = g_new(Wish, 1);
+    (void)spec;
+    *wish = (Wish){.scrolled = scrolled, .part = GTK_WIDGET(expander)};
+    if (gtk_expander_get_expanded(expander))
+        gtk_widget_add_tick_callback(gtk_widget_get_parent(wish->part), reveal, wish, g_free);
+    else
+        g_free(wish);
+}
+
+void app_reveal_when_opened(GtkExpander *expander, GtkScrolledWindow *scrolled)
+{
+    g_signal_connect(expander, "notify::expanded", G_CALLBACK(opened), scrolled);
 }

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Lists that scroll to one of their rows. */
+/* What scrolls to one of its rows or parts. */
 #ifndef LUXEL_APP_REVEAL_H
 #define LUXEL_APP_REVEAL_H
 
@@ -7,5 +7,8 @@
 
 /* Scrolls as little as shows the row, once the rows have their places. */
 void app_reveal_row(GtkListBox *list, GtkScrolledWindow *scrolled, int row);
+
+/* Scrolls so far as shows what an expander holds, its head at the least, whenever it is opened. */
+void app_reveal_when_opened(GtkExpander *expander, GtkScrolledWindow *scrolled);
 
 #endif

@@ -11,6 +11,7 @@
 #include "row_private.h"
 #include "touch.h"
 
+enum { FIELD_WIDTH = 124 /* dots: the fields of a form have one left edge, and one right edge */ };
 enum { EDITED, RESET, MENU, BROWSE, SIGNALS };
 static guint signals[SIGNALS];
 
@@ -68,16 +69,6 @@ void app_row_set_fault(AppRow *self, const char *reason)
         app_row_note(self, reason, TRUE);
     else
         app_row_say_state(self);
-}
-
-GtkWidget *app_row_toggle(AppRow *self)
-{
-    return self->toggle;
-}
-
-GtkWidget *app_row_slider(AppRow *self)
-{
-    return self->slider;
 }
 
 GtkWidget *app_row_words(AppRow *self)
@@ -225,7 +216,8 @@ static void add_text(AppRow *self, const char *hint)
     GtkEventController *focus = gtk_event_controller_focus_new();
     self->control = gtk_entry_new();
     gtk_editable_set_enable_undo(GTK_EDITABLE(self->control), FALSE);
-    gtk_editable_set_width_chars(GTK_EDITABLE(self->control), 12);
+    gtk_editable_set_width_chars(GTK_EDITABLE(self->control), 6);
+    gtk_editable_set_max_width_chars(GTK_EDITABLE(self->control), 6);
     gtk_entry_set_placeholder_text(GTK_ENTRY(self->control), hint);
     g_signal_connect_swapped(self->control, "activate", G_CALLBACK(entered), self);
     g_signal_connect_swapped(focus, "leave", G_CALLBACK(text_left), self);
@@ -319,7 +311,6 @@ static void app_row_finalize(GObject *object)
 {
     AppRow *self = APP_ROW(object);
     g_object_unref(self->note);
-    g_clear_object(&self->slider);
     g_free(self->label);
     g_free(self->advised_words);
     G_OBJECT_CLASS(app_row_parent_class)->finalize(object);
@@ -388,6 +379,7 @@ static void add_label(AppRow *self, GtkWidget *line, const char *part, const cha
     gtk_label_set_wrap(GTK_LABEL(self->name), TRUE);
     if (!part) {
         gtk_label_set_width_chars(GTK_LABEL(self->name), 6);
+        gtk_label_set_wrap_mode(GTK_LABEL(self->name), PANGO_WRAP_WORD_CHAR);
         gtk_widget_set_hexpand(self->name, TRUE);
     }
     gtk_widget_set_tooltip_text(GTK_WIDGET(self), meaning);
@@ -398,19 +390,12 @@ static void add_label(AppRow *self, GtkWidget *line, const char *part, const cha
     gtk_box_append(GTK_BOX(line), self->name);
 }
 
-/* The unit behind the control, and below it slider and note. */
-static void add_what_surrounds(AppRow *self, GtkWidget *line, const char *unit)
+/* The unit before the control, which ends where those of the other rows do, and below it the note. */
+static void add_what_surrounds(AppRow *self, GtkWidget *line)
 {
-    gtk_label_set_xalign(GTK_LABEL(self->unit), 0);
-    gtk_label_set_width_chars(GTK_LABEL(self->unit), unit && *unit ? 3 : 0);
     gtk_widget_add_css_class(self->unit, "dim-label");
-    gtk_box_append(GTK_BOX(line), self->unit);
-    if (self->slider) {
-        self->toggle = app_slider_toggle_new(self->label);
-        g_object_bind_property(self->toggle, "active", self->slider, "visible", G_BINDING_SYNC_CREATE);
-        gtk_box_append(GTK_BOX(line), self->toggle);
-        gtk_box_append(GTK_BOX(self), self->slider);
-    }
+    gtk_box_insert_child_after(GTK_BOX(line), self->unit, self->name);
+    gtk_widget_set_size_request(self->control, self->kind == APP_ROW_SWITCH ? -1 : FIELD_WIDTH, -1);
     gtk_box_append(GTK_BOX(self), self->note);
 }
 
@@ -428,7 +413,7 @@ GtkWidget *app_row_new(const AppRowSpec *spec)
     self->unit = gtk_label_new(spec->unit);
     add_label(self, line, spec->part, spec->meaning);
     if (spec->kind == APP_ROW_NUMBER || spec->kind == APP_ROW_WHOLE) {
-        app_row_add_number(self, line);
+        app_row_add_number(self, line, spec->missing);
         watch_field(self);
     } else if (spec->kind == APP_ROW_SWITCH) {
         self->control = gtk_check_button_new();
@@ -447,7 +432,7 @@ GtkWidget *app_row_new(const AppRowSpec *spec)
     gtk_widget_add_css_class(self->note, "note");
     gtk_box_append(GTK_BOX(self), line);
     if (!spec->part)
-        add_what_surrounds(self, line, spec->unit);
+        add_what_surrounds(self, line);
     name_row(self);
     if (!APP_IS_CHOICE(self->control))
         gtk_accessible_update_property(GTK_ACCESSIBLE(self->control), GTK_ACCESSIBLE_PROPERTY_DESCRIPTION,

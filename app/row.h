@@ -3,9 +3,9 @@
  * A row of a form: one value with its label, unit and control, all by the parameter table.  Values come and go as
  * YAML, the way the scene has them.
  *
- * A number has a field and, on demand, a slider over the advised range; legal values beyond it are taken and marked.
+ * A number has a field, and its label is dragged through the advised range; legal values beyond it are taken, marked.
  * What cannot be taken turns the field red, with the reason below it, and changes nothing.  A number that is a part of
- * a vector stands with the others in one line (vector.h), which has their sliders and what is said of them.
+ * a vector stands with the others in one line (vector.h), which has what is said of them.
  *
  * Signals: "edited" (value as YAML) when the user changed it; "reset" on a double click on the label; "menu" (widget)
  * when the menu of the row is wanted; "browse" when a file is to be chosen.
@@ -41,6 +41,7 @@ typedef struct AppRowSpec {
     luxel_parameter_range legal, advised; /* of numbers */
     const char *advised_words;            /* or NULL */
     const char *hint;                     /* of a text: what is expected */
+    const char *missing;                  /* of a number: what holds where none is given; NULL: nothing */
     gboolean is_file;                     /* a text that names a file, which can be chosen */
 } AppRowSpec;
 
@@ -56,12 +57,7 @@ void app_row_refuse(AppRow *self, const char *reason);
 gboolean app_row_restore(AppRow *self);
 /* The range in force, which a typed one begins with. */
 void app_row_suggest(AppRow *self, double low, double high);
-/* The button that shows the slider; NULL: the row has none, or the vector that it is a part of has it. */
-GtkWidget *app_row_toggle(AppRow *self);
-/* Something that shows sliders of what is called so. */
-GtkWidget *app_slider_toggle_new(const char *label);
-/* Slider (or NULL) and note of a part, which stand below the line of its vector. */
-GtkWidget *app_row_slider(AppRow *self);
+/* The note of a part, which stands below the line of its vector. */
 GtkWidget *app_row_words(AppRow *self);
 /* The unit's name. */
 void app_row_set_unit(AppRow *self, const char *unit);

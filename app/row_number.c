@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* The control of a number: a field that takes what people type, and a slider over the advised range. */
+/* The control of a number: a field that takes what people type, and a label that is dragged. */
 #include <math.h>
 #include <string.h>
 
@@ -7,7 +7,11 @@
 #include "number.h"
 #include "row_private.h"
 
-enum { LOGARITHMIC_FROM = 100 /* highest over lowest advised value from which a slider is logarithmic */ };
+enum {
+    LOGARITHMIC_FROM = 100, /* highest over lowest advised value from which a drag is logarithmic */
+    WAY = 600,              /* dots that a drag takes through the advised range */
+    STILL = 4               /* dots that are no drag yet */
+};
 static const double FARTHEST = 1e300;
 
 gboolean app_row_is_outside(const luxel_parameter_range *range, double value)
@@ -15,36 +19,40 @@ gboolean app_row_is_outside(const luxel_parameter_range *range, double value)
     return range->given && (value < range->low || value > range->high || (range->low_open && value <= range->low));
 }
 
-static double to_slider(const AppRow *self, double value)
+/* ---- dragging ---- */
+
+/* Where the value stands, and which one stands there: each dot of a drag is as far. */
+static double to_scale(const AppRow *self, double value)
 {
     return self->logarithmic ? log10(MAX(value, 1e-300)) : value;
 }
 
-/* What a slider gives is rounded to what its pixels can tell apart. */
-static double from_slider(const AppRow *self, double place)
+static double extent(const AppRow *self)
+{
+    return self->advised.given && isfinite(self->advised.low) && isfinite(self->advised.high)
+               ? to_scale(self, self->advised.high) - to_scale(self, self->advised.low)
+               : 0;
+}
+
+/* What a drag gives is rounded to what its dots can tell apart; `fine` to a tenth of that, `round` to ten of them. */
+static double from_scale(const AppRow *self, double place, gboolean fine, gboolean coarse)
 {
     char text[APP_NUMBER_SIZE];
     if (self->logarithmic)
-        return g_ascii_strtod(app_number_round(pow(10, place), 3, text), NULL);
-    double grain = pow(10, floor(log10((self->advised.high - self->advised.low) / 500)));
-    if (self->kind == APP_ROW_WHOLE || grain > 1)
-        grain = 1;
-    return grain < 1 ? round(place * round(1 / grain)) / round(1 / grain) : round(place);
+        return g_ascii_strtod(app_number_round(pow(10, place), fine ? 4 : coarse ? 2 : 3, text), NULL);
+    const double power = floor(log10(extent(self) / 500)) + (fine ? -1 : coarse ? 1 : 0);
+    const double grain = self->kind == APP_ROW_WHOLE ? 1 : pow(10, coarse ? power : MIN(power, 0));
+    return grain < 1 ? round(place * round(1 / grain)) / round(1 / grain) : round(place / grain) * grain;
 }
 
-/* Field and slider show the value. */
+/* ---- showing ---- */
+
 void app_row_show_number(AppRow *self)
 {
     self->is_updating = TRUE;
     gtk_spin_button_set_value(GTK_SPIN_BUTTON(self->control), self->value);
     if (self->is_empty)
         gtk_editable_set_text(GTK_EDITABLE(self->control), "");
-    if (self->slider) {
-        char text[APP_NUMBER_SIZE];
-        gtk_range_set_value(GTK_RANGE(self->slider), to_slider(self, self->value));
-        gtk_accessible_update_property(GTK_ACCESSIBLE(self->slider), GTK_ACCESSIBLE_PROPERTY_VALUE_TEXT,
-                                       app_number_show_all(self->value, text), -1);
-    }
     self->is_updating = FALSE;
     app_row_say_state(self);
 }
@@ -129,17 +137,48 @@ static void field_changed(GtkSpinButton *spin, AppRow *self)
     take(self, value);
 }
 
-static gboolean slider_moved(GtkRange *range, GtkScrollType type, double place, AppRow *self)
+/* ---- the hand on the label ---- */
+
+static void drag_begins(GtkGestureDrag *gesture, double x, double y, AppRow *self)
 {
-    const GtkAdjustment *adjustment = gtk_range_get_adjustment(range);
-    (void)type;
-    place = CLAMP(place, gtk_adjustment_get_lower((GtkAdjustment *)adjustment),
-                  gtk_adjustment_get_upper((GtkAdjustment *)adjustment));
-    double value = from_slider(self, place);
+    (void)x;
+    (void)y;
+    if (!(extent(self) > 0)) {
+        gtk_gesture_set_state(GTK_GESTURE(gesture), GTK_EVENT_SEQUENCE_DENIED);
+        return;
+    }
+    self->start = to_scale(self, self->value);
+    self->is_dragged = FALSE;
+}
+
+/* Within what is advised, or from where the value stands beyond it. */
+static void dragged(GtkGestureDrag *gesture, double dx, double dy, AppRow *self)
+{
+    const GdkModifierType state = gtk_event_controller_get_current_event_state(GTK_EVENT_CONTROLLER(gesture));
+    const gboolean fine = (state & GDK_SHIFT_MASK) != 0, coarse = (state & GDK_CONTROL_MASK) != 0;
+    const double low = MIN(to_scale(self, self->advised.low), self->start),
+                 high = MAX(to_scale(self, self->advised.high), self->start);
+    (void)dy;
+    if (!self->is_dragged && fabs(dx) < STILL)
+        return;
+    self->is_dragged = TRUE;
+    gtk_gesture_set_state(GTK_GESTURE(gesture), GTK_EVENT_SEQUENCE_CLAIMED);
+    const double place = CLAMP(self->start + dx * extent(self) / WAY * (fine ? 0.1 : 1), low, high);
+    const double value = from_scale(self, place, fine, coarse);
     if (is_legal(self, value) && (value != self->value || self->is_empty))
         take(self, value);
-    return TRUE;
 }
+
+static void make_draggable(AppRow *self)
+{
+    GtkGesture *drag = gtk_gesture_drag_new();
+    g_signal_connect(drag, "drag-begin", G_CALLBACK(drag_begins), self);
+    g_signal_connect(drag, "drag-update", G_CALLBACK(dragged), self);
+    gtk_widget_add_controller(self->name, GTK_EVENT_CONTROLLER(drag));
+    gtk_widget_set_cursor_from_name(self->name, "ew-resize");
+}
+
+/* ---- the field ---- */
 
 static double step_of(const AppRow *self)
 {
@@ -148,7 +187,7 @@ static double step_of(const AppRow *self)
     return pow(10, floor(log10((self->advised.high - self->advised.low) / 50)));
 }
 
-/* Keys and sliders do what they would, and the numbers have their room. */
+/* Keys and the label do what they would, and the numbers have their room. */
 static void hide_buttons(GtkWidget *spin)
 {
     for (GtkWidget *child = gtk_widget_get_first_child(spin); child; child = gtk_widget_get_next_sibling(child))
@@ -156,32 +195,20 @@ static void hide_buttons(GtkWidget *spin)
             gtk_widget_set_visible(child, FALSE);
 }
 
-static void toggled(GtkToggleButton *toggle)
+/* What holds where nothing is given, in grey. */
+static void show_missing(GtkWidget *spin, const char *missing)
 {
-    const gboolean active = gtk_toggle_button_get_active(toggle);
-    gtk_button_set_icon_name(GTK_BUTTON(toggle), active ? "pan-down-symbolic" : "pan-start-symbolic");
+    for (GtkWidget *child = gtk_widget_get_first_child(spin); child; child = gtk_widget_get_next_sibling(child))
+        if (GTK_IS_TEXT(child))
+            gtk_text_set_placeholder_text(GTK_TEXT(child), missing);
 }
 
-GtkWidget *app_slider_toggle_new(const char *label)
-{
-    GtkWidget *toggle = gtk_toggle_button_new();
-    /* TRANSLATORS: what shows the slider of a value; %s is its name, such as Radius */
-    char *name = g_strdup_printf(_("%s: show the slider"), label);
-    gtk_button_set_icon_name(GTK_BUTTON(toggle), "pan-start-symbolic");
-    gtk_button_set_has_frame(GTK_BUTTON(toggle), FALSE);
-    gtk_widget_add_css_class(toggle, "fold");
-    gtk_widget_set_valign(toggle, GTK_ALIGN_CENTER);
-    app_name_control(toggle, name);
-    gtk_widget_set_tooltip_text(toggle, _("Show the slider"));
-    g_signal_connect(toggle, "toggled", G_CALLBACK(toggled), NULL);
-    g_free(name);
-    return toggle;
-}
-
-void app_row_add_number(AppRow *self, GtkWidget *line)
+void app_row_add_number(AppRow *self, GtkWidget *line, const char *missing)
 {
     const double low = self->legal.given && isfinite(self->legal.low) ? self->legal.low : -FARTHEST;
     const double high = self->legal.given && isfinite(self->legal.high) ? self->legal.high : FARTHEST;
+    self->logarithmic = self->advised.given && self->advised.low > 0 && isfinite(self->advised.high) &&
+                        self->advised.high >= LOGARITHMIC_FROM * self->advised.low;
     const double step = step_of(self);
     GtkAdjustment *adjustment = gtk_adjustment_new(0, low, high, step, 10 * step, 0);
     self->control = gtk_spin_button_new(adjustment, 0.2, 17);
@@ -190,20 +217,11 @@ void app_row_add_number(AppRow *self, GtkWidget *line)
     gtk_editable_set_max_width_chars(GTK_EDITABLE(self->control), 8);
     gtk_widget_set_hexpand(self->control, self->is_part);
     hide_buttons(self->control);
+    show_missing(self->control, missing);
     g_signal_connect(self->control, "input", G_CALLBACK(read_field), self);
     g_signal_connect(self->control, "output", G_CALLBACK(write_field), self);
     g_signal_connect(self->control, "value-changed", G_CALLBACK(field_changed), self);
     gtk_box_append(GTK_BOX(line), self->control);
-    if (!self->advised.given || !isfinite(self->advised.low) || !isfinite(self->advised.high))
-        return;
-    self->logarithmic = self->advised.low > 0 && self->advised.high >= LOGARITHMIC_FROM * self->advised.low;
-    const double from = to_slider(self, self->advised.low), to = to_slider(self, self->advised.high);
-    self->slider = g_object_ref_sink(gtk_scale_new_with_range(GTK_ORIENTATION_HORIZONTAL, from, to, (to - from) / 100));
-    gtk_scale_set_draw_value(GTK_SCALE(self->slider), FALSE);
-    gtk_range_set_round_digits(GTK_RANGE(self->slider), -1);
-    g_signal_connect(self->slider, "change-value", G_CALLBACK(slider_moved), self);
-    /* TRANSLATORS: %s is the name of a value, such as Radius */
-    char *name = g_strdup_printf(_("%s, slider"), self->label);
-    gtk_accessible_update_property(GTK_ACCESSIBLE(self->slider), GTK_ACCESSIBLE_PROPERTY_LABEL, name, -1);
-    g_free(name);
+    if (extent(self) > 0)
+        make_draggable(self);
 }

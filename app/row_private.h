@@ -10,13 +10,14 @@ struct _AppRow {
     AppRowKind kind;
     luxel_parameter_range legal, advised;
     char *label, *advised_words;
-    gboolean logarithmic; /* the slider */
+    gboolean logarithmic; /* a drag */
     gboolean is_updating; /* values are shown, not edited */
     gboolean is_wrong;    /* what is typed cannot be taken */
     gboolean is_empty;    /* there is no number */
-    gboolean is_part;     /* a vector has its slider, its note and its unit */
-    double value;
-    GtkWidget *name, *control, *slider, *toggle, *unit, *note;
+    gboolean is_part;     /* a vector has its note and its unit */
+    gboolean is_dragged;  /* its label */
+    double value, start;  /* now, and on the scale of a drag when it began */
+    GtkWidget *name, *control, *unit, *note;
 };
 
 /* Says something below the row, as what is wrong or as advice; NULL: nothing. */
@@ -25,9 +26,9 @@ void app_row_note(AppRow *self, const char *text, gboolean wrong);
 void app_row_say_state(AppRow *self);
 gboolean app_row_is_outside(const luxel_parameter_range *range, double value);
 
-/* row_number.c: field and slider of a number, which stands in the line. */
-void app_row_add_number(AppRow *self, GtkWidget *line);
-/* Field and slider show the value. */
+/* row_number.c: the field of a number, which stands in the line; `missing`: what holds where it is empty, or NULL. */
+void app_row_add_number(AppRow *self, GtkWidget *line, const char *missing);
+/* The field shows the value. */
 void app_row_show_number(AppRow *self);
 
 #endif

@@ -49,6 +49,7 @@ static const struct {
     {"I", N_("Isophotes")},
     {"P", N_("Pin the picture as A")},
     {"D", N_("Show live B, pinned A or the difference in turn")},
+    {"W", N_("Why? The value where the pointer rests, and its formula")},
     {NULL, N_("Marks on the picture")},
     {"[, ]", N_("Go from mark to mark")},
     {"← → ↑ ↓", N_("Move the mark by 10 mm (Shift: 1 mm, Ctrl: 100 mm)")},

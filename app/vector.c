@@ -6,7 +6,7 @@
 
 struct _AppVector {
     GtkBox parent;
-    GtkWidget *name, *unit, *toggle, *numbers;
+    GtkWidget *name, *unit, *numbers;
     AppRow *first;
 };
 
@@ -35,13 +35,7 @@ static void label_held(GtkGestureLongPress *gesture, double x, double y, AppVect
 
 void app_vector_add(AppVector *self, AppRow *part)
 {
-    GtkWidget *slider = app_row_slider(part);
     gtk_box_append(GTK_BOX(self->numbers), GTK_WIDGET(part));
-    if (slider) {
-        g_object_bind_property(self->toggle, "active", slider, "visible", G_BINDING_SYNC_CREATE);
-        gtk_box_append(GTK_BOX(self), slider);
-    }
-    gtk_widget_set_visible(self->toggle, slider || gtk_widget_get_visible(self->toggle));
     gtk_box_append(GTK_BOX(self), app_row_words(part));
     if (!self->first)
         self->first = part;
@@ -50,11 +44,6 @@ void app_vector_add(AppVector *self, AppRow *part)
 void app_vector_set_unit(AppVector *self, const char *unit)
 {
     gtk_label_set_text(GTK_LABEL(self->unit), unit ? unit : "");
-}
-
-GtkWidget *app_vector_toggle(AppVector *self)
-{
-    return self->toggle;
 }
 
 static void app_vector_class_init(AppVectorClass *class)
@@ -88,11 +77,8 @@ GtkWidget *app_vector_new(const char *label, const char *unit, const char *meani
     g_signal_connect(click, "pressed", G_CALLBACK(label_clicked), self);
     gtk_widget_add_controller(self->name, GTK_EVENT_CONTROLLER(click));
     app_touch_on_rest(self->name, G_CALLBACK(label_held), self);
-    self->toggle = app_slider_toggle_new(label);
-    gtk_widget_set_visible(self->toggle, FALSE);
     gtk_box_append(GTK_BOX(line), self->name);
     gtk_box_append(GTK_BOX(line), self->unit);
-    gtk_box_append(GTK_BOX(line), self->toggle);
     gtk_box_append(GTK_BOX(self), line);
     gtk_box_append(GTK_BOX(self), self->numbers);
     return GTK_WIDGET(self);

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * A vector of a form: label, unit and toggle of the sliders in one line, its numbers side by side in the next one, and
- * below them the sliders on demand and what is said of the numbers.
+ * A vector of a form: label and unit in one line, its numbers side by side in the next one, and
+ * below them what is said of the numbers.
  */
 #ifndef LUXEL_APP_VECTOR_H
 #define LUXEL_APP_VECTOR_H
@@ -16,7 +16,5 @@ GtkWidget *app_vector_new(const char *label, const char *unit, const char *meani
 /* One more number: a row with a short name (AppRowSpec.part). */
 void app_vector_add(AppVector *self, AppRow *part);
 void app_vector_set_unit(AppVector *self, const char *unit);
-/* The button that shows the sliders. */
-GtkWidget *app_vector_toggle(AppVector *self);
 
 #endif

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * Explanations take longer than a frame: they are made in a thread, when the pointer rests, and only while they are
- * shown.
+ * The value and what each source gives of it are read as under the pointer, and follow a hand.  Explanations take
+ * longer than a frame: they are made in a thread, when the pointer rests.  Both only while they are shown.
  */
 #include "why.h"
 
@@ -11,9 +11,12 @@
 #include "../front/words.h"
 #include "dim.h"
 #include "explained.h"
+#include "lamp.h"
+#include "measures.h"
 #include "number.h"
+#include "row.h"
 
-enum { REST_MS = 180, HEIGHT = 190, WHOLE_WIDTH = 820, WHOLE_HEIGHT = 700 };
+enum { REST_MS = 180, WIDTH = 276, HEIGHT = 150, WHOLE_WIDTH = 820, WHOLE_HEIGHT = 700, DIGITS = 4, MOST_SHARES = 4 };
 
 /* A place that is explained. */
 typedef struct Place {
@@ -23,13 +26,15 @@ typedef struct Place {
 
 struct _AppWhy {
     GtkBox parent;
-    GtkWidget *toggle, *where, *revealed, *result, *formula, *whole;
+    GtkWidget *where, *pin, *result, *shares, *formula, *whole;
+    AppPointer *pointer;
+    gboolean is_shown;
     Place place; /* that the pointer was at last; no shot: none yet */
     guint timer;
     gboolean is_busy, is_outdated;
     gsize light;
-    char *text;             /* of the place that was explained last; NULL: none */
-    guint64 wanted, serial; /* of the version that is shown, and that the text is of */
+    char *text;                   /* of the place that was explained last; NULL: none */
+    guint64 wanted, serial, read; /* of the version that is shown, and that the text and the value are of */
     GCancellable *cancellable;
 };
 
@@ -47,9 +52,6 @@ static void free_place(gpointer data)
 static void show_formula(AppWhy *self)
 {
     char *formula = self->text ? app_explained_light(self->text, self->light) : NULL;
-    const char *last = formula ? strrchr(formula, '\n') : NULL;
-    gtk_label_set_text(GTK_LABEL(self->result), last ? last + 1 : "");
-    gtk_widget_set_visible(self->result, last != NULL);
     gtk_label_set_text(GTK_LABEL(self->formula), formula       ? formula
                                                  : !self->text ? _("Rest with the pointer on a surface.")
                                                                : _("The chosen source has no say here."));
@@ -60,9 +62,68 @@ static void judge(AppWhy *self)
 {
     const gboolean is_stale = self->text && self->serial != self->wanted;
     app_set_stale(self->formula, is_stale);
-    app_set_stale(self->result, is_stale);
-    app_set_stale(self->where, is_stale);
+    app_set_stale(self->result, self->read != self->wanted);
+    app_set_stale(self->shares, self->read != self->wanted);
     gtk_widget_set_sensitive(self->whole, self->text && !is_stale);
+}
+
+/* "1  0.5123  26 %", a line for each of the sources that give most; the others are one line. */
+static char *write_shares(const AppReading *reading)
+{
+    GString *text = g_string_new(NULL);
+    gsize *order = app_reading_order(reading);
+    double rest = 0;
+    for (gsize i = 0; i < reading->share_count && reading->shares[order[i]] != 0; i++) {
+        char number[APP_NUMBER_SIZE], percent[APP_NUMBER_SIZE];
+        if (i >= MOST_SHARES) {
+            rest += reading->shares[order[i]];
+            continue;
+        }
+        char *color = app_lamp_color_name(order[i]);
+        app_number_show(100 * reading->shares[order[i]] / reading->value.value, 2, percent);
+        g_string_append_printf(text, "%s<span background=\"%s\" color=\"black\"> %zu </span>\t%s\t%s %%", i ? "\n" : "",
+                               color, order[i] + 1, app_number_show(reading->shares[order[i]], DIGITS, number),
+                               percent);
+        g_free(color);
+    }
+    if (rest != 0) {
+        char number[APP_NUMBER_SIZE];
+        g_string_append_printf(text, "\n+\t%s", app_number_show(rest, DIGITS, number));
+    }
+    g_free(order);
+    return g_string_free(text, FALSE);
+}
+
+/* The value first, and what the sources give of it; NULL: there is none yet. */
+static void show_reading(AppWhy *self, const AppReading *reading)
+{
+    const gboolean any = reading && reading->value.on_surface && reading->value.has_value;
+    char x[APP_NUMBER_SIZE], y[APP_NUMBER_SIZE], value[APP_NUMBER_SIZE];
+    char *where = reading ? g_strdup_printf(_("x = %s, y = %s mm"), app_number_show(reading->x_mm, DIGITS, x),
+                                            app_number_show(reading->y_mm, DIGITS, y))
+                          : g_strdup("");
+    char *result = any ? g_markup_printf_escaped("<span size=\"x-large\" weight=\"bold\">%s</span> %s",
+                                                 app_number_show(reading->value.value, DIGITS, value),
+                                                 gettext(app_moment_unit(reading->moment, reading->quantity)))
+                       : g_strdup("");
+    char *shares = any && reading->share_count > 1 ? write_shares(reading) : g_strdup("");
+    gtk_label_set_text(GTK_LABEL(self->where), where);
+    gtk_label_set_markup(GTK_LABEL(self->result), result);
+    gtk_label_set_markup(GTK_LABEL(self->shares), shares);
+    gtk_widget_set_visible(self->shares, *shares != '\0');
+    g_free(shares);
+    g_free(result);
+    g_free(where);
+}
+
+static void value_came(const AppReading *reading, gpointer owner)
+{
+    AppWhy *self = owner;
+    if (!self->place.shot) /* the scene went meanwhile */
+        return;
+    self->read = reading->version.shot;
+    show_reading(self, reading);
+    judge(self);
 }
 
 static bool goes_on(double done, void *cancellable)
@@ -103,7 +164,6 @@ static void explained(GObject *source, GAsyncResult *result, gpointer data)
     AppWhy *self = APP_WHY(source);
     char *text = g_task_propagate_pointer(G_TASK(result), NULL);
     const Place *place = g_task_get_task_data(G_TASK(result));
-    char x[APP_NUMBER_SIZE], y[APP_NUMBER_SIZE];
     (void)data;
     self->is_busy = FALSE;
     if (!self->formula || !self->place.shot) { /* the window went meanwhile, or the scene */
@@ -113,10 +173,6 @@ static void explained(GObject *source, GAsyncResult *result, gpointer data)
     g_free(self->text);
     self->text = text;
     self->serial = place->shot->moment->serial;
-    char *where = g_strdup_printf(_("x = %s, y = %s mm"), app_number_show(place->x_mm, 4, x),
-                                  app_number_show(place->y_mm, 4, y));
-    gtk_label_set_text(GTK_LABEL(self->where), where);
-    g_free(where);
     show_formula(self);
     judge(self);
     if (self->is_outdated)
@@ -125,8 +181,9 @@ static void explained(GObject *source, GAsyncResult *result, gpointer data)
 
 static void ask(AppWhy *self)
 {
-    if (!self->place.shot || !gtk_toggle_button_get_active(GTK_TOGGLE_BUTTON(self->toggle)))
+    if (!self->place.shot || !self->is_shown)
         return;
+    app_pointer_ask(self->pointer, self->place.shot, NULL, self->place.x_mm, self->place.y_mm);
     self->is_outdated = self->is_busy;
     if (self->is_busy)
         return;
@@ -150,11 +207,15 @@ static gboolean rested(gpointer data)
 
 void app_why_point(AppWhy *self, AppShot *shot, double x_mm, double y_mm)
 {
+    if (self->place.shot && gtk_toggle_button_get_active(GTK_TOGGLE_BUTTON(self->pin))) {
+        app_why_follow(self, shot);
+        return;
+    }
     app_shot_ref(shot);
     app_shot_unref(self->place.shot);
     self->place = (Place){shot, x_mm, y_mm};
     g_clear_handle_id(&self->timer, g_source_remove);
-    if (gtk_toggle_button_get_active(GTK_TOGGLE_BUTTON(self->toggle)))
+    if (self->is_shown)
         self->timer = g_timeout_add(REST_MS, rested, self);
 }
 
@@ -179,7 +240,8 @@ void app_why_forget(AppWhy *self)
     g_clear_handle_id(&self->timer, g_source_remove);
     g_clear_pointer(&self->place.shot, app_shot_unref);
     g_clear_pointer(&self->text, g_free);
-    gtk_label_set_text(GTK_LABEL(self->where), "");
+    gtk_toggle_button_set_active(GTK_TOGGLE_BUTTON(self->pin), FALSE);
+    show_reading(self, NULL);
     show_formula(self);
     judge(self);
 }
@@ -233,11 +295,10 @@ static void show_whole(AppWhy *self)
     gtk_window_present(GTK_WINDOW(window));
 }
 
-static void toggled(AppWhy *self)
+void app_why_show(AppWhy *self, gboolean shown)
 {
-    const gboolean active = gtk_toggle_button_get_active(GTK_TOGGLE_BUTTON(self->toggle));
-    gtk_widget_set_visible(self->revealed, active);
-    gtk_widget_set_visible(self->whole, active);
+    self->is_shown = shown;
+    gtk_widget_set_visible(GTK_WIDGET(self), shown);
     ask(self);
 }
 
@@ -249,6 +310,7 @@ static void app_why_dispose(GObject *object)
     g_clear_handle_id(&self->timer, g_source_remove);
     g_clear_pointer(&self->place.shot, app_shot_unref);
     self->formula = NULL;
+    g_clear_pointer(&self->pointer, app_pointer_free);
     g_cancellable_cancel(self->cancellable);
     G_OBJECT_CLASS(app_why_parent_class)->dispose(object);
 }
@@ -266,50 +328,79 @@ static void app_why_class_init(AppWhyClass *class)
     G_OBJECT_CLASS(class)->finalize = app_why_finalize;
 }
 
+/* A label that is read and copied. */
+static GtkWidget *new_words(const char *class)
+{
+    GtkWidget *label = gtk_label_new(NULL);
+    gtk_label_set_wrap(GTK_LABEL(label), TRUE);
+    gtk_label_set_wrap_mode(GTK_LABEL(label), PANGO_WRAP_WORD_CHAR);
+    gtk_label_set_xalign(GTK_LABEL(label), 0);
+    gtk_label_set_yalign(GTK_LABEL(label), 0);
+    gtk_label_set_selectable(GTK_LABEL(label), TRUE);
+    gtk_widget_set_focusable(label, FALSE);
+    gtk_widget_add_css_class(label, class);
+    return label;
+}
+
+/* The place, what keeps it, and what closes the card. */
+static GtkWidget *new_head(AppWhy *self)
+{
+    GtkWidget *head = gtk_box_new(GTK_ORIENTATION_HORIZONTAL, 2);
+    GtkWidget *close = gtk_button_new_from_icon_name("window-close-symbolic");
+    self->where = gtk_label_new(NULL);
+    self->pin = gtk_toggle_button_new();
+    gtk_label_set_xalign(GTK_LABEL(self->where), 0);
+    gtk_widget_set_hexpand(self->where, TRUE);
+    gtk_widget_add_css_class(self->where, "numeric");
+    gtk_button_set_icon_name(GTK_BUTTON(self->pin), "view-pin-symbolic");
+    gtk_widget_set_tooltip_text(self->pin, _("Stay at this place, wherever the pointer goes"));
+    app_name_control(self->pin, _("Stay at this place"));
+    gtk_widget_set_tooltip_text(close, _("Close"));
+    app_name_control(close, _("Close"));
+    gtk_actionable_set_action_name(GTK_ACTIONABLE(close), "win.why");
+    gtk_widget_add_css_class(close, "flat");
+    gtk_widget_add_css_class(self->pin, "flat");
+    gtk_box_append(GTK_BOX(head), self->where);
+    gtk_box_append(GTK_BOX(head), self->pin);
+    gtk_box_append(GTK_BOX(head), close);
+    return head;
+}
+
 static void app_why_init(AppWhy *self)
 {
-    GtkWidget *line = gtk_box_new(GTK_ORIENTATION_HORIZONTAL, 8), *scrolled = gtk_scrolled_window_new();
+    GtkWidget *scrolled = gtk_scrolled_window_new(), *fold = gtk_expander_new(_("Formula of the chosen source"));
+    PangoTabArray *tabs =
+        pango_tab_array_new_with_positions(2, TRUE, PANGO_TAB_LEFT, WIDTH / 6, PANGO_TAB_LEFT, WIDTH / 2);
     gtk_orientable_set_orientation(GTK_ORIENTABLE(self), GTK_ORIENTATION_VERTICAL);
     gtk_box_set_spacing(GTK_BOX(self), 6);
+    gtk_widget_add_css_class(GTK_WIDGET(self), "card");
+    gtk_widget_set_halign(GTK_WIDGET(self), GTK_ALIGN_START);
+    gtk_widget_set_valign(GTK_WIDGET(self), GTK_ALIGN_END);
+    gtk_widget_set_size_request(GTK_WIDGET(self), WIDTH, -1);
+    gtk_widget_set_visible(GTK_WIDGET(self), FALSE);
     self->cancellable = g_cancellable_new();
-    self->toggle = gtk_toggle_button_new_with_label(_("Why?"));
-    self->where = gtk_label_new(NULL);
-    self->revealed = gtk_box_new(GTK_ORIENTATION_VERTICAL, 6);
-    self->result = gtk_label_new(NULL);
-    self->formula = gtk_label_new(NULL);
+    self->pointer = app_pointer_new(value_came, self);
+    self->result = new_words("numeric");
+    self->shares = new_words("numeric");
+    self->formula = new_words("note");
     self->whole = gtk_button_new_with_label(_("The whole…"));
+    gtk_label_set_tabs(GTK_LABEL(self->shares), tabs);
+    pango_tab_array_free(tabs);
+    gtk_label_set_max_width_chars(GTK_LABEL(self->formula), 1); /* the card is as wide as it is */
+    gtk_widget_set_hexpand(self->formula, TRUE);
     gtk_widget_set_tooltip_text(self->whole, _("The whole calculation, as luxel explain prints it"));
-    gtk_widget_set_tooltip_text(self->toggle, _("The formula of the chosen source with the numbers of the place where "
-                                                "the pointer rests"));
-    gtk_label_set_wrap(GTK_LABEL(self->formula), TRUE);
-    gtk_label_set_wrap_mode(GTK_LABEL(self->formula), PANGO_WRAP_WORD_CHAR);
-    gtk_label_set_xalign(GTK_LABEL(self->formula), 0);
-    gtk_label_set_yalign(GTK_LABEL(self->formula), 0);
-    gtk_label_set_selectable(GTK_LABEL(self->formula), TRUE);
-    gtk_widget_add_css_class(self->formula, "note");
-    gtk_widget_add_css_class(self->where, "numeric");
-    /* what was asked for is never below the fold */
-    gtk_widget_add_css_class(self->result, "result");
-    gtk_label_set_wrap(GTK_LABEL(self->result), TRUE);
-    gtk_label_set_xalign(GTK_LABEL(self->result), 0);
-    gtk_label_set_selectable(GTK_LABEL(self->result), TRUE);
-    gtk_label_set_xalign(GTK_LABEL(self->where), 0);
-    gtk_label_set_ellipsize(GTK_LABEL(self->where), PANGO_ELLIPSIZE_END);
+    gtk_widget_add_css_class(self->whole, "flat");
     gtk_widget_set_halign(self->whole, GTK_ALIGN_END);
-    gtk_widget_set_hexpand(self->whole, TRUE);
-    gtk_widget_set_visible(self->whole, FALSE);
-    gtk_widget_set_size_request(scrolled, -1, HEIGHT);
     gtk_scrolled_window_set_policy(GTK_SCROLLED_WINDOW(scrolled), GTK_POLICY_NEVER, GTK_POLICY_AUTOMATIC);
+    gtk_scrolled_window_set_min_content_height(GTK_SCROLLED_WINDOW(scrolled), HEIGHT);
     gtk_scrolled_window_set_child(GTK_SCROLLED_WINDOW(scrolled), self->formula);
-    gtk_box_append(GTK_BOX(line), self->toggle);
-    gtk_box_append(GTK_BOX(line), self->whole);
-    gtk_box_append(GTK_BOX(self->revealed), self->where); /* on a line of its own, where it is never cut */
-    gtk_box_append(GTK_BOX(self->revealed), self->result);
-    gtk_box_append(GTK_BOX(self->revealed), scrolled);
-    gtk_widget_set_visible(self->revealed, FALSE);
-    gtk_box_append(GTK_BOX(self), self->revealed);
-    gtk_box_append(GTK_BOX(self), line);
-    g_signal_connect_swapped(self->toggle, "toggled", G_CALLBACK(toggled), self);
+    gtk_box_append(GTK_BOX(self), new_head(self));
+    gtk_box_append(GTK_BOX(self), self->result);
+    gtk_box_append(GTK_BOX(self), self->shares);
+    gtk_expander_set_child(GTK_EXPANDER(fold), scrolled);
+    app_name_control(fold, _("Formula of the chosen source"));
+    gtk_box_append(GTK_BOX(self), fold);
+    gtk_box_append(GTK_BOX(self), self->whole);
     g_signal_connect_swapped(self->whole, "clicked", G_CALLBACK(show_whole), self);
     show_formula(self);
     judge(self);

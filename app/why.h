@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * Why a value is what it is: under plan and elevation the formula of the chosen source, filled with the numbers of the
- * place that the pointer rested at, and one click away the whole calculation, as `luxel explain` prints it.
+ * Why a value is what it is, a card on the picture, which it does not move: the value at the place where the pointer
+ * rested or that was kept, what each source gives of it, the formula of the chosen one filled with the numbers of the
+ * place, and one click away the whole calculation, as `luxel explain` prints it.
  */
 #ifndef LUXEL_APP_WHY_H
 #define LUXEL_APP_WHY_H
@@ -14,6 +15,9 @@
 G_DECLARE_FINAL_TYPE(AppWhy, app_why, APP, WHY, GtkBox)
 
 GtkWidget *app_why_new(void);
+
+/* The card comes or goes. */
+void app_why_show(AppWhy *self, gboolean shown);
 
 /* The pointer is at a place of the screen, of this shot; where it rests it is explained, if that is wanted. */
 void app_why_point(AppWhy *self, AppShot *shot, double x_mm, double y_mm);

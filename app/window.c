@@ -12,6 +12,7 @@
 #include "../front/words.h"
 #include "choices.h"
 #include "pulse.h"
+#include "reveal.h"
 #include "row.h"
 #include "window_private.h"
 
@@ -377,6 +378,7 @@ static void add_group(AppWindow *self, const char *title, gboolean expanded, Gtk
     app_name_control(expander, title);
     gtk_expander_set_expanded(GTK_EXPANDER(expander), expanded);
     gtk_box_append(GTK_BOX(self->left_box), expander);
+    app_reveal_when_opened(GTK_EXPANDER(expander), GTK_SCROLLED_WINDOW(self->left_scroll));
 }
 
 static GtkWidget *new_surface_list(AppWindow *self)
@@ -449,7 +451,6 @@ static void bind_settings(AppWindow *self)
     g_settings_bind(settings, "window-width", self, "default-width", G_SETTINGS_BIND_DEFAULT);
     g_settings_bind(settings, "window-height", self, "default-height", G_SETTINGS_BIND_DEFAULT);
     g_settings_bind(settings, "window-maximized", self, "maximized", G_SETTINGS_BIND_DEFAULT);
-    g_settings_bind(settings, "right-shown", self->right_box, "visible", G_SETTINGS_BIND_DEFAULT);
     char *palette = g_settings_get_string(settings, "palette");
     const char *known = app_palette_named(palette);
     if (known && strcmp(known, "grey") != 0)
@@ -529,6 +530,8 @@ static void app_window_class_init(AppWindowClass *class)
     BIND(left_scroll);
     BIND(left_box);
     BIND(right_box);
+    BIND(view_overlay);
+    BIND(bars_box);
     BIND(compare_box);
     BIND(compare_label);
     BIND(bar);
@@ -558,12 +561,10 @@ static void app_window_class_init(AppWindowClass *class)
 
 static void make_space(AppWindow *self)
 {
-    GtkWidget *space = gtk_box_new(GTK_ORIENTATION_VERTICAL, 6);
     self->stage = app_stage_new(self->document);
     self->why = app_why_new();
-    gtk_box_append(GTK_BOX(space), self->stage);
-    gtk_box_append(GTK_BOX(space), self->why);
-    self->numbers = app_numbers_new(self->document, space);
+    gtk_overlay_add_overlay(GTK_OVERLAY(self->view_overlay), self->why);
+    self->numbers = app_numbers_new(self->document, self->stage);
 }
 
 static void app_window_init(AppWindow *self)

@@ -95,7 +95,16 @@ static void change_isophotes(GSimpleAction *action, GVariant *state, gpointer da
 static void change_numbers(GSimpleAction *action, GVariant *state, gpointer data)
 {
     AppWindow *self = data;
-    gtk_widget_set_visible(self->right_box, g_variant_get_boolean(state));
+    (void)action;
+    app_window_show_right(self, g_variant_get_boolean(state));
+}
+
+static void change_why(GSimpleAction *action, GVariant *state, gpointer data)
+{
+    AppWindow *self = data;
+    if (!g_variant_get_boolean(state) && gtk_widget_get_focus_child(self->why))
+        gtk_widget_grab_focus(GTK_WIDGET(self->view));
+    app_why_show(APP_WHY(self->why), g_variant_get_boolean(state));
     g_simple_action_set_state(action, state);
 }
 
@@ -289,6 +298,7 @@ static const struct {
     {GDK_KEY_i, GDK_KEY_Cyrillic_sha, FALSE, "win.isophotes"},
     {GDK_KEY_p, GDK_KEY_Cyrillic_ze, FALSE, "win.pin"},
     {GDK_KEY_d, GDK_KEY_Cyrillic_ve, FALSE, "win.next-side"},
+    {GDK_KEY_w, GDK_KEY_Cyrillic_tse, FALSE, "win.why"},
 };
 
 static gboolean letter_pressed(GtkEventControllerKey *controller, guint key, guint code, GdkModifierType state,
@@ -364,6 +374,7 @@ void app_window_add_actions(AppWindow *self)
         {.name = "false-color", .state = "false", .change_state = change_false_color},
         {.name = "isophotes", .state = "false", .change_state = change_isophotes},
         {.name = "numbers", .state = "true", .change_state = change_numbers},
+        {.name = "why", .state = "false", .change_state = change_why},
         {.name = "quantity", .parameter_type = "s", .state = "'brightness'", .change_state = change_quantity},
         {.name = "side", .parameter_type = "s", .state = "'live'", .change_state = change_side},
         {.name = "next-side", .activate = next_side},

@@ -51,6 +51,9 @@ struct _AppWindow {
     GFileMonitor *monitor;       /* of the document's file, */
     GFile *watched;              /* which is this one; NULL: it has none */
     int left_width, right_width; /* of the panes, as a hand left them */
+    gboolean is_right_shown;     /* beside the picture, where there is room for it */
+    gboolean is_narrow;          /* there is none: it is a drawer, */
+    gboolean is_drawer_open;     /* which is asked for */
     gboolean is_placed;          /* they are where they belong */
     gboolean is_pressed;         /* a button of the mouse, in this window */
     gboolean is_hinting;         /* no mark was dragged yet */
@@ -60,6 +63,7 @@ struct _AppWindow {
     /* of the template */
     AppView *view;
     GtkWidget *pages, *left_pane, *right_pane, *left_scroll, *left_box, *right_box, *compare_box, *compare_label, *bar;
+    GtkWidget *view_overlay, *bars_box; /* what lies over the picture */
     GtkWidget *unsaved_bar, *unsaved_label, *discard_button, *fault_bar, *fault_label, *outside_bar, *outside_label;
     GtkWidget *direct_label; /* what the picture is, before reflected light has come */
     GtkWidget *progress_label, *stop_button;
@@ -119,6 +123,8 @@ void app_window_offer_turn(AppWindow *self, const AppPicture *picture);
 
 /* window_panes.c: the widths of the panes, in whatever window they stand. */
 void app_window_watch_panes(AppWindow *self);
+/* The numbers at the side come or go. */
+void app_window_show_right(AppWindow *self, gboolean shown);
 
 /* window_focus.c: the keyboard goes from pane to pane. */
 void app_window_add_focus_actions(AppWindow *self);

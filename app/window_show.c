@@ -64,6 +64,7 @@ static void show_comparison(AppWindow *self, const AppPicture *picture)
 {
     char *text = NULL;
     gtk_widget_set_visible(self->compare_box, self->pinned != NULL);
+    gtk_widget_set_visible(self->compare_label, self->pinned != NULL);
     if (!self->pinned)
         return;
     if (picture->has_comparison) {
@@ -171,20 +172,11 @@ void app_window_show_numbers(AppMeasures *measures, gpointer owner)
     app_window_judge(self);
 }
 
-static int by_share(gconstpointer a, gconstpointer b, gpointer shares)
-{
-    const double *of = shares, first = fabs(of[*(const gsize *)a]), second = fabs(of[*(const gsize *)b]);
-    return first < second ? 1 : first > second ? -1 : 0;
-}
-
 /* "2: 12.3, 1: 0.5" as markup: what the lights give, the greatest first; those that give nothing are not told. */
 static void add_shares(GString *text, const AppReading *reading)
 {
     char number[APP_NUMBER_SIZE];
-    gsize *order = g_new(gsize, reading->share_count), shown = 0;
-    for (gsize i = 0; i < reading->share_count; i++)
-        order[i] = i;
-    g_qsort_with_data(order, (int)reading->share_count, sizeof *order, by_share, reading->shares);
+    gsize *order = app_reading_order(reading), shown = 0;
     while (shown < reading->share_count && shown < MOST_SHARES && reading->shares[order[shown]] != 0) {
         char *color = app_lamp_color_name(order[shown]);
         g_string_append_printf(text, "%s<span background=\"%s\" color=\"black\">%zu</span>: %s", shown ? ", " : "",

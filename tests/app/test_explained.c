@@ -56,8 +56,25 @@ static void test_numbers(void **state)
     g_free(ten);
 }
 
+/* A heading that is too long for a line is one all the same. */
+static void test_long_heading(void **state)
+{
+    (void)state;
+    static const char text[] = "lights[0] a: a source of\nlight\n─────\n\none\n\nlights[1] b: a\nb\n──\n\ntwo\n";
+    char *one = app_explained_light(text, 0), *two = app_explained_light(text, 1);
+    assert_string_equal(one, "one");
+    assert_string_equal(two, "two");
+    g_free(one);
+    g_free(two);
+    char *room = explanation_of("room"), *ceiling = app_explained_light(room, 0);
+    assert_non_null(ceiling);
+    g_free(ceiling);
+    g_free(room);
+}
+
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_lights), cmocka_unit_test(test_numbers)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(test_lights), cmocka_unit_test(test_numbers),
+                                       cmocka_unit_test(test_long_heading)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

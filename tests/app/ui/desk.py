@@ -253,7 +253,7 @@ class App:
         return self.process.wait(DEADLINE)
 
 
-def trial(*functions, language="en"):
+def trial(*functions, language="en", size=SCREEN):
     """A test: each function gets a Tap and the desk; at its end no app may have complained."""
     tap = Tap()
 
@@ -267,7 +267,7 @@ def trial(*functions, language="en"):
     for function in functions:
         alone.__name__ = function.__name__
         try:
-            with Desk(language) as desk:
+            with Desk(language, size) as desk:
                 tap.run(alone, function, desk)
         except Exception:  # the desk itself
             tap.ok(False, "the desk is set up", traceback.format_exc())

@@ -140,7 +140,7 @@ class Walk:
 def from_part_to_part(tap, desk):
     window = desk.start().window()
     tap.equal(focused(window), "Picture", "at the start the picture has the keyboard")
-    wanted = {"Picture", "Position, x", "Intensity", "Intensity: show the slider", "Attenuation", "Material",
+    wanted = {"Picture", "Position, x", "Intensity", "Attenuation", "Material",
               "Shininess n", "Only source 1", "Source 1 on", "Add a source", "Points", "Open"}
     met, walk = set(), Walk(window)
     for _ in range(120):

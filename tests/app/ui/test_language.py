@@ -51,6 +51,7 @@ def why(tap, desk):
     russian = translations()
     window = desk.start().window()
     window.click(wait("a button", lambda: window.widget.find(None, russian["Why?"])))
+    window.press(russian["Formula of the chosen source"], None)
     window.pointed(*window.pixel(60, -20))
     wait("the calculation", lambda: window.says("N · L"))
     said = [name for name in window.labels() if "=" in name]

@@ -7,7 +7,7 @@ from desk import trial
 from waiting import wait
 
 NEAR = 3  # pixels
-LEAST_SHARE = 0.45  # of the window's area that the picture has
+LEAST_SHARES = {(1024, 700): 0.5, (1280, 800): 0.5, (1600, 1000): 0.6}  # of the window's area that the picture has
 
 
 def widths(window):
@@ -46,7 +46,7 @@ def small_and_large(tap, desk):
     x, y = edge[0] + edge[2] + 3, edge[1] + edge[3] / 2
     desk.drag((x, y), (x - 120, y))
     wider = wait("a wider pane", lambda: widths(window)[2] > right + 100 and widths(window)[2])
-    resize(desk, window, 1300, 800)
+    resize(desk, window, 1360, 800)
     app.quit()
     window = desk.start().window()
     tap.ok(near(wait("the width", lambda: widths(window)[2]), wider), "a divider that a hand moved stays there", wider,
@@ -58,26 +58,51 @@ def share_of_picture(window):
     return width * height / (window.widget.area()[2] * window.widget.area()[3])
 
 
+def steady(tap, window, what, before):
+    window.desk.hand("sleep", "0.5")  # until all that comes has come
+    tap.equal((window.panel(), window.picture_area()), before, what)
+
+
 def picture_first(tap, desk, language):
-    window = desk.start(LANGUAGE=language).window()
+    """The picture has its share at three sizes, and nothing that comes or goes moves it."""
+    desk.environment["LANGUAGE"] = language
+    window = desk.start().window()
+    for (width, height), least in LEAST_SHARES.items():
+        resize(desk, window, width, height)
+        tap.ok(wait("the share of the picture", lambda: share_of_picture(window) >= least),
+               "%s: the picture has its share of %d x %d" % (language, width, height), share_of_picture(window))
+        title = window.control("label", "report – Luxel")
+        tap.ok(title.area()[2] >= 60, "%s: the title is not cut" % language, title.area())
+        before = window.panel(), window.picture_area()
+        window.act("why")
+        x, y, wide, high = window.picture_area()
+        window.pointed(x + wide / 2, y + high / 3)
+        wait("the card", lambda: window.says("x = ", "y = "))
+        steady(tap, window, "%s: Why? moves nothing" % language, before)
+        window.act("why")
+        window.act("pin")
+        wait("a comparison", lambda: window.enabled("unpin"))
+        steady(tap, window, "%s: nor does a picture that is pinned" % language, before)
+        window.act("unpin")
+        window.act("open-path", "/nowhere.yaml")
+        wait("what is wrong", lambda: window.says("/nowhere.yaml"))
+        steady(tap, window, "%s: nor does a message" % language, before)
     resize(desk, window, 1024, 700)
-    tap.ok(wait("the share of the picture", lambda: share_of_picture(window) >= LEAST_SHARE),
-           "%s: the picture has its share of a small window" % language, share_of_picture(window))
+    before = window.panel(), window.picture_area()
+    tap.equal(window.panes()[2], None, "%s: in a small window the numbers are a drawer, which is shut" % language)
+    window.act("numbers")
+    wait("the drawer", lambda: window.panes()[2])
+    steady(tap, window, "%s: it opens over the picture" % language, before)
     window.press({"en": "Points", "ru": "Точки"}[language], "tab")
     beginning = {"en": "Values: ", "ru": "Величина: "}[language]
     said = wait("what the values are", lambda: next((label for label in window.widget.all("label")
                                                      if label.name.startswith(beginning) and label.area()[2]), None))
     tap.ok(wait("room for it", lambda: said.area()[0] + said.area()[2] <= window.widget.area()[2]),
            "%s: what is said below the table of points is not cut off" % language, said.area())
-    window.press({"en": "Plan", "ru": "План"}[language], "tab")
-    before = window.picture_area()
-    window.act("open-path", "/nowhere.yaml")
-    wait("what is wrong", lambda: window.says("/nowhere.yaml"))
-    desk.hand("sleep", "0.7")  # until the message has come in
-    tap.equal(window.picture_area(), before, "%s: a message does not move the picture" % language)
-    x, y, width, height = before
-    window.pointed(x + width / 2, y + height / 2)
-    tap.equal(window.picture_area(), before, "%s: nor does what is under the pointer" % language)
+    window.act("numbers")
+    tap.ok(wait("no drawer", lambda: not window.panes()[2]), "%s: and goes" % language)
+    resize(desk, window, 1380, 860)
+    tap.ok(wait("the numbers", lambda: window.panes()[2]), "%s: a large window has them beside the picture" % language)
 
 
 def english(tap, desk):
@@ -111,4 +136,4 @@ def maximized(tap, desk):
     tap.ok(found[0][2] < 420, "and no more of it is given to the numbers than a hand gave them", found)
 
 
-trial(small_and_large, english, russian, maximized)
+trial(small_and_large, english, russian, maximized, size=(1700, 1100))

@@ -1,23 +1,21 @@
 # SPDX-License-Identifier: MIT
-"""The other parts of the window: sliders, sections, comparing, light from afar by hand, dialogs, what is remembered."""
+"""The other parts of the window: names that are dragged, sections, comparing, light from afar, dialogs."""
 import re
 
 from desk import trial
 from waiting import wait
 
 
-def sliders(tap, desk):
+def dragged_names(tap, desk):
     window = desk.start().window()
     before, values = window.save(), window.values()
-    tap.equal([name for name in window.widget.names("slider") if name.endswith(", slider")], [],
-              "no sliders stand in the way")
-    slider = window.slider("Radius")
-    x, y = window.place(slider)
-    width = slider.area()[2]
-    desk.drag((x - width / 6, y), (x - width / 3, y))
+    x, y = window.place(window.control("label", "Radius"))
+    desk.drag((x, y), (x + 2, y))
+    tap.equal(window.save(), before, "a click with two dots of jitter changes nothing")
+    desk.drag((x, y), (x + 9, y))
     wait("other numbers", lambda: window.values() != values)
     after = window.save()
-    tap.ok(after != before and b"radius: 300" not in after, "a slider changes the scene")
+    tap.ok(after != before and b"radius: 300" not in after, "a name that is dragged changes the scene")
     radius = float(re.search(rb"radius: ([\d.]+)", after).group(1))
     tap.equal(float(window.control("spin button", "Radius").text), radius, "and the field beside it")
     window.act("undo")
@@ -58,24 +56,21 @@ def vectors(tap, desk):
     places = [field.area()[0] for field in fields]
     tap.equal(places, sorted(places), "in their order")
     tap.ok(all(field.area()[2] >= 40 for field in fields), "each with room for its digits", fields)
-    below = window.control("spin button", "Intensity")
-    high = below.area()[1]
-    window.toggle("Position: show the slider").act()
-    wait("three sliders", lambda: all(window.widget.find("slider", "Position, %s, slider" % axis) for axis in "xyz"))
-    tap.ok(wait("room for them", lambda: below.area()[1] > high), "the sliders come when they are asked for")
-    slider = window.control("slider", "Position, y, slider")
-    x, y = window.place(slider)
+    form = [window.control(*part) for part in (("combo box", "Type"), ("spin button", "Intensity"),
+                                               ("combo box", "Attenuation"), ("combo box", "Pattern"))]
+    left, right = ([part.area()[0] + side * part.area()[2] for part in form] for side in (0, 1))
+    tap.ok(max(left) - min(left) <= 2 and max(right) - min(right) <= 2, "fields and lists have one edge and one width",
+           left, right)
+    name = next(label for label in window.widget.all("label", "y")
+                if abs(label.area()[1] - fields[1].area()[1]) < 20)
+    x, y = window.place(name)
     values = window.values()
-    desk.drag((x, y), (x + slider.area()[2] / 5, y))
+    desk.drag((x, y), (x + 20, y))
     wait("other numbers", lambda: window.values() != values)
     place = re.search(rb"position: \[2000, ([\d.]+), 2000\]", window.save())
-    tap.ok(place and float(place.group(1)) > 100, "each moves its own number", window.save())
-    window.act("source-duplicate")
-    wait("two sources", lambda: len(window.sources()) == 2)
-    tap.ok(window.widget.find("slider", "Position, x, slider"), "they stay for other sources")
-    window.toggle("Position: show the slider").act()
-    wait("no sliders", lambda: not window.widget.find("slider", "Position, x, slider"))
+    tap.ok(place and float(place.group(1)) > 100, "each name moves its own number", window.save())
     window.act("undo")
+    tap.ok(wait("as before", lambda: b"position: [2000, 0, 2000]" in window.save()), "its way is one step of undo")
     window.enter("Position, z", "1e999")
     tap.ok(wait("what is wrong", lambda: window.says("1e999")), "what cannot be taken is said below")
     desk.key("Escape")
@@ -84,7 +79,18 @@ def vectors(tap, desk):
     wait("another place", lambda: window.enabled("undo"))
     window.click(window.control("label", "Position"), count=2)
     wait("the old place", lambda: window.control("spin button", "Position, x").text == "2000")
-    tap.ok(place.group(0) in window.save(), "a double click on the name brings all three back, as they were saved")
+    tap.ok(b"position: [2000, 0, 2000]" in window.save(),
+           "a double click on the name brings all three back, as they were saved")
+
+
+def opened(tap, desk):
+    """A part at the bottom that is opened is brought into sight."""
+    window = desk.start().window()
+    window.press("Screen and observer", None)
+    panel = window.panel()
+    field = window.control("combo box", "Projection")
+    seen = lambda: panel[1] <= field.area()[1] and field.area()[1] + field.area()[3] <= panel[1] + panel[3]
+    tap.ok(wait("the panel", seen), "what it holds is seen", panel, field.area())
 
 
 def sections(tap, desk):
@@ -160,4 +166,4 @@ def dialogs(tap, desk):
     tap.equal(window.values()[0], "2.727591", "light or dark, the numbers stay")
 
 
-trial(sliders, surfaces, vectors, sections, comparing, from_afar, dialogs)
+trial(dragged_names, surfaces, vectors, opened, sections, comparing, from_afar, dialogs)

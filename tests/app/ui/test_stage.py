@@ -184,6 +184,7 @@ def why(tap, desk):
     """The formula of the chosen source with the numbers of the place, which are those of luxel explain."""
     window = desk.start().window()
     window.click(wait("a button", lambda: window.widget.find(None, "Why?")))
+    window.press("Formula of the chosen source", None)
     tap.ok(wait("a hint", lambda: window.says("Rest with the pointer")), "before a place it says what to do")
     window.pointed(*window.pixel(60, 40))
 
@@ -193,7 +194,10 @@ def why(tap, desk):
 
     tap.ok(wait("the place", there), "where it is")
     formula = wait("the formula", lambda: window.says("N · L = ", "B = B_d + Bₛ"))
-    result = window.control("label", formula.split("\n")[-1])
+    value = float(re.search(r"exact ([\d.]+)|digits: ([\d.]+)", luxel("explain", "report", "-p", "60,40").decode())[2])
+    result = wait("the result", lambda: next((label for label in window.widget.all("label")
+                                              if re.fullmatch(r"[\d.]+ W/sr", label.name)), None))
+    tap.ok(abs(float(result.name.split()[0]) - value) < 0.01 * value, "the value itself comes first", result.name)
     top, height = result.area()[1], result.area()[3]
     tap.ok(top + height <= window.control("label", formula).area()[1], "its result stands above it", formula)
     product = float(re.search(r"N · L = ([\d.]+)", formula).group(1))

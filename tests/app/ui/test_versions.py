@@ -218,6 +218,7 @@ def why(tap, desk):
     """The formula of a place follows every change of the scene, wherever the pointer is."""
     window = desk.start().window()
     window.click(wait("a button", lambda: window.widget.find(None, "Why?")))
+    window.press("Formula of the chosen source", None)
     window.pointed(*window.pixel(60, 40))
     wait("the formula", lambda: window.says("N · L = "))
     x, y, width, height = window.picture_area()

@@ -28,7 +28,13 @@ class Window:
 
     def appear(self):
         """Waits until it stands on the screen with its numbers, and gives it the keyboard."""
+        wait("the panes", lambda: self.widget.find("widget", "GtkPaned"))
+        is_shut = not self.panes()[2]
+        if is_shut:
+            self.act("numbers")
         wait("the first numbers", self.values)
+        if is_shut:
+            self.act("numbers")
         ids = wait("a window on the screen",
                    lambda: self.app.on_screen() - {window.screen_id for window in self.app.known})
         self.screen_id = max(ids, key=int)
@@ -105,12 +111,6 @@ class Window:
         return wait("toggle %r" % name,
                     lambda: self.widget.find("toggle button", name) or self.widget.find("button", name))
 
-    def slider(self, name):
-        """The slider of a value, which is shown when it is asked for."""
-        if not self.widget.find("slider", name + ", slider"):
-            self.toggle(name + ": show the slider").act()
-        return self.control("slider", name + ", slider")
-
     def place(self, widget):
         """The middle of a widget on the screen, brought into view where it is in the panel on the left."""
         frame, panel = self.widget.area(), self.panel()
@@ -126,14 +126,17 @@ class Window:
         raise AssertionError("%r cannot be brought into view" % widget)
 
     def panes(self):
-        """Scene, picture and numbers, from left to right: what is in one of them is sooner found there."""
+        """Scene, picture and numbers, from left to right: what is in one of them is sooner found there.  In a narrow
+        window the numbers are a drawer over the picture, None while it is shut."""
         scene, *_, right = self.widget.find("widget", "GtkPaned").children()
-        picture, *_, numbers = right.children()
-        return scene, picture, numbers
+        picture, *others = right.children()
+        over = picture.children()[0].children()
+        return scene, picture, next((part for part in others + over if part.find("tab")), None)
 
     def numbers(self):
         """All texts beside the picture."""
-        return self.panes()[2].names("label")
+        numbers = self.panes()[2]
+        return numbers.names("label") if numbers else []
 
     def panel(self):
         """The area of the panel on the left in the window."""
