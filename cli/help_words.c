@@ -109,10 +109,10 @@ static const struct entry entries[] = {
         "intensity, power, radiance or irradiance."),
      "luxel help maintenance_factor|luxel help luminaire|luxel help intensity"},
     {"array|arrays|luminaire array|array of luminaires|ряд светильников|сетка светильников|массив светильников",
-     N_("Luminaires in rows: each is an entry of its own in the list lights, as in the scene office. Many small "
-        "sources "
-        "are one light of the type points, whose places a file lists."),
-     "luxel scene office|luxel help luminaire|luxel help lights"},
+     N_("Luminaires in columns and rows are one light of the list lights with the key array, such as array: {n: [4, "
+        "3], spacing: [1800, 2000]}. Many small sources at any places are one light of the type points, whose places a "
+        "file lists."),
+     "luxel help spacing|luxel help luminaire|luxel help lights"},
     {"plot|false color|false colour|falsecolor|colormap|graph|график|рисунок",
      N_("Pictures for people, in false colour with axes, isophotes and sections, are drawn by luxel figure."),
      "luxel help figure|luxel help report"},

@@ -15,8 +15,10 @@
 #include "../base/diagnostics.h"
 #include "../base/glare.h"
 #include "../base/memory.h"
+#include "../base/number.h"
 #include "../base/phrase.h"
 #include "../base/vector.h"
+#include "../light/array.h"
 #include "../scene/observer.h"
 #include "../scene/colours.h"
 #include "../scene/scene.h"
@@ -263,6 +265,20 @@ static luxel_status rate(struct rating *rating, luxel_diagnostics *diagnostics)
     return status == LUXEL_ERROR_MEMORY ? lx_out_of_memory(diagnostics) : status;
 }
 
+/* Each source of an array would have a place of its own in the field of view. */
+static luxel_status refuse_arrays(const struct lx_prepared *prepared, luxel_diagnostics *diagnostics)
+{
+    const struct lx_list *lights = &prepared->scene->lights;
+    for (size_t i = 0; i < lights->count; i++)
+        if (prepared->on[i] && lx_light_places(&lights->items[i]) > 1) {
+            char number[LX_NUMBER_SIZE];
+            lx_report(diagnostics, LUXEL_SEVERITY_ERROR, NULL, LX_MSG_GLARE_OF_ARRAY,
+                      LX_ARGS(lx_write_number((double)i, number)));
+            return LUXEL_ERROR_SCENE;
+        }
+    return LUXEL_OK;
+}
+
 luxel_status luxel_find_glare(const luxel_scene *scene, const luxel_settings *settings, const luxel_glare_sight *sight,
                               luxel_diagnostics *diagnostics, luxel_glare **glare)
 {
@@ -276,6 +292,8 @@ luxel_status luxel_find_glare(const luxel_scene *scene, const luxel_settings *se
     status = lx_session_open_world(scene, settings, diagnostics, &session);
     if (status == LUXEL_OK)
         status = lx_refuse_sum(scene, LUXEL_IRRADIANCE, LX_N("glare"), diagnostics);
+    if (status == LUXEL_OK)
+        status = refuse_arrays(&session.prepared, diagnostics);
     if (status == LUXEL_OK && !open_eye(session.prepared.scene, sight, &rating.eye)) {
         lx_report(diagnostics, LUXEL_SEVERITY_ERROR, NULL, LX_MSG_MISSING_ARGUMENT, LX_ARGS("sight"));
         status = LUXEL_ERROR_ARGUMENT;

@@ -5,8 +5,8 @@
 #include "../base/pose.h"
 #include "../base/vector.h"
 #include "../format/lamp/photometry_area.h"
+#include "../light/array.h"
 #include "../light/distribution.h"
-#include "../light/light.h"
 #include "../light/solid/elliptic.h"
 #include "../light/solid/extended.h"
 #include "../light/totals.h"
@@ -29,12 +29,11 @@ static double area_seen(const struct lx_emitter *emitter, const double from_sour
 /* All emitters together; points of a cloud are many sources and show no area. */
 bool lx_see_light(const struct lx_item *item, const double eye_mm[3], struct lx_light_seen *seen)
 {
-    const struct lx_light_kind *kind = (const struct lx_light_kind *)item->variant;
     struct lx_emitters emitters = {.is_whole = true};
     struct lx_emitter room;
     double middle[3], from_source[3];
     *seen = (struct lx_light_seen){.radiance = lx_exact(0)};
-    if (kind->prepare(item->parameters, &emitters) != 0) {
+    if (lx_light_lower(item, &emitters) != 0) {
         lx_emitters_clear(&emitters);
         return false;
     }

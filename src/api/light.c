@@ -4,7 +4,7 @@
 
 #include <math.h>
 
-#include "../light/light.h"
+#include "../light/array.h"
 #include "../light/totals.h"
 #include "../scene/scene.h"
 
@@ -44,8 +44,7 @@ static luxel_status lower(const luxel_scene *scene, size_t i, struct lx_emitters
     const struct lx_item *item = item_of(scene, i);
     if (!item)
         return LUXEL_ERROR_ARGUMENT;
-    const struct lx_light_kind *kind = (const struct lx_light_kind *)item->variant;
-    return kind->prepare(item->parameters, emitters) == 0 ? LUXEL_OK : LUXEL_ERROR_MEMORY;
+    return lx_light_lower(item, emitters) == 0 ? LUXEL_OK : LUXEL_ERROR_MEMORY;
 }
 
 /* The number that one of the totals gives of light i. */

@@ -7,6 +7,7 @@
 #include <stdio.h>
 
 #include "../base/number.h"
+#include "../light/array.h"
 #include "../world/prepared.h"
 #include "adviser.h"
 
@@ -120,8 +121,9 @@ void lx_advise_distances(struct lx_adviser *adviser)
         const struct lx_emitter *emitter = lx_emitter_at(&prepared.emitters, i, &room);
         const struct lx_shape *shape;
         double distance;
+        const struct lx_item *light = &adviser->parameters->lights.items[emitter->light];
         if (!lx_is_point(emitter) || emitter->is_part || emitter->attenuation == LX_NO_ATTENUATION ||
-            !lx_find_parameter(adviser->parameters->lights.items[emitter->light].variant->table, "position"))
+            !lx_find_parameter(light->variant->table, "position") || lx_array_of(light))
             continue;
         double change = change_over(&prepared, emitter->position_mm, emitter, emitter->k_mm);
         if (is_near(&prepared, emitter->position_mm, &shape, &distance))

@@ -7,7 +7,7 @@
 
 #include "../base/number.h"
 #include "../base/phrase.h"
-#include "../light/light.h"
+#include "../light/array.h"
 #include "report.h"
 
 static const double SPACING = 0.25; /* of catalogues */
@@ -25,7 +25,7 @@ static bool find_lamp(const struct lx_report *report, size_t i, struct lamp *lam
     const struct lx_item *item = &report->parameters->lights.items[i];
     const struct lx_light_common *common = item->common;
     const struct lx_light_kind *kind = (const struct lx_light_kind *)item->variant;
-    *lamp = (struct lamp){.count = 1};
+    *lamp = (struct lamp){.count = lx_light_places(item)};
     if (common->enabled && kind->photometry)
         lamp->photometry = kind->photometry(item->parameters, &lamp->file);
     return lamp->photometry != NULL;
@@ -41,7 +41,7 @@ static size_t count_lamps(const struct lx_report *report, size_t i, struct lamp 
         if (k != i && find_lamp(report, k, &other) && strcmp(other.file, lamp->file) == 0) {
             if (k < i)
                 return 0;
-            lamp->count++;
+            lamp->count += other.count;
         }
     return lamp->count;
 }

@@ -13,6 +13,7 @@
 #include "../base/number.h"
 #include "../base/phrase.h"
 #include "../exercise/parameter_tables.h"
+#include "../light/array.h"
 #include "../parameter/decode.h"
 #include "../parameter/words.h"
 #include "figure.h"
@@ -77,7 +78,8 @@ static void print_place(const struct lx_figure *figure, const struct lx_table *t
     }
     for (size_t i = 0; i < table->count; i++) {
         const struct lx_parameter *shape = &table->parameters[i];
-        if (shape->type != LX_GROUP || shape->choices || !lx_is_given(table, parameters, shape->name))
+        if (shape->type != LX_GROUP || shape->choices || shape->group == &lx_array_table ||
+            !lx_is_given(table, parameters, shape->name))
             continue;
         lx_text_puts(text, " ");
         lx_text_puts(text, lx_figure_kind(figure, shape->name));
@@ -92,6 +94,18 @@ static void print_light(const struct lx_figure *figure, const struct lx_item *li
     const struct lx_table *table = light->variant->table;
     lx_text_puts(text, lx_figure_kind(figure, light->variant->name));
     print_place(figure, table, light->parameters, text);
+    const struct lx_array *array = lx_array_of(light);
+    if (array) {
+        char columns[LX_NUMBER_SIZE], rows[LX_NUMBER_SIZE];
+        struct lx_text places = {0};
+        lx_add_phrase(&places, LX_N("{0} × {1} of them around"),
+                      LX_ARGS(lx_write_number(array->n[0], columns), lx_write_number(array->n[1], rows)));
+        char *words = render(figure, &places);
+        text->failed = text->failed || !words;
+        lx_text_puts(text, ", ");
+        lx_text_puts(text, words ? words : "");
+        free(words);
+    }
     for (size_t i = 0; i < LX_COUNT(strengths); i++) {
         const struct lx_parameter *strength = lx_find_parameter(table, strengths[i]);
         char number[LX_TICK_TEXT];

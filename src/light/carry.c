@@ -47,9 +47,9 @@ static int carry_luminaire(struct carrying *carrying, struct lx_profile *profile
     return 0;
 }
 
-static struct lx_facets *carry_facets(const struct carrying *carrying, const struct lx_facets *facets)
+struct lx_facets *lx_facets_carry(const struct lx_facets *facets, const struct lx_frame *frame,
+                                  const struct lx_asking *asking)
 {
-    const struct lx_frame *frame = carrying->frame;
     const struct lx_face *last = &facets->faces[facets->face_count - 1];
     const size_t loop_count = last->first + last->count;
     struct lx_facets *made = lx_facets_new(facets->corner_count, facets->face_count, loop_count);
@@ -67,7 +67,7 @@ static struct lx_facets *carry_facets(const struct carrying *carrying, const str
     for (int i = 0; i < 3; i++)
         size += fabs(facets->center_mm[i]) + fabs(frame->origin_mm[i]);
     for (size_t i = 0; i < facets->corner_count; i++) {
-        if (!lx_asking_at_step(carrying->asking, i, BETWEEN_CHECKS)) {
+        if (!lx_asking_at_step(asking, i, BETWEEN_CHECKS)) {
             lx_facets_free(made);
             return NULL;
         }
@@ -90,7 +90,7 @@ static int carry_area_light(struct carrying *carrying, struct lx_emitter *emitte
     if (carrying->facets != emitter->facets) {
         lx_facets_free(carrying->facets_carried);
         carrying->facets = emitter->facets;
-        carrying->facets_carried = carry_facets(carrying, emitter->facets);
+        carrying->facets_carried = lx_facets_carry(emitter->facets, carrying->frame, carrying->asking);
     }
     emitter->facets = NULL;
     if (carrying->facets_carried)
@@ -129,7 +129,8 @@ static int carry_one(struct carrying *carrying, struct lx_emitter *emitter)
     return carry_opening(carrying, emitter);
 }
 
-static struct lx_cloud *carry_cloud(const struct carrying *carrying, const struct lx_cloud *cloud)
+struct lx_cloud *lx_cloud_carry(const struct lx_cloud *cloud, const struct lx_frame *frame,
+                                const struct lx_asking *asking)
 {
     struct lx_cloud *made = lx_cloud_new(cloud->count);
     double *row = made ? made->values : NULL;
@@ -138,19 +139,19 @@ static struct lx_cloud *carry_cloud(const struct carrying *carrying, const struc
     made->intensities = cloud->intensities;
     made->tree = cloud->tree ? lx_kept_slot_new() : NULL;
     for (size_t i = 0; i < cloud->count; i++, row += LX_CLOUD_COLUMNS) {
-        if (!lx_asking_at_step(carrying->asking, i, BETWEEN_CHECKS)) {
+        if (!lx_asking_at_step(asking, i, BETWEEN_CHECKS)) {
             lx_cloud_free(&made->kept);
             return NULL;
         }
         lx_cloud_row(cloud, i, row);
-        lx_frame_carry(carrying->frame, row, row);
+        lx_frame_carry(frame, row, row);
     }
     return made;
 }
 
 static int carry_point_set(struct carrying *carrying, struct lx_point_set *set)
 {
-    set->cloud = carry_cloud(carrying, set->cloud);
+    set->cloud = lx_cloud_carry(set->cloud, carrying->frame, carrying->asking);
     set->is_owned = set->cloud != NULL;
     lx_frame_carry(carrying->frame, set->aim_mm, set->aim_mm);
     return set->cloud ? carry_one(carrying, &set->model) : -1;

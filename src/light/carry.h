@@ -16,4 +16,10 @@
 int lx_emitters_carry(const struct lx_emitters *emitters, const struct lx_frame *frame, const struct lx_asking *asking,
                       struct lx_emitters *carried);
 
+/* Copies of facets and of a cloud in a frame, for lx_facets_free() and lx_cloud_free(); NULL as -1 above. */
+struct lx_facets *lx_facets_carry(const struct lx_facets *facets, const struct lx_frame *frame,
+                                  const struct lx_asking *asking);
+struct lx_cloud *lx_cloud_carry(const struct lx_cloud *cloud, const struct lx_frame *frame,
+                                const struct lx_asking *asking);
+
 #endif

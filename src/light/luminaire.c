@@ -11,6 +11,7 @@
 
 #include "../base/pose.h"
 #include "../parameter/check.h"
+#include "array.h"
 #include "distribution.h"
 #include "law.h"
 #include "opening.h"
@@ -29,6 +30,7 @@ struct luminaire_parameters {
     struct lx_opening opening;
     struct lx_distribution *distribution; /* what was read of the file */
     struct lx_pointed *pointed;           /* and as it hangs */
+    struct lx_array array;
 };
 
 static const char *const interpolation_names[] = {"angle", "cosine", NULL};
@@ -120,6 +122,7 @@ static const struct lx_parameter luminaire_parameters[] = {
         .meaning = "where the light comes from: from one point, from the luminous opening that the file declares, or "
                    "from a shape; each part of it shines as the whole luminaire does, with its share of the intensity",
     },
+    LX_ARRAY_PARAMETER(struct luminaire_parameters),
 };
 
 static const struct lx_rule luminaire_rules[] = {

@@ -8,6 +8,7 @@
 
 #include "../base/number.h"
 #include "../base/pose.h"
+#include "array.h"
 #include "spread.h"
 
 struct rectangle_parameters {
@@ -32,6 +33,7 @@ struct planar_parameters {
     double intensity; /* W/sr or cd, along the normal */
     int sides;
     struct lx_spread spread;
+    struct lx_array array;
 };
 
 /* ---- tables ---- */
@@ -182,6 +184,7 @@ static const struct lx_parameter planar_parameters[] = {
                    "corners run counter-clockwise, or both",
     },
     LX_SPREAD_PARAMETERS(struct planar_parameters),
+    LX_ARRAY_PARAMETER(struct planar_parameters),
 };
 
 static const struct lx_rule planar_rules[] = {

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* The point source: a small lamp with a pattern about its axis. */
 
+#include "array.h"
 #include "pattern.h"
 #include "placed.h"
 
@@ -8,11 +9,13 @@ struct point_parameters {
     uint64_t given;
     struct lx_placed placed;
     struct lx_pattern pattern;
+    struct lx_array array;
 };
 
 static const struct lx_parameter point_parameters[] = {
     LX_PLACED_PARAMETERS(struct point_parameters),
     LX_PATTERN_PARAMETERS(struct point_parameters),
+    LX_ARRAY_PARAMETER(struct point_parameters),
 };
 
 static const struct lx_rule point_rules[] = {

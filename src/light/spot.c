@@ -4,6 +4,7 @@
  * the outer angle.
  */
 
+#include "array.h"
 #include "placed.h"
 
 struct spot_parameters {
@@ -12,6 +13,7 @@ struct spot_parameters {
     double inner_deg, outer_deg;
     int falloff; /* enum lx_falloff */
     double exponent;
+    struct lx_array array;
 };
 
 static const char *const falloff_names[] = {"smoothstep", "squared", "linear", "hard", NULL};
@@ -57,6 +59,7 @@ static const struct lx_parameter spot_parameters[] = {
         .advised = {LX_BETWEEN(0, 20)},
         .meaning = "the exponent m of the cosine by which the intensity falls from the axis",
     },
+    LX_ARRAY_PARAMETER(struct spot_parameters),
 };
 
 static const struct lx_rule spot_rules[] = {

@@ -11,6 +11,7 @@
 #include "../base/number.h"
 #include "../base/phrase.h"
 #include "../parameter/mesh_file.h"
+#include "array.h"
 #include "spread.h"
 
 /* Corners of a mesh are off by no more than this share of its size, however few digits the file has. */
@@ -48,6 +49,7 @@ struct volume_parameters {
     double scale; /* mm a unit of the file */
     struct lx_spread spread;
     struct lx_mesh *mesh; /* what was read of the file */
+    struct lx_array array;
 };
 
 /* ---- tables ---- */
@@ -184,6 +186,7 @@ static const struct lx_parameter volume_parameters[] = {
         .meaning = "mm for each unit of the mesh file, from the origin of coordinates: 1000 for a file in metres",
     },
     LX_SPREAD_PARAMETERS(struct volume_parameters),
+    LX_ARRAY_PARAMETER(struct volume_parameters),
 };
 
 static const struct lx_rule volume_rules[] = {

@@ -7,6 +7,7 @@
 
 #include "../base/number.h"
 #include "../base/vector.h"
+#include "../light/array.h"
 #include "../surface/part.h"
 #include "mend.h"
 #include "object.h"
@@ -171,7 +172,7 @@ static void advise_lights(struct lx_walk *walk, const struct lx_scene_parameters
         const struct lx_item *light = &scene->lights.items[i];
         const struct lx_light_common *common = light->common;
         const struct lx_parameter *position = lx_find_parameter(light->variant->table, "position");
-        if (!position || !common->enabled)
+        if (!position || !common->enabled || lx_array_of(light))
             continue;
         const double *place_mm = lx_const_member(position, light->parameters);
         if (!is_behind(scene, place_mm))

@@ -10,7 +10,7 @@
 
 #include "../base/memory.h"
 #include "../base/number.h"
-#include "../light/light.h"
+#include "../light/array.h"
 #include "../surface/part.h"
 #include "mend.h"
 #include "object.h"
@@ -46,7 +46,7 @@ static void advise_near(struct lx_walk *walk, const struct lx_scene_parameters *
     static const double TIMES = 5;
     const struct lx_item *item = &scene->lights.items[light];
     const struct lx_light_kind *kind = (const struct lx_light_kind *)item->variant;
-    const double opening_mm = kind->opening_mm ? kind->opening_mm(item->parameters) : 0;
+    const double opening_mm = kind->opening_mm && !lx_array_of(item) ? kind->opening_mm(item->parameters) : 0;
     const double *place_mm = vector_of(item->variant->table, item->parameters, "position");
     struct lx_step list = {NULL, "lights", 0}, element = {&list, NULL, light}, step = {&element, "position", 0};
     for (size_t s = 0; opening_mm > 0 && s < scene->surfaces.count; s++) {

@@ -6,8 +6,8 @@
 #include "../base/memory.h"
 #include "../base/phrase.h"
 #include "../base/rows.h"
+#include "../light/array.h"
 #include "../light/carry.h"
-#include "../light/light.h"
 #include "../parameter/decode.h"
 #include "../scene/colours.h"
 #include "../scene/lit.h"
@@ -22,10 +22,8 @@ enum { SWARM_BYTES = 64 };
 static int prepare_lights(const struct lx_list *lights, const bool *on, struct lx_emitters *emitters)
 {
     for (size_t i = 0; i < lights->count; i++) {
-        const struct lx_item *item = &lights->items[i];
-        const struct lx_light_kind *kind = (const struct lx_light_kind *)item->variant;
         emitters->light = i;
-        if (on[i] && (!lx_asking_goes_on(emitters->asking) || kind->prepare(item->parameters, emitters)))
+        if (on[i] && (!lx_asking_goes_on(emitters->asking) || lx_light_lower(&lights->items[i], emitters)))
             return -1;
     }
     return 0;
