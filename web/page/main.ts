@@ -3,7 +3,7 @@
 import './style.css';
 import { BalancePanel } from './balance';
 import type { Builtin } from './core';
-import { hasVectors, Interrupted } from './client';
+import { Client, hasVectors, Interrupted } from './client';
 import { scaleControls, sideControls, zoomButtons } from './controls';
 import { Compare } from './compare';
 import { Dial } from './dial';
@@ -15,6 +15,7 @@ import { Gallery } from './gallery';
 import { header } from './header';
 import { download, packed, unpacked } from './link';
 import { Layout, type Camera } from './layout';
+import { lessonIn, startLessons } from './lessons/lesson';
 import { LoadingNotice } from './loading';
 import { Looks } from './looks';
 import { Messages } from './messages';
@@ -602,6 +603,22 @@ class Page {
     }
 }
 
-const page = new Page();
-(window as unknown as { luxel: Page }).luxel = page;
+/** The lessons, where the link asks for one. */
+class Lessons {
+    inside: unknown = null;
+
+    async start() {
+        const root = document.getElementById('app')!;
+        try {
+            this.inside = await startLessons(new Client(), root);
+        } catch (error) {
+            root.replaceChildren(h('p', { class: 'failure', role: 'alert' }, t('Luxel could not be loaded.'), ' ', String(error)));
+        }
+    }
+}
+
+const isLesson = () => lessonIn(location.hash) !== null;
+const page = isLesson() ? new Lessons() : new Page();
+(window as unknown as { luxel: Page | Lessons }).luxel = page;
+window.addEventListener('hashchange', () => isLesson() !== page instanceof Lessons && location.reload());
 page.start();
