@@ -33,7 +33,7 @@ surfaces:
   - {type: rectangle, name: table, center: [0, 0, 0], size: [2600, 1600], axis: [0, 0, 1], material: ${PAPER}}
   - {type: rectangle, name: wall, center: [0, 800, 650], size: [2600, 1300], axis: [0, -1, 0], up: [0, 0, 1], material: ${PAPER}}
 `;
-const TABLE = `${BARE_TABLE}  - {type: sphere, name: ball, center: [520, 120, 130], radius: 130, material: ${PAPER}}
+const TABLE = `${BARE_TABLE}  - {type: sphere, name: ball, center: [520, 320, 130], radius: 130, material: ${PAPER}}
   - {type: box, name: block, center: [-560, 220, 110], size: [220, 220, 220], rotate: [0, 0, 25], up: z, material: ${PAPER}}
 `;
 const CAMERA: FigureData['camera'] = { from: [500, -2600, 1250], to: [0, 150, 420], width: 2300 };
@@ -187,7 +187,7 @@ export const CHAPTERS: Record<string, Chapter> = {
                 set: { parts: 'converged' },
                 outlines: [square('h', 'w/2').map(([a, b, z]) => [a[0] === '-' ? `x${a}` : `x+${a}`, b, z])],
                 derived: { r: distance, c: cosine },
-                formula: 'E ≈ \\frac{I}{r^2} (\\v{N}·\\v{L}) (\\v{M}·(-\\v{L})) = \\frac{60}{<r>^2} · <c> · <c>',
+                formula: 'E ≈ \\frac{I}{r^2} (\\v{N}·\\v{L}) (\\v{M}·(-\\v{L})) \\\\ ≈ \\frac{60}{<r>^2} · <c> · <c>',
             },
             near: {
                 ...POINT,
@@ -257,7 +257,7 @@ export const CHAPTERS: Record<string, Chapter> = {
                     c: ({ x, y }) => 700 / Math.hypot(x, y, 700),
                     s: ({ x, y }) => Math.cos(Math.acos(700 / Math.hypot(x, y, 700)) / 2),
                 },
-                formula: 'B = I (k_d (\\v{N}·\\v{L}) + k_s (\\v{N}·\\v{H})^n) = 10 · (0.8 · <c> + 0.5 · <s>^{<n>})',
+                formula: 'B = I (k_d (\\v{N}·\\v{L}) + k_s (\\v{N}·\\v{H})^n) \\\\ = 10 · (0.8 · <c> + 0.5 · <s>^{<n>})',
             },
             peak: {
                 scene: SPHERE,

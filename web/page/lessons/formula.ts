@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Formulas of lessons as MathML.  They are written in a small part of TeX: letters, numbers and signs as they are, ^ and _
-// with one sign or {…}, \frac{…}{…}, \v{N} for a vector, \t{…} for words; <…> is a number of the figure.
+// with one sign or {…}, \frac{…}{…}, \v{N} for a vector, \t{…} for words; <…> is a number of the figure.  Lines are parted by \\ (which
+// lesson.ts does).
 import { number } from '../words';
 import { valueOf, type Names } from './expression';
 
@@ -60,7 +61,6 @@ class Reader {
         if (take(/^\\v/)) {
             const vector = element('mi', this.group());
             vector.setAttribute('mathvariant', 'bold-italic');
-            vector.setAttribute('class', 'vector');
             return vector;
         }
         if (take(/^\\t/)) return element('mtext', this.group().replaceAll(' ', '\u00a0')); // plain blanks at its ends would go
@@ -70,7 +70,9 @@ class Reader {
         if (digits) return element('mn', number(Number(digits), 6));
         const letter = take(/^[A-Za-zα-ω]/);
         if (letter) return element('mi', letter);
-        return element('mo', take(/^./u));
+        const sign = element('mo', take(/^./u));
+        if ('()|'.includes(sign.textContent!)) sign.setAttribute('stretchy', 'false');
+        return sign;
     }
 }
 

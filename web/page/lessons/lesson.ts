@@ -141,7 +141,8 @@ export class Lesson {
         const element = h('div', { class: 'formula' });
         const show = () => {
             const shown = figure.value === null ? text : `${text} ${text.includes('≈') ? '≈' : '='} <value> \\t{ ${figure.unit}}`;
-            element.replaceChildren(formula(shown, { ...figure.all(), value: figure.value ?? 0 }, true));
+            const names = { ...figure.all(), value: figure.value ?? 0 };
+            element.replaceChildren(...shown.split(' \\\\ ').map((line) => formula(line, names, true)));
         };
         const before = figure.onValue;
         figure.onValue = () => {
@@ -254,8 +255,8 @@ export class Lesson {
             else location.hash = `${await packed(text)}&lang=${currentLanguage()}`;
         });
         return h(
-            'footer',
-            { class: 'end' },
+            'div',
+            { class: 'lesson-end' },
             form,
             trouble,
             h(
