@@ -36,6 +36,8 @@ import { currentLanguage, exactly, number, setLanguage, t, type Language } from 
 /** The built-in scene that the page begins with, where its link names no other: whole in view, with its lamp. */
 const FIRST_SCENE = 'sphere';
 
+const NO_VECTORS =
+    'This browser cannot run Luxel: it needs WebAssembly with SIMD (Chromium 91, Firefox 89, Safari 16.4 or newer).';
 const SAME_PLACE = 2e-3; // of the screen: within it two lines of sight meet the same place
 const LONGEST_TITLE = 34; // letters that the bar has room for
 
@@ -92,9 +94,7 @@ class Page {
     async start() {
         setLanguage(this.firstLanguage());
         if (!hasVectors()) {
-            this.fail(
-                'This browser cannot run Luxel: it needs WebAssembly with SIMD (Chromium 91, Firefox 89, Safari 16.4 or newer).',
-            );
+            this.fail(NO_VECTORS);
             return;
         }
         try {
@@ -609,10 +609,13 @@ class Lessons {
 
     async start() {
         const root = document.getElementById('app')!;
+        const fail = (message: string, detail = '') =>
+            root.replaceChildren(h('p', { class: 'failure', role: 'alert' }, t(message), ' ', detail));
+        if (!hasVectors()) return fail(NO_VECTORS);
         try {
             this.inside = await startLessons(new Client(), root);
         } catch (error) {
-            root.replaceChildren(h('p', { class: 'failure', role: 'alert' }, t('Luxel could not be loaded.'), ' ', String(error)));
+            fail('Luxel could not be loaded.', String(error));
         }
     }
 }

@@ -179,6 +179,7 @@ const RUSSIAN: Record<string, string> = {
     'Open in the full page': 'Открыть на полной странице',
     'Guess before you look': 'Сначала угадайте',
     Check: 'Проверить',
+    'Check yourself': 'Проверьте себя',
     'Your answer': 'Ваш ответ',
     'Right.': 'Верно.',
     'Not so.': 'Нет.',

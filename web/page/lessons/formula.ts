@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Formulas of lessons as MathML.  They are written in a small part of TeX: letters, numbers and signs as they are, ^ and _
-// with one sign or {…}, \frac{…}{…}, \v{N} for a vector, \t{…} for words; <…> is a number of the figure.  Lines are parted by \\ (which
-// lesson.ts does).
+// with one sign or {…}, \frac{…}{…}, \v{N} for a vector, \t{…} for words; <…> is a number of the figure.
 import { number } from '../words';
 import { valueOf, type Names } from './expression';
 

@@ -4,6 +4,7 @@
 import type { Client } from '../client';
 import { h } from '../dom';
 import { packed } from '../link';
+import { LoadingNotice } from '../loading';
 import { currentLanguage, number, setLanguage, t, type Language } from '../words';
 import { CHAPTERS, type Chapter } from './chapters';
 import { ENGLISH } from './en';
@@ -198,7 +199,7 @@ export class Lesson {
 
     private check(parts: string[]): HTMLElement {
         const { figure: name, set } = this.chapter.check;
-        const [element, verdict] = this.panel('Check', 'check', parts);
+        const [element, verdict] = this.panel('Check yourself', 'check', parts);
         const figure = this.figureOf(name);
         const input = h('input', { type: 'text', inputmode: 'decimal', autocomplete: 'off', 'aria-label': t('Your answer') });
         const unit = h('span', { class: 'unit' });
@@ -275,12 +276,15 @@ export async function startLessons(client: Client, root: HTMLElement): Promise<{
     const language = () =>
         new URLSearchParams(location.hash.replace(/^#/, '')).get('lang') ?? document.documentElement.lang;
     const inside = { client } as { lesson: Lesson; client: Client };
+    const notice = new LoadingNotice(client);
     const show = () => {
         const wanted = lessonIn(location.hash);
         if (wanted === null) return;
         setLanguage(language().startsWith('ru') ? 'ru' : 'en');
         inside.lesson = new Lesson(client, root, wanted);
         inside.lesson.show();
+        notice.relabel();
+        root.append(notice.element);
     };
     await client.start(language().startsWith('ru') ? 'ru' : 'en');
     client.onRestart = show;
