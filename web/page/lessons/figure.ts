@@ -69,7 +69,7 @@ export class Figure {
     private readonly image = document.createElement('canvas');
     private high = 0; // of the colours, by the first picture
     private milliseconds = 0; // that a whole picture takes
-    private isWanted = false;
+    private isWanted = true; // as soon as it is seen
     private isBusy = false;
     private isSeen = false;
     private waiting: (() => void)[] = [];
