@@ -49,6 +49,14 @@ export interface Probe {
     shares: number[];
 }
 
+/** What an answer is found to be, as `luxel grade` finds it. */
+export interface Judgement {
+    verdict: 'right' | 'convention' | 'wrong' | 'coarse'; // coarse: right, but of fewer than three digits
+    value: number | null;
+    error: number;
+    explanations: string[]; // of a convention that gives the answer
+}
+
 /** A number and the bound of its error. */
 export type Amount = [number, number];
 
@@ -439,6 +447,16 @@ export class Core {
 
     probe(x: number, y: number): Probe | null {
         return this.json<Probe>(this.call.page_probe(x, y));
+    }
+
+    /** The text of the exercise's variant with a number; null: there is none. */
+    variant(number: number): string | null {
+        return this.text(this.call.page_variant(number));
+    }
+
+    /** Judges what was typed for a point of the screen; null: it is no number. */
+    answer(typed: string, x: number, y: number, tolerance: number): Judgement | null {
+        return this.json<Judgement>(this.withTexts([typed], (at) => this.call.page_judge(at, x, y, tolerance)));
     }
 
     explain(x: number, y: number, format: number, language: string): string | null {

@@ -71,6 +71,7 @@ export function header(model: Model, actions: Actions) {
         h('span', { class: 'rule' }),
         button('Open…', () => file.click(), ''),
         files,
+        h('a', { class: 'lessons', href: `#lesson=ambient&lang=${currentLanguage()}` }, t('Lessons')),
         languages,
     );
     const menu = button('More', () => open(!rest.classList.contains('is-open')), 'icon menu', '⋯');

@@ -3,7 +3,7 @@
 import './style.css';
 import { BalancePanel } from './balance';
 import type { Builtin } from './core';
-import { hasVectors, Interrupted } from './client';
+import { Client, hasVectors, Interrupted } from './client';
 import { scaleControls, sideControls, zoomButtons } from './controls';
 import { Compare } from './compare';
 import { Dial } from './dial';
@@ -15,6 +15,7 @@ import { Gallery } from './gallery';
 import { header } from './header';
 import { download, packed, unpacked } from './link';
 import { Layout, type Camera } from './layout';
+import { lessonIn, startLessons } from './lessons/lesson';
 import { LoadingNotice } from './loading';
 import { Looks } from './looks';
 import { Messages } from './messages';
@@ -35,6 +36,8 @@ import { currentLanguage, exactly, number, setLanguage, t, type Language } from 
 /** The built-in scene that the page begins with, where its link names no other: whole in view, with its lamp. */
 const FIRST_SCENE = 'sphere';
 
+const NO_VECTORS =
+    'This browser cannot run Luxel: it needs WebAssembly with SIMD (Chromium 91, Firefox 89, Safari 16.4 or newer).';
 const SAME_PLACE = 2e-3; // of the screen: within it two lines of sight meet the same place
 const LONGEST_TITLE = 34; // letters that the bar has room for
 
@@ -91,9 +94,7 @@ class Page {
     async start() {
         setLanguage(this.firstLanguage());
         if (!hasVectors()) {
-            this.fail(
-                'This browser cannot run Luxel: it needs WebAssembly with SIMD (Chromium 91, Firefox 89, Safari 16.4 or newer).',
-            );
+            this.fail(NO_VECTORS);
             return;
         }
         try {
@@ -602,6 +603,25 @@ class Page {
     }
 }
 
-const page = new Page();
-(window as unknown as { luxel: Page }).luxel = page;
+/** The lessons, where the link asks for one. */
+class Lessons {
+    inside: unknown = null;
+
+    async start() {
+        const root = document.getElementById('app')!;
+        const fail = (message: string, detail = '') =>
+            root.replaceChildren(h('p', { class: 'failure', role: 'alert' }, t(message), ' ', detail));
+        if (!hasVectors()) return fail(NO_VECTORS);
+        try {
+            this.inside = await startLessons(new Client(), root);
+        } catch (error) {
+            fail('Luxel could not be loaded.', String(error));
+        }
+    }
+}
+
+const isLesson = () => lessonIn(location.hash) !== null;
+const page = isLesson() ? new Lessons() : new Page();
+(window as unknown as { luxel: Page | Lessons }).luxel = page;
+window.addEventListener('hashchange', () => isLesson() !== page instanceof Lessons && location.reload());
 page.start();

@@ -151,6 +151,13 @@ const questions = {
     probe: (of: Of, x: number, y: number) => opened(of).probe(x, y),
     values,
     line: (of: Of, x: number, y: number, degrees: number) => opened(of).line(x, y, degrees),
+    /** The values at a point of several scenes, one after the other; null: a scene has errors, or nothing is there. */
+    sweep: (scenes: Of[], x: number, y: number) =>
+        scenes.map((of) => (open(of) ? (core.probe(x, y)?.value ?? null) : null)),
+    variant: (number: number) => core.variant(number),
+    /** Judges what was typed for a point; null: it is no number. */
+    answer: (of: Of, typed: string, x: number, y: number, tolerance: number) =>
+        opened(of).answer(typed, x, y, tolerance),
     explain: (of: Of, x: number, y: number, format: number, language: string) =>
         opened(of).explain(x, y, format, language),
     summary: (of: Of) => opened(of).summary(),

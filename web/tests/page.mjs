@@ -7,6 +7,7 @@ import path from 'node:path';
 import axe from 'axe-core';
 import { FIREFOX, inFirefox } from './firefox.mjs';
 import { joining } from './joining.mjs';
+import { lessons } from './lessons.mjs';
 import { loading } from './loading.mjs';
 import { more, PAGES } from './more.mjs';
 import { boxOf, dragBy, inside, lampIn, look, opened, openScene, shot, started, tab, until } from './hands.mjs';
@@ -568,6 +569,7 @@ export async function page(folder, tool) {
     await more(page, browser, url, tool);
     await test('a scene travels in a link', () => links(page, browser, url));
     await joining(browser, url);
+    await lessons(browser, url, tool);
     await test('a crash of the core loses nothing', () => survivesCrash(page));
     await test('a scene on which the core fails again and again is told', () => givesUpHopeless(page));
     await test('a picture that takes long gives way to a change', () => endsLongWork(page));
