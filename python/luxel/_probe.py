@@ -48,6 +48,8 @@ class Probe(NamedTuple):
     position_mm: Optional[Vector]
     normal: Optional[Vector]
     view: Optional[Vector]  #: the unit vector to the observer
+    #: of light from all sides alike, the share that the material sends there; None of more than 1000 places
+    albedo: Optional[float]
     surface: Optional[int]  #: whose material counts, as an index in the scene's list
     surface_name: Optional[str]
     wall: Optional[str]  #: of a room or box, such as "floor"; None for other surfaces

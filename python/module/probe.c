@@ -1,5 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Probes: exact values at points of the screen, with all that belongs to them. */
+#include <math.h>
+
 #include "failure.h"
 #include "work.h"
 
@@ -41,21 +43,22 @@ static PyObject *color_or_none(const luxel_color *color)
                          number_or_none(seen.has_cct, seen.duv));
 }
 
-static PyObject *probe_tuple(const luxel_probe *probe)
+/* `albedo`: NaN, or what is not told. */
+static PyObject *probe_tuple(const luxel_probe *probe, double albedo)
 {
     PyObject *shares = probe->has_value ? shares_list(probe) : PyList_New(0);
 
     if (!shares)
         return NULL;
     return Py_BuildValue(
-        "(NNONNONNNNNNNONNNNN)", pair_or_none(probe->has_screen, probe->x_mm, probe->y_mm),
+        "(NNONNONNNNNNNNONNNNN)", pair_or_none(probe->has_screen, probe->x_mm, probe->y_mm),
         probe->has_pixel ? Py_BuildValue("(II)", probe->column, probe->row) : none(),
         probe->on_surface ? Py_True : Py_False, number_or_none(probe->has_value, probe->value),
         number_or_none(probe->has_value, probe->error),
         probe->tolerance_reached && probe->reflected_reached ? Py_True : Py_False,
         number_or_none(probe->has_pixel_value, probe->pixel_value),
         triple_or_none(probe->on_surface, probe->position_mm), triple_or_none(probe->on_surface, probe->normal),
-        triple_or_none(probe->on_surface, probe->view),
+        triple_or_none(probe->on_surface, probe->view), number_or_none(albedo >= 0, albedo),
         index_or_none(probe->on_surface && probe->surface != SIZE_MAX, probe->surface),
         text_or_none(probe->on_surface ? probe->surface_name : NULL),
         text_or_none(probe->on_surface ? probe->part_name : NULL), probe->lies_on_surface ? Py_True : Py_False,
@@ -104,12 +107,24 @@ static luxel_place *places_of(PyObject *list, size_t *count)
     return places;
 }
 
-static PyObject *probes_list(const luxel_probes *probes)
+/* The most places whose albedo is told, as it is an integral for each; of more, none is. */
+enum { MOST_ALBEDOS = 1000 };
+
+static void find_albedos(const luxel_scene *scene, const luxel_probes *probes, double albedos[MOST_ALBEDOS])
+{
+    const size_t count = luxel_probes_count(probes);
+
+    for (size_t i = 0; i < MOST_ALBEDOS; i++)
+        albedos[i] =
+            i < count && count <= MOST_ALBEDOS ? luxel_probe_albedo(scene, luxel_probes_get(probes, i)) : (double)NAN;
+}
+
+static PyObject *probes_list(const luxel_probes *probes, const double albedos[MOST_ALBEDOS])
 {
     PyObject *list = PyList_New(0);
 
     for (size_t i = 0; list && i < luxel_probes_count(probes); i++)
-        if (append(list, probe_tuple(luxel_probes_get(probes, i))) < 0)
+        if (append(list, probe_tuple(luxel_probes_get(probes, i), i < MOST_ALBEDOS ? albedos[i] : (double)NAN)) < 0)
             Py_CLEAR(list);
     return list;
 }
@@ -123,6 +138,7 @@ static PyObject *probe(PyObject *module, PyObject *arguments)
     luxel_place *places;
     luxel_probes *probes = NULL;
     luxel_diagnostics *diagnostics;
+    double albedos[MOST_ALBEDOS];
 
     if (!PyArg_ParseTuple(arguments, "OOO", &handle, &list, &settings) || !(scene = scene_of(module, handle)) ||
         !work_begin(&work, settings) || !(places = places_of(list, &count)))
@@ -134,12 +150,13 @@ static PyObject *probe(PyObject *module, PyObject *arguments)
     work_leave(&work);
     const luxel_status status = luxel_probe_places(scene, &work.settings, places, count, diagnostics, &probes);
 
+    find_albedos(scene, probes, albedos);
     work_return(&work);
     PyMem_Free(places);
     PyObject *found = NULL;
 
     if (diagnostics_end(&module_state(module)->language, status, diagnostics))
-        found = probes_list(probes);
+        found = probes_list(probes, albedos);
     luxel_probes_free(probes);
     return found;
 }

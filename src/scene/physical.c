@@ -42,9 +42,9 @@ static struct descent begin(const struct lx_document *document)
     return (struct descent){document, document->root, document->root};
 }
 
-/* Reports at a key of a material; `number`: what is there, or NULL. */
+/* Reports at a key of a material; `found`: what is there, or NULL; where the material stands follows it. */
 static void report_material(struct lx_walk *walk, const struct lx_scene_material *at, const char *key,
-                            enum lx_message message, const char *number)
+                            enum lx_message message, const char *found)
 {
     const struct lx_document *document = walk->document;
     struct descent descent = begin(document);
@@ -57,8 +57,9 @@ static void report_material(struct lx_walk *walk, const struct lx_scene_material
         go_to_key(&descent, at->part);
     go_to_key(&descent, key);
     struct lx_step step = {at->part ? &part : &group, key, 0};
-    lx_walk_report(walk, LUXEL_SEVERITY_ERROR, lx_document_place(document, descent.place), &step, message, number,
-                   NULL);
+    char where[LX_MATERIAL_KEY_SIZE];
+    lx_walk_report(walk, LUXEL_SEVERITY_ERROR, lx_document_place(document, descent.place), &step, message, found,
+                   lx_material_key(at, where));
 }
 
 static bool is_sound(const struct lx_scene_parameters *scene)

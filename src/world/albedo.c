@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * The directional albedo: the diffuse part's has a closed form, that of other lobes is integrated in polar coordinates
- * around the normal, in which V is turned by pi, so that the mirrored V lies where panels begin.
+ * The directional albedo: the diffuse part's has a closed form.  Powers of a cosine are integrated in polar coordinates
+ * around the vector that stands still, in which the integral around it has one, too; other lobes in both angles around
+ * the normal, in which V is turned by pi, so that the mirrored V lies where panels begin.
  */
 #include "albedo.h"
 
@@ -13,8 +14,64 @@
 
 enum { OUTER_PANELS = 256, INNER_PANELS = 256 };
 
-/* Absolute, of each of the two integrals. */
+/* Absolute, of each integral. */
 static const double TOLERANCE = 2e-12;
+
+static double target(void *data, const struct lx_integral *integral)
+{
+    (void)data;
+    return TOLERANCE * fmax(integral->value, 1);
+}
+
+/* A power, and between which angles to the still vector its circles are, by interval. */
+struct circles {
+    const struct lx_lobe *lobe;
+    double cosine, sine; /* of the angle of V to the normal */
+    double ends[3];
+};
+
+/*
+ * The integral of the weight over the part above the horizon of the circle at an angle to the still vector: that is M,
+ * around which L goes, or N, around which H does, while L goes 4 V.H times as fast.  N.L = a + b cos(phi), and that
+ * speed is p + q cos(phi).
+ */
+static double around(const struct circles *circles, double cosine, double sine)
+{
+    const struct lx_lobe *lobe = circles->lobe;
+    const bool by_half = LX_IS_BY_HALF(lobe->model);
+    const double along = circles->cosine * cosine, across = circles->sine * sine;
+    const double a = by_half ? 2 * along * cosine - circles->cosine : along, b = by_half ? 2 * across * cosine : across;
+    const double p = by_half ? 4 * along : 1, q = by_half ? 4 * across : 0;
+    const double turn = a >= b ? M_PI : a <= -b ? 0 : acos(-a / b), first = sin(turn);
+    if (!LX_FALLS_TO_HORIZON(lobe->highlight))
+        return 2 * (p * turn + q * first);
+    return 2 * (p * a * turn + (p * b + q * a) * first) + q * b * (turn + first * cos(turn));
+}
+
+/* The angle goes as a cubic without slope at the ends, where `turn` begins and ends as a root. */
+static struct lx_point_value by_circle(void *data, size_t interval, double x)
+{
+    const struct circles *circles = data;
+    const double from = circles->ends[interval], width = circles->ends[interval + 1] - from;
+    const double angle = from + width * x * x * (3 - 2 * x), cosine = cos(angle), sine = sin(angle);
+    const double slope = 6 * width * x * (1 - x);
+    return (struct lx_point_value){
+        .value = cosine > 0 ? pow(cosine, circles->lobe->exponent) * sine * slope * around(circles, cosine, sine) : 0};
+}
+
+/* The integral of S^n w over all L above the horizon: circles are whole, then cut by the horizon. */
+static double sum_power(const struct lx_lobe *lobe, double n_dot_v)
+{
+    const double slant = acos(n_dot_v);
+    const bool by_half = LX_IS_BY_HALF(lobe->model);
+    struct circles circles = {.lobe = lobe, .cosine = n_dot_v, .sine = sin(slant)};
+    circles.ends[1] = (M_PI / 2 - slant) / (by_half ? 2 : 1);
+    circles.ends[2] = by_half ? (M_PI / 2 + slant) / 2 : M_PI / 2;
+    struct lx_panel memory[OUTER_PANELS] = {{.interval = 0, .from = 0, .to = 1}, {.interval = 1, .from = 0, .to = 1}};
+    struct lx_panels panels = {memory, 2, OUTER_PANELS};
+    const struct lx_integrand integrand = {.at = by_circle, .target = target, .data = &circles};
+    return lx_integrate_panels(&integrand, &panels).value;
+}
 
 struct hemisphere {
     const struct lx_lobe *lobe;
@@ -33,12 +90,6 @@ static struct lx_point_value by_angle(void *data, size_t interval, double angle)
     (void)interval;
     const double f = exp(lx_lobe_log(sky->lobe, &sky->at, towards, 0, &unused));
     return (struct lx_point_value){.value = f * lx_lobe_weight(sky->lobe, cosine) * sine};
-}
-
-static double target(void *data, const struct lx_integral *integral)
-{
-    (void)data;
-    return TOLERANCE * fmax(integral->value, 1);
 }
 
 static struct lx_point_value by_turn(void *data, size_t interval, double turn)
@@ -78,5 +129,7 @@ double lx_material_albedo(const struct lx_material *material, double n_dot_v)
         const struct lx_lobe rough = lx_lobe_of_diffuse(&lobe);
         albedo *= lx_lobe_kind_of(&rough)->albedo(&rough, n_dot_v);
     }
-    return lx_lobe_shines(&lobe) ? albedo + lobe.specular.value * sum_lobe(&lobe, n_dot_v) : albedo;
+    if (lx_lobe_shines(&lobe))
+        albedo += lobe.specular.value * (lx_power_lobe_of(lobe.model) ? sum_power : sum_lobe)(&lobe, n_dot_v);
+    return albedo;
 }

@@ -6,6 +6,7 @@ import zlib
 
 import numpy
 
+from luminaires import eulumdat
 from tap import Tap
 from tool import run_tests
 
@@ -134,6 +135,24 @@ def test_advice(tap, tool):
     tap.ok("colour" not in told.err + told.out, "a grey scene without colours is silent")
 
 
+def test_lamp_files(tap, tool):
+    """What a luminaire's file tells of its lamp is offered where nobody has said otherwise, and is taken by the key."""
+    lamp = {"type": "luminaire", "file": "lamp.ldt", "position": [300, 200, 400]}
+    tool.write("white.yaml", scene([lamp]))
+    for words, offered in (("warm white", ""), ("99", ""), ("tw 2700-6500", "2700 K"), ("4000K", "4000 K")):
+        tool.write("lamp.ldt", eulumdat(line_30=words))
+        told = tool.run("check", "white.yaml")
+        said = "lamp.ldt tells a colour temperature of " + offered
+        tap.equal((told.code, said in told.err + told.out), (0, offered != ""), words)
+    told = tool.run("check", "white.yaml", "-s", "channels=grey")
+    tap.ok("tells a colour" not in told.err + told.out, "not in a grey scene")
+    tool.write("warm.yaml", scene([dict(lamp, color={"temperature": 2700})]))
+    told = tool.run("check", "warm.yaml")
+    tap.ok("tells a colour" not in told.err + told.out, "nor where the scene has said it")
+    lit = tool.run("probe", "white.yaml", "-p", "0,0", "--json").json()["points"][0]
+    tap.ok(len(set(lit["rgb"]["value"])) == 1 and lit["value"] > 0, "until then its light is white")
+
+
 def test_grids(tap, tool):
     """A red wall beside a plane: channels of what it reflects are those of the grey scenes with its reflectances."""
     wall = {"type": "rectangle", "center": [-500, 0, 500], "size": [1000, 1000], "axis": [1, 0, 0], "up": [0, 0, 1],
@@ -175,4 +194,4 @@ def test_grids(tap, tool):
     tap.ok(refused.code != 0 and "channels" in refused.err, "an explanation is refused, and why")
 
 
-run_tests(Tap(), test_probe, test_files, test_spectra, test_advice, test_grids)
+run_tests(Tap(), test_probe, test_files, test_spectra, test_advice, test_lamp_files, test_grids)

@@ -46,4 +46,16 @@ def test_probes(tap, tool):
     tap.equal(scene.changed({"channels": "grey"}).probe((0, 0)).color, None, "none in a grey scene")
 
 
-run_tests(Tap(), test_pictures, test_probes)
+def test_albedo(tap, tool):
+    """The share that a probe's material reflects is that of the tool, as long as it tells it, and None elsewhere."""
+    scene = luxel.Scene.from_text(SCENE.replace("model: lambert", "specular: 0.5"))
+    tool.write("b.yaml", scene.text)
+    told = tool.run("probe", "b.yaml", "-p", "0,0", "-p", "50,0", "-p", "90,0", "--json").json()["points"]
+    found = scene.probe([(0, 0), (50, 0), (90, 0)])
+    tap.equal([probe.albedo for probe in found], [point["albedo"] for point in told], "as told")
+    tap.ok(abs(found[0].albedo - 0.8 - 0.5 * 8 / 22 * (1 - 2 ** -11)) < 1e-10, "Blinn's, straight on")
+    tap.equal(found[2].albedo, None, "none off every surface")
+    tap.equal({probe.albedo for probe in scene.probe([(0, 0)] * 1001)}, {None}, "none of very many places")
+
+
+run_tests(Tap(), test_pictures, test_probes, test_albedo)

@@ -269,6 +269,11 @@ def check_words(tap, luxel):
     code, _, said = tell(luxel, 'probe', '-', '-p', '0,0', scene=closed)
     tap.ok(code == 3 and 'diffuse_model is eon, which does not reflect as Lambert' in said and
            'set diffuse_model: lambert' in said, 'reflections name the material that is not', said)
+    chalk = {**matt, 'diffuse_model': 'lambert'}
+    walls = {'type': 'room', 'center': [0, 0, 0], 'size': [5000] * 3, 'material': chalk, 'materials': {'left': matt}}
+    code, _, said = tell(luxel, 'probe', '-', '-p', '0,0', scene={
+        **closed, 'surfaces': [{**closed['surfaces'][0], 'material': chalk}, walls]})
+    tap.ok(code == 3 and 'surfaces[1].materials.left: diffuse_model is eon' in said, 'of which surface, and wall', said)
     closed['surfaces'][0]['material'] = {**matt, 'roughness': 0}
     tap.ok(tell(luxel, 'probe', '-', '-p', '0,0', scene=closed)[0] == 0, 'but not one that is smooth')
     for key, words in (('sigma', 'standard deviation of the slopes'), ('f0', 'falls straight on it'),

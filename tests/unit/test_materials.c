@@ -100,6 +100,30 @@ static void assert_near(double found, double expected, double tolerance, const c
         fail_msg("%s %g: %.15g, expected %.15g", what, of, found, expected);
 }
 
+/* Those of powers, whose sum around the still vector is a closed form, by Gauss's rule in both angles. */
+static void albedos_of_powers(void **unused)
+{
+    static const double angles[] = {0, 0.5, 45, 80}, exponents[] = {5, 20, 60}; /* S^5 ends smoothly */
+    (void)unused;
+    for (int i = 0; i < 4; i++)
+        for (int k = 0; k < 3; k++)
+            for (int weight = 0; weight < 3; weight++)
+                for (int half = 0; half < 2; half++) {
+                    const struct lx_material power = {.model = half ? LX_BLINN_PHONG : LX_PHONG,
+                                                      .diffuse = 0.25,
+                                                      .specular = 0.5,
+                                                      .shininess = exponents[k],
+                                                      .highlight = (enum lx_highlight)weight,
+                                                      .over_pi = true};
+                    const double found = lx_material_albedo(&power, cos(angles[i] * DEGREE));
+                    assert_near(found, sum_of(&power, angles[i], 6), 1e-9, half ? "blinn-phong" : "phong", angles[i]);
+                }
+    /* Phong straight on: 2 ks/(n + 1), and over the horizon's edge half of it */
+    const struct lx_material sharp = {.model = LX_PHONG, .specular = 1, .shininess = 1e4};
+    assert_near(lx_material_albedo(&sharp, 1), 2 / 10001., 1e-15, "phong straight on", 1e4);
+    assert_near(lx_material_albedo(&sharp, 1e-9), 1 / 10001., 1e-10, "phong at the edge", 1e4);
+}
+
 static void albedos(void **unused)
 {
     static const double angles[] = {0, 30, 60, 80}, alphas[] = {0.1, 0.25, 0.5, 1};
@@ -271,8 +295,9 @@ static void answers_fit(void **unused)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(albedos), cmocka_unit_test(reciprocity), cmocka_unit_test(scaling),
-        cmocka_unit_test(smooth),  cmocka_unit_test(answers_fit),
+        cmocka_unit_test(albedos),     cmocka_unit_test(albedos_of_powers),
+        cmocka_unit_test(reciprocity), cmocka_unit_test(scaling),
+        cmocka_unit_test(smooth),      cmocka_unit_test(answers_fit),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
