@@ -15,4 +15,7 @@ bool argument_numbers(const char *option, const char *form, const char *text, do
 /* Reads a whole number from least to most. */
 bool argument_whole(const char *option, const char *text, unsigned least, unsigned most, unsigned *value);
 
+/* X,Y,W,H is a rectangle around X,Y; X,Y,R a circle. */
+bool argument_region(const char *option, const char *argument, luxel_region *region);
+
 #endif

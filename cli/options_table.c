@@ -238,25 +238,9 @@ static bool take_threads(struct options *options, const char *argument)
     return argument_whole("--threads", argument, 1, 1024, &options->settings.threads);
 }
 
-/* X,Y,W,H is a rectangle around X,Y; X,Y,R a circle. */
 static bool take_region(struct options *options, const char *argument)
 {
-    luxel_region *region = &options->analysis.region;
-    size_t commas = 0;
-    double numbers[4];
-
-    for (const char *at = argument; *at; at++)
-        commas += *at == ',';
-    region->type = commas == 2 ? LUXEL_REGION_CIRCLE : LUXEL_REGION_RECTANGLE;
-    if (!argument_numbers("--region", "X,Y,W,H or X,Y,R", argument, numbers, commas == 2 ? 3 : 4))
-        return false;
-    memcpy(region->center_mm, numbers, sizeof region->center_mm);
-    memcpy(region->size_mm, numbers + 2, sizeof region->size_mm);
-    region->radius_mm = numbers[2];
-    if (numbers[2] > 0.0 && (commas == 2 || numbers[3] > 0.0))
-        return true;
-    message_error(_("--region %s: width, height and radius must be above 0"), argument);
-    return false;
+    return argument_region("--region", argument, &options->analysis.region);
 }
 
 static bool take_bins(struct options *options, const char *argument)

@@ -72,7 +72,7 @@ bool lx_differences_are_done(const struct lx_differences *differences)
     return differences->is_missing || (slope->rows >= FEWEST_ROWS && slope->noise[0] >= slope->error);
 }
 
-enum lx_slope lx_differences_slope(const struct lx_differences *differences, double *slope, double *error)
+enum lx_slope_kind lx_differences_slope(const struct lx_differences *differences, double *slope, double *error)
 {
     const struct lx_tableau *found = &differences->slope, *gap = &differences->gap;
     const double natural = differences->greatest / differences->first_step;

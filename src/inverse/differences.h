@@ -44,9 +44,9 @@ void lx_differences_add(struct lx_differences *differences, double step, const d
 bool lx_differences_are_done(const struct lx_differences *differences);
 
 /* What is found out: a slope, one that is different on either side, or none. */
-enum lx_slope { LX_SLOPE, LX_SLOPE_KINK, LX_SLOPE_ROUGH };
+enum lx_slope_kind { LX_SLOPE, LX_SLOPE_KINK, LX_SLOPE_ROUGH };
 
 /* The slope with its error, NaN where there is none. */
-enum lx_slope lx_differences_slope(const struct lx_differences *differences, double *slope, double *error);
+enum lx_slope_kind lx_differences_slope(const struct lx_differences *differences, double *slope, double *error);
 
 #endif
