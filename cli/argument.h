@@ -6,6 +6,8 @@
 #include <stdbool.h>
 #include <stddef.h>
 
+#include <luxel/luxel.h>
+
 /* Reads one number.  False, with a message that names `option` and the number that is wrong, if it is none. */
 bool argument_number(const char *option, const char *text, double *value);
 
