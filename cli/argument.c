@@ -151,3 +151,22 @@ bool argument_whole(const char *option, const char *text, unsigned least, unsign
     message_error(_("%s %s: expected a whole number from %u to %u"), option, text, least, most);
     return false;
 }
+
+bool argument_region(const char *option, const char *argument, luxel_region *region)
+{
+    size_t commas = 0;
+    double numbers[4];
+
+    for (const char *at = argument; *at; at++)
+        commas += *at == ',';
+    region->type = commas == 2 ? LUXEL_REGION_CIRCLE : LUXEL_REGION_RECTANGLE;
+    if (!argument_numbers(option, "X,Y,W,H or X,Y,R", argument, numbers, commas == 2 ? 3 : 4))
+        return false;
+    memcpy(region->center_mm, numbers, sizeof region->center_mm);
+    memcpy(region->size_mm, numbers + 2, sizeof region->size_mm);
+    region->radius_mm = numbers[2];
+    if (numbers[2] > 0.0 && (commas == 2 || numbers[3] > 0.0))
+        return true;
+    message_error(_("%s %s: width, height and radius must be above 0"), option, argument);
+    return false;
+}

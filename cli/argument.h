@@ -6,6 +6,8 @@
 #include <stdbool.h>
 #include <stddef.h>
 
+#include <luxel/luxel.h>
+
 /* Reads one number.  False, with a message that names `option` and the number that is wrong, if it is none. */
 bool argument_number(const char *option, const char *text, double *value);
 
@@ -14,5 +16,8 @@ bool argument_numbers(const char *option, const char *form, const char *text, do
 
 /* Reads a whole number from least to most. */
 bool argument_whole(const char *option, const char *text, unsigned least, unsigned most, unsigned *value);
+
+/* X,Y,W,H is a rectangle around X,Y; X,Y,R a circle. */
+bool argument_region(const char *option, const char *argument, luxel_region *region);
 
 #endif

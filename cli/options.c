@@ -257,6 +257,7 @@ int options_read(int argc, char **argv, struct options *options)
 
     *options = (struct options){
         .assignments = message_allocate(room, sizeof *options->assignments),
+        .free_keys = message_allocate(room, sizeof *options->free_keys),
         .outputs = message_allocate(room, sizeof *options->outputs),
         .places = message_allocate(room, sizeof *options->places),
         .operands = message_allocate(room, sizeof *options->operands),
@@ -278,6 +279,7 @@ int options_read(int argc, char **argv, struct options *options)
 void options_clear(struct options *options)
 {
     free(options->assignments);
+    free(options->free_keys);
     free(options->outputs);
     free(options->places);
     free(options->operands);

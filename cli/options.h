@@ -73,6 +73,8 @@ struct options {
     size_t operand_count;
     const char **assignments; /* of -s, in order */
     size_t assignment_count;
+    const char **free_keys; /* of --free, in order */
+    size_t free_key_count;
     const char **outputs; /* of -o, in order */
     size_t output_count;
     struct option_place *places; /* of -p, --at and --points, in order */

@@ -94,6 +94,12 @@ static bool take_assignment(struct options *options, const char *argument)
     return true;
 }
 
+static bool take_free(struct options *options, const char *argument)
+{
+    options->free_keys[options->free_key_count++] = argument;
+    return true;
+}
+
 /* Finds a word in a list; names them all, and the nearest, if it is none of them. */
 static bool take_word(const char *option, const char *argument, const char *const *words, size_t *found)
 {
@@ -232,25 +238,9 @@ static bool take_threads(struct options *options, const char *argument)
     return argument_whole("--threads", argument, 1, 1024, &options->settings.threads);
 }
 
-/* X,Y,W,H is a rectangle around X,Y; X,Y,R a circle. */
 static bool take_region(struct options *options, const char *argument)
 {
-    luxel_region *region = &options->analysis.region;
-    size_t commas = 0;
-    double numbers[4];
-
-    for (const char *at = argument; *at; at++)
-        commas += *at == ',';
-    region->type = commas == 2 ? LUXEL_REGION_CIRCLE : LUXEL_REGION_RECTANGLE;
-    if (!argument_numbers("--region", "X,Y,W,H or X,Y,R", argument, numbers, commas == 2 ? 3 : 4))
-        return false;
-    memcpy(region->center_mm, numbers, sizeof region->center_mm);
-    memcpy(region->size_mm, numbers + 2, sizeof region->size_mm);
-    region->radius_mm = numbers[2];
-    if (numbers[2] > 0.0 && (commas == 2 || numbers[3] > 0.0))
-        return true;
-    message_error(_("--region %s: width, height and radius must be above 0"), argument);
-    return false;
+    return argument_region("--region", argument, &options->analysis.region);
 }
 
 static bool take_bins(struct options *options, const char *argument)
@@ -408,8 +398,9 @@ enum {
                COMMAND_COMPARE | COMMAND_FIGURE | COMMAND_REPORT | COMMAND_GRID,
     MEASURING = COMMAND_RENDER | COMMAND_PROBE | COMMAND_GRID | COMMAND_STATS | COMMAND_PROFILE | COMMAND_ISOPHOTES |
                 COMMAND_COMPARE,
-    COMPUTING = PICTURES | COMMAND_GRADE | COMMAND_GLARE,
-    SCENES = PICTURES | COMMAND_CHECK | COMMAND_ADVISE | COMMAND_SCENE | COMMAND_SET | COMMAND_VARIANT | COMMAND_GLARE,
+    COMPUTING = PICTURES | COMMAND_GRADE | COMMAND_GLARE | COMMAND_DERIVE,
+    SCENES = PICTURES | COMMAND_CHECK | COMMAND_ADVISE | COMMAND_SCENE | COMMAND_SET | COMMAND_VARIANT | COMMAND_GLARE |
+             COMMAND_DERIVE,
     WRITING = COMMAND_RENDER | COMMAND_PROBE | COMMAND_GRID | COMMAND_SET | COMMAND_PROFILE | COMMAND_ISOPHOTES |
               COMMAND_COMPARE | COMMAND_FIGURE | COMMAND_EXPLAIN | COMMAND_REPORT | COMMAND_VARIANT |
               COMMAND_PHOTOMETRY,
@@ -434,24 +425,26 @@ static const struct option_row rows[] = {
      .help =
          N_("compute nothing, and put all shards of the folder into one file: .h5, or .npy of the output that it is "
             "called as")},
-    {"point", 'p', N_("X,Y"), COMMAND_PROBE | COMMAND_EXPLAIN, TAKES(take_point),
+    {"point", 'p', N_("X,Y"), COMMAND_PROBE | COMMAND_DERIVE | COMMAND_EXPLAIN, TAKES(take_point),
      .help = N_("take this point of the screen, in mm, instead of the scene's own points; may be repeated")},
-    {"at", 0, N_("X,Y,Z,NX,NY,NZ"), COMMAND_PROBE, TAKES(take_element),
+    {"at", 0, N_("X,Y,Z,NX,NY,NZ"), COMMAND_PROBE | COMMAND_DERIVE, TAKES(take_element),
      .help = N_("probe a free surface element: its position in mm and its normal; may be repeated")},
+    {"free", 0, N_("KEY"), COMMAND_DERIVE, TAKES(take_free),
+     .help = N_("a key of the scene to derive by, such as lights[0].position; may be repeated")},
     {"eye", 0, N_("X,Y,Z,VX,VY,VZ"), COMMAND_GLARE, TAKES(take_eye),
      .help = N_("an observer: where the eye is, in mm, and the direction in which it looks; may be repeated")},
     {"up", 0, N_("X,Y,Z"), COMMAND_GLARE, TAKES(take_up),
      .help = N_(
          "what is up for the observers; the default is the axis that a room names (up), else the scene's observer.up, "
          "or (0, 0, 1) where it has none")},
-    {"points", 0, N_("FILE"), COMMAND_PROBE, TAKES(take_points), .value = VALUE_FILE,
+    {"points", 0, N_("FILE"), COMMAND_PROBE | COMMAND_DERIVE, TAKES(take_points), .value = VALUE_FILE,
      .help =
          N_("probe the places of a table, CSV or .pts: points x, y of the screen, or free elements x, y, z, nx, ny, "
             "nz; may be repeated")},
-    {"view", 0, N_("X,Y,Z"), COMMAND_PROBE, TAKES(take_view),
+    {"view", 0, N_("X,Y,Z"), COMMAND_PROBE | COMMAND_DERIVE, TAKES(take_view),
      .help = N_("the direction from which free elements are seen, of any length; the default is the scene's: (0, 0, 1) "
                 "where observer.view is parallel, else towards the observer")},
-    {"material", 0, N_("N"), COMMAND_PROBE, TAKES(take_material),
+    {"material", 0, N_("N"), COMMAND_PROBE | COMMAND_DERIVE, TAKES(take_material),
      .help =
          N_("give free elements that lie on no surface the material of surfaces[N], counted from 0 (the default) as "
             "in paths; an element that lies on a surface keeps the material of that surface")},

@@ -175,10 +175,43 @@ static void write_element(struct json *json, const luxel_probe *probe)
         json_null(json, "inside");
 }
 
-/* `scene`: NULL where nobody waits for the albedo. */
-static void write_probe(struct json *json, const luxel_scene *scene, const struct light_strengths *lights,
-                        const luxel_probe *probe, bool in_color)
+static void write_derivative(struct json *json, const char *key, const luxel_derivative *derivative)
 {
+    const char *words = luxel_derivative_words(derivative->state);
+
+    json_open(json, key, '{');
+    write_number_if(json, "value", !words, derivative->value);
+    write_number_if(json, "error", !words, derivative->error);
+    if (words)
+        json_text(json, "reason", words);
+    else if (derivative->state == LUXEL_DERIVATIVE_ONE_SIDED)
+        json_bool(json, "one_sided", true);
+    json_close(json, '}');
+}
+
+/* The derivatives at the i-th place, by key: one, or a list of them for a key of several numbers. */
+static void write_derivatives(struct json *json, const struct result *result, size_t place)
+{
+    json_open(json, "derivatives", '{');
+    for (size_t k = 0; k < result->options->free_key_count; k++) {
+        const char *key = result->options->free_keys[k];
+        const size_t numbers = luxel_derivatives_numbers(result->derivatives, k);
+
+        if (numbers > 1)
+            json_open(json, key, '[');
+        for (size_t i = 0; i < numbers; i++)
+            write_derivative(json, numbers > 1 ? NULL : key, luxel_derivatives_get(result->derivatives, place, k, i));
+        if (numbers > 1)
+            json_close(json, ']');
+    }
+    json_close(json, '}');
+}
+
+/* `scene`: NULL where nobody waits for the albedo. */
+static void write_probe(struct json *json, const struct result *result, size_t place, const luxel_scene *scene,
+                        const struct light_strengths *lights, bool in_color)
+{
+    const luxel_probe *probe = luxel_probes_get(result->probes, place);
     char reason[TEXT_SIZE];
 
     json_open(json, NULL, '{');
@@ -204,6 +237,8 @@ static void write_probe(struct json *json, const luxel_scene *scene, const struc
         write_share(json, lights, &probe->shares[i]);
     json_close(json, ']');
     result_write_reflected(json, probe);
+    if (result->derivatives)
+        write_derivatives(json, result, place);
     if (probe->source_on_element)
         json_text(json, "reason", text_format(reason, on_element, probe->blocking_light));
     json_close(json, '}');
@@ -299,8 +334,8 @@ void result_write_json(FILE *stream, const struct result *result)
     write_statistics(&json, result->statistics);
     json_open(&json, "points", '[');
     for (size_t i = 0; i < result->count; i++)
-        write_probe(&json, result->count <= MOST_ALBEDOS ? result->scene : NULL, &lights,
-                    luxel_probes_get(result->probes, i), luxel_scene_has_color(result->scene));
+        write_probe(&json, result, i, result->count <= MOST_ALBEDOS ? result->scene : NULL, &lights,
+                    luxel_scene_has_color(result->scene));
     json_close(&json, ']');
     if (result->statistics && result->statistics->has_reflected)
         json_number(&json, "reflected_error", result->statistics->reflected_error);

@@ -15,6 +15,7 @@ struct result {
     const luxel_statistics *statistics; /* NULL: no picture was computed */
     luxel_probes *probes;               /* count of them */
     size_t count;
+    const luxel_derivatives *derivatives; /* NULL: none were asked for */
     luxel_conventions_use use; /* what they were made of */
     bool *surfaces;            /* that it points to */
 };

@@ -13,7 +13,7 @@ from tap import Tap
 # From the ground up.  Rooms of one line never include each other.
 FLOORS = [["base"], ["format"], ["parameter"], ["material"], ["light", "surface"], ["scene"], ["study"],
           ["kernel"], ["world"], ["flux"],
-          ["picture"], ["reflect"], ["field"], ["document"], ["api"], ["exercise"], ["figure"]]
+          ["picture"], ["reflect"], ["field"], ["document"], ["api"], ["exercise", "inverse"], ["figure"]]
 # Folders of programs that use the library as any other program would.
 OUTSIDE = ["front", "cli", "app", "web", "bindings", "examples", "python", "tests/cli", "tests/app",
            "tests/properties"]

@@ -20,7 +20,7 @@ NAMES = set("""luxel YAML JSON Schema UTF png pfm npy exr csv PNG NPY PFM EXR CS
     brightnesz kd ks ka my render probe grid check scene set schema help report sphere three-lights two-spheres desk
     OFF OBJ PLY STL glTF
     FILE U0 Ud window grey viridis cividis inferno magma plasma coolwarm turbo HTML PDF SVG LaTeX markdown latex
-    html text figure explain report stats profile isophotes compare variant grade advise photometry
+    html text figure explain derive report stats profile isophotes compare variant grade advise photometry
     glare UGR VX VY VZ
     LOW HIGH TAP cairo pango luxel-draw
     sweep study docs SWEEP shard manifest SHA
@@ -41,7 +41,8 @@ COMMANDS = [
     ["stats"], ["stats", "--histogram"], ["profile"], ["profile", "three-lights"], ["isophotes"],
     ["compare", "report", "report"], ["compare", "report", "three-lights"], ["compare", "report"],
     ["explain", "-p", "0,0"], ["explain", "all-sources", "-p", "0,0"], ["explain", "-p", "900,0"],
-    ["explain", "spot", "-p", "0,0"], ["advise"], ["advise", "spot"], ["grade", "none.csv"], ["variant"],
+    ["explain", "spot", "-p", "0,0"], ["derive", "-p", "0,0", "--free", "lights[0].position"],
+    ["advise"], ["advise", "spot"], ["grade", "none.csv"], ["variant"],
     ["profile", "--from", "0,0"], ["stats", "--region", "0,0,0"], ["isophotes", "--levels", "0"],
     ["grid"], ["grid", "desk"], ["grid", "desk", "-o", "a.png"], ["grid", "desk", "--quantity", "brightness"],
     ["grid", "desk", "-s", "grids[0].n=[40,30]"], ["grid", "desk", "-s", "grids[0].n=[9000,9000]"],

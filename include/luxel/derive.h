@@ -1,0 +1,71 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * Derivatives: how a value changes with what the scene says, such as the position of a lamp or a material's shininess.
+ *
+ * A derivative is by the key's own unit in the scene's text: mm, degrees, W/sr.  It is found from exact values of
+ * changed scenes, by central differences of shrinking steps that are extrapolated to step 0 (Richardson), so whatever
+ * can be probed can be derived: every law, shadows, area lights, reflected light.  Its error is what the values' own
+ * bounds make of it, added to twice how far the extrapolations still differ: an honest estimate, no proof.
+ *
+ * A place of the screen stays where it is on the screen: where a surface moves, so does the element that is seen.
+ *
+ * Threads as luxel.h says.
+ */
+#ifndef LUXEL_DERIVE_H
+#define LUXEL_DERIVE_H
+
+#include <luxel/probe.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* Whether there is a derivative. */
+typedef enum luxel_derivative_state {
+    LUXEL_DERIVATIVE_EXISTS,    /* from both sides */
+    LUXEL_DERIVATIVE_ONE_SIDED, /* from one side, as the key's value is the least or greatest legal one */
+    LUXEL_DERIVATIVE_NO_VALUE,  /* none: the place has no value in this scene, or not beside it */
+    LUXEL_DERIVATIVE_KINK,      /* none: the value turns sharply here, as at the border of what a lamp reaches */
+    LUXEL_DERIVATIVE_ROUGH      /* none: the value jumps here, as at the border of a hard shadow, or is not known well
+                                 * enough for its change to be told */
+} luxel_derivative_state;
+
+/* A derivative of the value at one place by one number of one key. */
+typedef struct luxel_derivative {
+    luxel_derivative_state state; /* whether there is one */
+    double value;                 /* in the value's unit per that of the key; NaN where there is none */
+    double error;                 /* about how far it may be off; NaN where there is none */
+} luxel_derivative;
+
+/* Derivatives at many places by many keys; made by luxel_derive_places(). */
+typedef struct luxel_derivatives luxel_derivatives;
+
+/*
+ * Derives the values at `count` places by `key_count` keys, which are paths such as lights[0].position or
+ * surfaces[0].material.shininess of keys that take a number or numbers.  settings->tolerance 0 is 1e-11 here.
+ * *derivatives is the caller's: free it with luxel_derivatives_free().  It takes some 20 probes of all places for each
+ * number of a key.  Progress and cancelling as of luxel_render().
+ * LUXEL_ERROR_PATH: keys that do not exist, have no value in this scene, or take no numbers; all of them are reported.
+ * Else errors as luxel_probe_places().
+ */
+LUXEL_API luxel_status luxel_derive_places(const luxel_scene *scene, const luxel_settings *settings,
+                                           const luxel_place *places, size_t count, const char *const *keys,
+                                           size_t key_count, luxel_diagnostics *diagnostics,
+                                           luxel_derivatives **derivatives);
+
+/* How many numbers the i-th key takes: 3 of a position.  0 beyond the last key. */
+LUXEL_API size_t luxel_derivatives_numbers(const luxel_derivatives *derivatives, size_t key);
+/* The unit of the i-th key in UTF-8, "" where it has none; NULL beyond the last. */
+LUXEL_API const char *luxel_derivatives_unit(const luxel_derivatives *derivatives, size_t key);
+/* The derivative at a place by a number of a key, which lives as long as all of them; NULL beyond the last. */
+LUXEL_API const luxel_derivative *luxel_derivatives_get(const luxel_derivatives *derivatives, size_t place, size_t key,
+                                                        size_t number);
+/* What a state is in words, "the value has a kink here", or NULL where there is a derivative. */
+LUXEL_API const char *luxel_derivative_words(luxel_derivative_state state);
+/* Frees derivatives; NULL is harmless. */
+LUXEL_API void luxel_derivatives_free(luxel_derivatives *derivatives);
+
+#ifdef __cplusplus
+}
+#endif
+#endif
