@@ -77,7 +77,7 @@ The length *k* keeps the law finite: in the lamp itself, at *r* = 0, it gives *I
 
 Pull the lamp down until it nearly touches the table, and compare the two curves.
 
-@figure laws | The practical law (solid, with your lamp on it) and the inverse square (thin). With a small *k* they cross close to the lamp, with a large one farther away.
+@figure laws | The practical law (solid, with your lamp on it) and the inverse square (thin). They cross beyond one metre: nearer the practical law gives less, farther away more.
 
 @formula laws
 
