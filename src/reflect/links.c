@@ -200,6 +200,9 @@ static double product(const float weights[LX_RULE_NODES], const double values[LX
     return (sums[0] + sums[1]) + (sums[2] + sums[3]);
 }
 
+/* What rounding may leave of light that cancels, or that was cut out to nothing: so much of the greatest. */
+static const double ROUNDING = 1e-14;
+
 /* Errors of a near tile's direct light as they arrive: all of it where another face lies on the tile. */
 static double unsure_near(const struct lx_tile *tile, const struct lx_weights *weights)
 {
@@ -210,7 +213,8 @@ struct lx_arrival lx_links_sum(const struct lx_radiosity *reflected, const struc
                                const struct lx_light *light)
 {
     struct lx_arrival sum = {0};
-    double squares = 0; /* of what samples differ by, of which each is off by itself */
+    double squares = 0;  /* of what samples differ by, of which each is off by itself */
+    double greatest = 0; /* of all light */
     size_t w = 0;
     for (size_t i = 0; i < links->count; i++) {
         if (links->items[i].kind == LX_LINK_NONE)
@@ -229,6 +233,8 @@ struct lx_arrival lx_links_sum(const struct lx_radiosity *reflected, const struc
             if (light->slack) {
                 most = fmax(most, weight / group->cell.area[q]);
                 slack += weight * fabs(light->slack[nodes + (size_t)q]);
+                greatest = fmax(greatest, reflectance * fabs(group->direct[q]));
+                greatest = fmax(greatest, light->indirect ? reflectance * fabs(light->indirect[nodes + (size_t)q]) : 0);
             }
         }
         if (light->indirect)
@@ -239,7 +245,7 @@ struct lx_arrival lx_links_sum(const struct lx_radiosity *reflected, const struc
                                                         : unsure_near(&reflected->tiles[group->first_tile], weights)));
         sum.seen += total;
     }
-    sum.slack += light->slack ? sqrt(squares) : 0;
+    sum.slack += light->slack ? sqrt(squares) + ROUNDING * greatest : 0;
     return sum;
 }
 
