@@ -73,9 +73,10 @@ GtkWidget *app_numbers_new_statistics(AppNumbers *self)
         gtk_grid_attach(GTK_GRID(grid), name, 0, i, 1, 1);
         gtk_grid_attach(GTK_GRID(grid), self->lines[i], 1, i, 1, 1);
     }
+    /* above the table, which is higher than most windows leave for both */
+    app_numbers_add_plot(self, PLOT_HISTOGRAM, draw_histogram, _("Histogram"), page);
     gtk_box_append(GTK_BOX(page), grid);
     gtk_box_append(GTK_BOX(page), app_numbers_new_balance(self));
-    app_numbers_add_plot(self, PLOT_HISTOGRAM, draw_histogram, _("Histogram"), page);
     gtk_scrolled_window_set_child(GTK_SCROLLED_WINDOW(scrolled), page);
     return scrolled;
 }

@@ -131,13 +131,15 @@ static char *shown(const Light *light)
     return g_string_free(names, FALSE);
 }
 
-#define BODY "attenuation parts"
-#define SPOT "type name enabled color color.temperature position intensity attenuation aim inner outer falloff exponent"
-#define POINT "type name enabled color color.temperature position intensity attenuation pattern"
+#define ARRAY " array array.n array.spacing array.axes"
+#define BODY "attenuation parts" ARRAY
+#define SPOT                                                                                                           \
+    "type name enabled color color.temperature position intensity attenuation aim inner outer falloff exponent" ARRAY
+#define POINT "type name enabled color color.temperature position intensity attenuation pattern" ARRAY
 #define AMBIENT "type name enabled color color.temperature irradiance"
 #define LUMINAIRE                                                                                                      \
     "type name enabled color color.temperature file position attenuation axis c0 flux factor maintenance_factor "      \
-    "interpolation opening"
+    "interpolation opening" ARRAY
 #define DISTANT "type name enabled color color.temperature direction irradiance"
 
 static void shows_what_has_a_say(void **state)
@@ -155,7 +157,8 @@ static void shows_what_has_a_say(void **state)
         {"spot", 0, SPOT},
         {"spot", 1, AMBIENT},
         {"three-lights", 0, POINT},
-        {"three-lights", 1, "type name enabled color color.temperature position intensity attenuation aim pattern"},
+        {"three-lights", 1,
+         "type name enabled color color.temperature position intensity attenuation aim pattern" ARRAY},
         {"three-lights", 2, POINT},
         {"two-spheres", 0, POINT},
         {"two-spheres", 1, AMBIENT},
