@@ -1,0 +1,17 @@
+/* SPDX-License-Identifier: MIT */
+/* <locale.h> with what Windows lacks.  Programs there keep the "C" locale, so that its objects have nothing to do. */
+#ifndef LX_WINDOWS_LOCALE_H
+#define LX_WINDOWS_LOCALE_H
+
+#include_next <locale.h>
+
+typedef int locale_t;
+
+enum { LC_ALL_MASK = 1 };
+
+#define newlocale(mask, name, base) ((void)(mask), (void)(name), (base))
+#define uselocale(locale) (locale)
+#define freelocale(locale) ((void)(locale))
+#define strtod_l(text, end, locale) ((void)(locale), strtod(text, end))
+
+#endif

@@ -1,0 +1,19 @@
+/* SPDX-License-Identifier: MIT */
+/* <string.h> with what Windows lacks. */
+#ifndef LX_WINDOWS_STRING_H
+#define LX_WINDOWS_STRING_H
+
+#include_next <string.h>
+
+char *lx_windows_strdup(const char *text);
+char *lx_windows_strndup(const char *text, size_t most);
+char *stpcpy(char *restrict to, const char *restrict from);
+void *memrchr(const void *bytes, int wanted, size_t length);
+const char *strerrordesc_np(int number);
+
+#undef strdup
+#undef strndup
+#define strdup lx_windows_strdup
+#define strndup lx_windows_strndup
+
+#endif
