@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* What tells a file from what it was, by Windows' record of it: volume, number, size and the time of its last writing. */
+/* What tells a file from what it was, by Windows' record of it: volume, number, size, last writing. */
 #include <stdint.h>
 #include <windows.h>
 

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* What POSIX has and Windows lacks, as the headers of include/ declare it: memory, texts, streams, files, processors. */
+/* What POSIX has and Windows lacks, as the headers of include/ declare it: memory, texts, streams, files. */
 #include <dirent.h>
 #include <errno.h>
 #include <fcntl.h>
@@ -76,6 +76,17 @@ char *stpcpy(char *restrict to, const char *restrict from)
     const size_t length = strlen(from);
     memcpy(to, from, length + 1);
     return to + length;
+}
+
+char *strsep(char **rest, const char *separators)
+{
+    char *part = *rest;
+    if (part) {
+        char *end = part + strcspn(part, separators);
+        *rest = *end != '\0' ? end + 1 : NULL;
+        *end = '\0';
+    }
+    return part;
 }
 
 void *memrchr(const void *bytes, int wanted, size_t length)

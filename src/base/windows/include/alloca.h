@@ -1,3 +1,3 @@
 /* SPDX-License-Identifier: MIT */
-/* <alloca.h>, which Windows has in another header. */
+/* Header <alloca.h>, which Windows has in another header. */
 #include <malloc.h>

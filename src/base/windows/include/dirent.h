@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* <dirent.h> with what Windows lacks. */
+/* Header <dirent.h> with what Windows lacks. */
 #ifndef LX_WINDOWS_DIRENT_H
 #define LX_WINDOWS_DIRENT_H
 

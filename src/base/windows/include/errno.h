@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* <errno.h> with what Windows lacks. */
+/* Header <errno.h> with what Windows lacks. */
 #ifndef LX_WINDOWS_ERRNO_H
 #define LX_WINDOWS_ERRNO_H
 

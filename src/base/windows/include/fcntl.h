@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* <fcntl.h> with what Windows lacks. */
+/* Header <fcntl.h> with what Windows lacks. */
 #ifndef LX_WINDOWS_FCNTL_H
 #define LX_WINDOWS_FCNTL_H
 

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* <poll.h>, as far as it tells whether the reader of a pipe has left. */
+/* Header <poll.h>, as far as it tells whether the reader of a pipe has left. */
 #ifndef LX_WINDOWS_POLL_H
 #define LX_WINDOWS_POLL_H
 

@@ -1,9 +1,11 @@
 /* SPDX-License-Identifier: MIT */
-/* <signal.h> with what Windows lacks: a handler of Ctrl-C, which runs in a thread of its own there. */
+/* Header <signal.h> with what Windows lacks: a handler of Ctrl-C, which runs in a thread of its own there. */
 #ifndef LX_WINDOWS_SIGNAL_H
 #define LX_WINDOWS_SIGNAL_H
 
 #include_next <signal.h>
+
+#define SIGPIPE 13 /* which nothing raises there */
 
 struct sigaction {
     void (*sa_handler)(int signal_number);

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* <stdio.h> with what Windows lacks: streams into memory, and texts that are allocated. */
+/* Header <stdio.h> with what Windows lacks: streams into memory, and texts that are allocated. */
 #ifndef LX_WINDOWS_STDIO_H
 #define LX_WINDOWS_STDIO_H
 

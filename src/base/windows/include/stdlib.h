@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * <stdlib.h> with what Windows lacks.  Its aligned memory cannot be given back by free(), so all memory of the program
+ * Header <stdlib.h> with what Windows lacks.  Its aligned memory cannot be given back by free(), so all memory of the program
  * comes from one allocator that can align.
  */
 #ifndef LX_WINDOWS_STDLIB_H

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* <string.h> with what Windows lacks. */
+/* Header <string.h> with what Windows lacks. */
 #ifndef LX_WINDOWS_STRING_H
 #define LX_WINDOWS_STRING_H
 
@@ -7,6 +7,7 @@
 
 char *lx_windows_strdup(const char *text);
 char *lx_windows_strndup(const char *text, size_t most);
+char *strsep(char **rest, const char *separators);
 char *stpcpy(char *restrict to, const char *restrict from);
 void *memrchr(const void *bytes, int wanted, size_t length);
 const char *strerrordesc_np(int number);

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* <unistd.h> with what Windows lacks. */
+/* Header <unistd.h> with what Windows lacks. */
 #ifndef LX_WINDOWS_UNISTD_H
 #define LX_WINDOWS_UNISTD_H
 

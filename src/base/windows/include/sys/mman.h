@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* <sys/mman.h>, of which Windows has nothing: files are read instead, and pages are what they are. */
+/* Header <sys/mman.h>, of which Windows has nothing: files are read instead, and pages are what they are. */
 #ifndef LX_WINDOWS_SYS_MMAN_H
 #define LX_WINDOWS_SYS_MMAN_H
 

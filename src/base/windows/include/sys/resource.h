@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* <sys/resource.h>, as far as it tells how much memory a process may take. */
+/* Header <sys/resource.h>, as far as it tells how much memory a process may take. */
 #ifndef LX_WINDOWS_SYS_RESOURCE_H
 #define LX_WINDOWS_SYS_RESOURCE_H
 
