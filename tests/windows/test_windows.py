@@ -37,8 +37,7 @@ def same(folder, name, *arguments, **more):
 def scenes_and_formats(folder):
     """Pictures of all built-in scenes, and one in each format, are the same bytes."""
     for name in sorted(path.stem for path in SOURCES.glob("*.yaml")):
-        same(folder, f"picture of {name}", "render", name, "-q", "-o", "-", "--format", "pfm",
-             "-s", "screen.resolution=[48, 48]")
+        same(folder, f"picture of {name}", "render", name, "-q", "-o", "-", "--format", "pfm")
     for ending in FORMATS:
         same(folder, f"{ending} by standard output", "render", "-q", "-o", "-", "--format", ending)
         for program, place in ((NATIVE, "one"), (WINDOWS, "other")):

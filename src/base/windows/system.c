@@ -338,15 +338,16 @@ int sigaction(int signal_number, const struct sigaction *action, struct sigactio
     return signal(signal_number, action->sa_handler) == SIG_ERR ? -1 : 0;
 }
 
-/* A pipe without a reader does not even take nothing. */
+/* A pipe without a reader does not even take nothing, or the C library has just called it an invalid argument. */
 int poll(struct pollfd *files, unsigned count, int timeout_ms)
 {
+    const bool is_told = errno == EINVAL || errno == EPIPE;
     HANDLE handle = (HANDLE)_get_osfhandle(files->fd);
     DWORD written;
     (void)count;
     (void)timeout_ms;
     files->revents = 0;
-    if (GetFileType(handle) == FILE_TYPE_PIPE && !WriteFile(handle, "", 0, &written, NULL))
+    if (GetFileType(handle) == FILE_TYPE_PIPE && (is_told || !WriteFile(handle, "", 0, &written, NULL)))
         files->revents = POLLERR;
     return files->revents != 0;
 }

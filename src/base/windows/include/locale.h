@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Header <locale.h> with what Windows lacks.  Programs there keep the "C" locale, so that its objects have nothing to do. */
+/* Header <locale.h> with what Windows lacks.  Programs there keep the "C" locale, so its objects have nothing to do. */
 #ifndef LX_WINDOWS_LOCALE_H
 #define LX_WINDOWS_LOCALE_H
 

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * Header <stdlib.h> with what Windows lacks.  Its aligned memory cannot be given back by free(), so all memory of the program
- * comes from one allocator that can align.
+ * Header <stdlib.h> with what Windows lacks.  Its aligned memory cannot be given back by free(), so all memory of the
+ * program comes from one allocator that can align.
  */
 #ifndef LX_WINDOWS_STDLIB_H
 #define LX_WINDOWS_STDLIB_H
