@@ -20,6 +20,8 @@
 
 #include <windows.h>
 
+#include "../path.h"
+
 enum { SLOTS = 8, ATTEMPTS = 1000, LONGEST = 32768 };
 
 static int no_unnamed(int folder, mode_t mode)
@@ -81,21 +83,13 @@ static wchar_t *widened(const char *path)
     return wide;
 }
 
-/* The length of the folder's part of a path, with its last separator. */
-static size_t folder_length(const char *path)
-{
-    size_t length = strlen(path);
-    while (length > 0 && path[length - 1] != '/' && path[length - 1] != '\\' && path[length - 1] != ':')
-        length--;
-    return length;
-}
-
 /* The path of hidden name number `slot` of a target; the name's length does not depend on the target's. */
 static char *hidden_path(struct lx_staged *staged, unsigned slot)
 {
-    const size_t folder = folder_length(staged->target);
+    const char *name = lx_path_name(staged->target);
+    const size_t folder = (size_t)(name - staged->target);
     uint64_t hash = UINT64_C(0xcbf29ce484222325); /* FNV-1a */
-    for (const char *c = staged->target + folder; *c != '\0'; c++)
+    for (const char *c = name; *c != '\0'; c++)
         hash = (hash ^ (unsigned char)*c) * UINT64_C(0x100000001b3);
     snprintf(staged->hidden, LX_HIDDEN_SIZE, ".luxel-%016llx-%u.part", (unsigned long long)hash, slot);
     char *path = malloc(folder + LX_HIDDEN_SIZE);
@@ -179,7 +173,7 @@ int lx_staged_open(struct lx_staged *staged, const char *path, const struct lx_s
         return open_direct(staged, path);
     if (exists && access(path, W_OK) != 0) /* the file is protected by its owner */
         return errno;
-    if (path[folder_length(path)] == '\0')
+    if (*lx_path_name(path) == '\0')
         return EISDIR;
     /* The place of a link is where it leads to. */
     staged->target = exists ? realpath(path, NULL) : strdup(path);

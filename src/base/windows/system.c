@@ -21,6 +21,8 @@
 
 #include <windows.h>
 
+#include "../path.h"
+
 enum { ALIGNMENT = 64 };
 
 void *lx_windows_malloc(size_t bytes)
@@ -101,6 +103,11 @@ void *memrchr(const void *bytes, int wanted, size_t length)
 const char *strerrordesc_np(int number)
 {
     return number == ENOSPC ? "No space left on device" : strerror(number);
+}
+
+const char *lx_windows_basename(const char *path)
+{
+    return lx_path_name(path);
 }
 
 int lx_windows_vasprintf(char **text, const char *format, va_list arguments)

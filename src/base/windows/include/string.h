@@ -12,6 +12,10 @@ char *stpcpy(char *restrict to, const char *restrict from);
 void *memrchr(const void *bytes, int wanted, size_t length);
 const char *strerrordesc_np(int number);
 
+/* GNU's, which changes nothing. */
+const char *lx_windows_basename(const char *path);
+#define basename lx_windows_basename
+
 #undef strdup
 #undef strndup
 #define strdup lx_windows_strdup
