@@ -1,7 +1,9 @@
 # SPDX-License-Identifier: MIT
 """luxel.exe under Wine against the tool for Linux: test_windows.py LUXEL LUXEL.EXE FOLDER (of Wine's own files)."""
+import array
 import os
 import pathlib
+import shutil
 import subprocess
 import sys
 import tempfile
@@ -10,7 +12,20 @@ from tap import Tap
 
 NATIVE, WINDOWS, PREFIX = (os.path.abspath(path) for path in sys.argv[1:4])
 FORMATS = ("png", "pfm", "npy", "csv", "exr")
-SCENE = "luxel: 1\nunits: radiometric\nsurfaces:\n  - {type: sphere, center: [0, 0, 1000], radius: 200}\n"
+SCENE = """\
+luxel: 1
+screen: {width: 800, height: 800, resolution: [60, 60]}
+observer: {z: 2500}
+surfaces:
+  - {type: %s, material: {diffuse: 0.7, specular: 0}}
+lights:
+  - {type: point, position: [800, 900, 2400], intensity: 40}
+"""
+BALL = SCENE % "sphere, center: [0, 0, 1000], radius: 300"
+POT = SCENE % "mesh, file: parts/pot.ply, position: [0, 0, 1000]"
+# Of the maximum: what each may be from the exact value.  Bytes may differ, as the C library of Windows rounds sines,
+# exponentials and their like in its own way, and a symmetric scene may be seen by them as its mirror image.
+TOLERANCE = 2e-6
 tap = Tap()
 
 
@@ -34,10 +49,27 @@ def same(folder, name, *arguments, **more):
     tap.equal(windows, native, name)
 
 
+def values(picture):
+    """The header of a PFM file, and its numbers."""
+    *header, numbers = picture.split(b"\n", 3)
+    return header, array.array("f", numbers)
+
+
+def same_values(folder, name, *arguments):
+    """The same picture, but for the rounding of another C library."""
+    (code, native, _), (other_code, windows, told) = both(folder, *arguments)
+    if not tap.equal((other_code, code, told), (0, 0, b""), f"{name}: both render it"):
+        return
+    (header, expected), (other_header, found) = values(native), values(windows)
+    tap.equal((other_header, len(found)), (header, len(expected)), f"{name}: size")
+    apart = max(abs(a - b) for a, b in zip(found, expected))
+    tap.ok(apart <= TOLERANCE * max(expected), f"{name}: values", f"apart by {apart / max(expected)} of the maximum")
+
+
 def scenes_and_formats(folder):
-    """Pictures of all built-in scenes, and one in each format, are the same bytes."""
+    """Pictures of all built-in scenes have the same values; a small one is the same bytes in each format."""
     for name in sorted(path.stem for path in SOURCES.glob("*.yaml")):
-        same(folder, f"picture of {name}", "render", name, "-q", "-o", "-", "--format", "pfm")
+        same_values(folder, name, "render", name, "-q", "-o", "-", "--format", "pfm")
     for ending in FORMATS:
         same(folder, f"{ending} by standard output", "render", "-q", "-o", "-", "--format", ending)
         for program, place in ((NATIVE, "one"), (WINDOWS, "other")):
@@ -59,11 +91,11 @@ def texts(folder):
 
 def inputs(folder):
     """Names in Cyrillic, ends of lines, scenes by standard input, files that are replaced."""
-    (folder / "сцена.yaml").write_text(SCENE, encoding="utf-8")
-    (folder / "crlf.yaml").write_bytes(SCENE.replace("\n", "\r\n").encode())
+    (folder / "сцена.yaml").write_text(BALL, encoding="utf-8")
+    (folder / "crlf.yaml").write_bytes(BALL.replace("\n", "\r\n").encode())
     same(folder, "name in Cyrillic", "check", "сцена.yaml")
     same(folder, "ends of lines", "check", "crlf.yaml")
-    same(folder, "standard input", "check", "-", input=SCENE.encode())
+    same(folder, "standard input", "check", "-", input=BALL.encode())
     code, _, told = run(WINDOWS, folder, "render", "-q", "-o", "картина.png")
     tap.ok(code == 0 and (folder / "картина.png").stat().st_size > 1000, "output in Cyrillic", told)
     before = (folder / "картина.png").read_bytes()
@@ -72,8 +104,30 @@ def inputs(folder):
     tap.equal([path.name for path in folder.iterdir() if path.name.endswith(".part")], [], "nothing is left beside it")
 
 
+def paths(folder):
+    """Backslashes and drives: Wine's drive Z is the root of all files."""
+    (folder / "place/parts").mkdir(parents=True)
+    (folder / "place/pot.yaml").write_text(POT, encoding="utf-8")
+    shutil.copy(SOURCES.parent / "files/pot.ply", folder / "place/parts")
+    drive = "Z:" + str(folder).replace("/", "\\")
+    code, expected, told = run(NATIVE, folder, "render", "place/pot.yaml", "-q", "-o", "-", "--format", "pfm")
+    tap.ok(code == 0 and expected, "a scene with a file beside it", told)
+    names = ("place/pot.yaml", r"place\pot.yaml", rf"{drive}\place\pot.yaml", f"{drive[:2]}{folder}/place/pot.yaml")
+    for name in names:
+        found = run(WINDOWS, folder, "render", name, "-q", "-o", "-", "--format", "pfm")
+        tap.equal(found, (0, expected, b""), f"file beside {name.replace(str(drive), 'Z:...')}")
+    (folder / "place/whole.yaml").write_text(POT.replace("parts/pot.ply", rf"'{drive}\place\parts\pot.ply'"),
+                                             encoding="utf-8")
+    found = run(WINDOWS, folder, "render", r"place\whole.yaml", "-q", "-o", "-", "--format", "pfm")
+    tap.equal(found, (0, expected, b""), "a scene that names a drive")
+    found = run(WINDOWS, folder, "render", "-q", "-o", rf"{drive}\place\out.pfm")
+    tap.ok(found[0] == 0 and (folder / "place/out.pfm").is_file(), "output behind backslashes", found)
+    code, _, told = run(WINDOWS, folder, "render", "-q", "-o", r"pictures.png\out")
+    tap.ok(code == 2 and b"needs an extension" in told, "a dot of a folder begins no extension", code, told)
+
+
 SOURCES = pathlib.Path(__file__).resolve().parents[2] / "data/scenes"
-for test in (scenes_and_formats, texts, inputs):
+for test in (paths, texts, inputs, scenes_and_formats):
     with tempfile.TemporaryDirectory() as name:
         tap.run(test, pathlib.Path(name))
 print(f"{tap.count - tap.failed} passed, {tap.failed} failed")
