@@ -3,6 +3,7 @@
 import array
 import os
 import pathlib
+import re
 import shutil
 import subprocess
 import sys
@@ -26,6 +27,7 @@ POT = SCENE % "mesh, file: parts/pot.ply, position: [0, 0, 1000]"
 # Of the maximum: what each may be from the exact value.  Bytes may differ, as the C library of Windows rounds sines,
 # exponentials and their like in its own way, and a symmetric scene may be seen by them as its mirror image.
 TOLERANCE = 2e-6
+NUMBER = re.compile(rb"-?\d[-+.e\d]*")
 tap = Tap()
 
 
@@ -79,7 +81,11 @@ def scenes_and_formats(folder):
 
 def texts(folder):
     """What is printed, wrong usage, and exit codes."""
-    same(folder, "probe as JSON", "probe", "report", "--json")
+    (code, native, _), (other_code, windows, told) = both(folder, "probe", "report", "--json")
+    tap.equal((other_code, code, told), (0, 0, b""), "probe as JSON")
+    tap.equal(NUMBER.sub(b"", windows), NUMBER.sub(b"", native), "probe as JSON: keys")
+    for found, expected in zip(NUMBER.findall(windows), NUMBER.findall(native)):
+        tap.near(float(found), float(expected), 1e-12, "probe as JSON: a number")
     same(folder, "help", "help")
     same(folder, "wrong option", "render", "--sise", "3")
     same(folder, "no such scene", "render", "absent.yaml", "-o", "a.png")
