@@ -10,7 +10,12 @@ typedef int locale_t;
 enum { LC_ALL_MASK = 1 };
 
 #define newlocale(mask, name, base) ((void)(mask), (void)(name), (base))
-#define uselocale(locale) (locale)
+
+static inline locale_t uselocale(locale_t locale)
+{
+    return locale;
+}
+
 #define freelocale(locale) ((void)(locale))
 #define strtod_l(text, end, locale) ((void)(locale), strtod(text, end))
 
