@@ -26,7 +26,8 @@ BALL = SCENE % "sphere, center: [0, 0, 1000], radius: 300"
 POT = SCENE % "mesh, file: parts/pot.ply, position: [0, 0, 1000]"
 # Of the maximum: what each may be from the exact value.  Bytes may differ, as the C library of Windows rounds sines,
 # exponentials and their like in its own way, and a symmetric scene may be seen by them as its mirror image.
-TOLERANCE = 2e-6
+# With highlights of extended sources that is 1e-3 (docs/RELIABILITY.md), of which a thin one takes its part.
+TOLERANCE, TOLERANCES = 2e-6, {"tube": 1e-3}
 NUMBER = re.compile(rb"-?\d[-+.e\d]*")
 tap = Tap()
 
@@ -57,7 +58,7 @@ def values(picture):
     return header, array.array("f", numbers)
 
 
-def same_values(folder, name, *arguments):
+def same_values(folder, name, tolerance, *arguments):
     """The same picture, but for the rounding of another C library."""
     (code, native, _), (other_code, windows, told) = both(folder, *arguments)
     if not tap.equal((other_code, code, told), (0, 0, b""), f"{name}: both render it"):
@@ -65,13 +66,13 @@ def same_values(folder, name, *arguments):
     (header, expected), (other_header, found) = values(native), values(windows)
     tap.equal((other_header, len(found)), (header, len(expected)), f"{name}: size")
     apart = max(abs(a - b) for a, b in zip(found, expected))
-    tap.ok(apart <= TOLERANCE * max(expected), f"{name}: values", f"apart by {apart / max(expected)} of the maximum")
+    tap.ok(apart <= tolerance * max(expected), f"{name}: values", f"apart by {apart / max(expected)} of the maximum")
 
 
 def scenes_and_formats(folder):
     """Pictures of all built-in scenes have the same values; a small one is the same bytes in each format."""
     for name in sorted(path.stem for path in SOURCES.glob("*.yaml")):
-        same_values(folder, name, "render", name, "-q", "-o", "-", "--format", "pfm")
+        same_values(folder, name, TOLERANCES.get(name, TOLERANCE), "render", name, "-q", "-o", "-", "--format", "pfm")
     for ending in FORMATS:
         same(folder, f"{ending} by standard output", "render", "-q", "-o", "-", "--format", ending)
         for program, place in ((NATIVE, "one"), (WINDOWS, "other")):
