@@ -31,7 +31,7 @@ WARNINGS_ARE_ERRORS = --werror
 .NOTPARALLEL:
 .PHONY: build help setup run app python check quick check-long check-nightly bench install clean compile-clang \
     check-clang check-sanitize check-threads check-valgrind format fuzz coverage fuzz-coverage mutants properties frozen \
-    freeze docs validation abi po packages check-packages check-kills check-wheel check-aarch64 notebook web check-web
+    freeze docs validation abi po packages check-packages check-kills check-wheel check-aarch64 notebook web check-web windows check-windows
 
 build: $(BUILD)/build.ninja
 	@$(COMPILE) $(BUILD)
@@ -68,6 +68,8 @@ help:
 	@echo 'make check-packages  the same, installed into a fresh Debian and tried there'
 	@echo 'make check-wheel     the Python package as a wheel in $(BUILD)/wheel, installed into a fresh environment and tried'
 	@echo 'make web             the web page in build-web/page: static files, for any server, and luxel.html alone'
+	@echo 'make windows         luxel.exe for 64-bit Windows and luxel-windows.zip, in build/windows'
+	@echo 'make check-windows   the same, tried by Wine; ends with "N passed, N failed"'
 	@echo 'make check-web       the same, tried in Node and in Chromium; ends with "N passed, N failed"'
 	@echo 'make notebook        write docs/python/tutorial.ipynb anew from docs/PYTHON.md'
 	@echo 'make abi             add new functions and members of structures to the lists of tests/abi'
@@ -281,6 +283,17 @@ web:
 check-web: web setup $(BUILD)/build.ninja
 	@$(COMPILE) $(BUILD) luxel:executable
 	@node web/tests/run.mjs build-web $(abspath $(BUILD))/cli/luxel
+
+# luxel.exe by mingw-w64, whatever BUILD is.
+windows:
+	@tools/setup windows
+	@CONFIGURE='$(CONFIGURE)' tools/windows/build build/windows
+
+check-windows: windows setup $(BUILD)/build.ninja
+	@tools/setup wine
+	@$(COMPILE) $(BUILD) luxel:executable
+	@PYTHONPATH=tests PYTHONDONTWRITEBYTECODE=1 $(PYTHON) tests/windows/test_windows.py $(BUILD)/cli/luxel \
+	    build/windows/luxel.exe build/windows/wine
 
 # What is not translated yet is listed at the end.
 po: setup $(BUILD)/build.ninja

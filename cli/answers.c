@@ -181,7 +181,7 @@ static void read_row(struct table *table)
 }
 
 /* Tells what the library found, of which it keeps only so much, and makes room for more. */
-static void tell(struct table *table, luxel_diagnostics *diagnostics)
+static void tell_mistakes(struct table *table, luxel_diagnostics *diagnostics)
 {
     table->answers->mistakes += luxel_diagnostics_total(diagnostics, LUXEL_SEVERITY_ERROR);
     message_diagnostics(stderr, diagnostics, LUXEL_SEVERITY_ERROR, LUXEL_SEVERITY_ERROR);
@@ -209,13 +209,13 @@ static void read_table(const char *path, struct answers *answers)
         answers->files = grow(answers->files, &answers->file_capacity, sizeof *answers->files);
     answers->files[answers->file_count++] = copy_text(path);
     if (luxel_table_open(path, columns, COLUMN_COUNT, true, diagnostics, &table.reader) != LUXEL_OK) {
-        tell(&table, diagnostics);
+        tell_mistakes(&table, diagnostics);
     } else if (message_passed_over(diagnostics, answers->is_quiet), has_places(&table)) {
         while (luxel_table_next(table.reader, &table.row))
             if (table.row)
                 read_row(&table);
             else
-                tell(&table, diagnostics);
+                tell_mistakes(&table, diagnostics);
     }
     luxel_table_free(table.reader);
     luxel_diagnostics_free(diagnostics);

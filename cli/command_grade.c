@@ -325,8 +325,8 @@ static void write_csv(struct csv *csv, const void *data)
 /* The name of a submission, of its student or else of its file. */
 static char *name_of(const struct grading *grading, const struct submission *submission)
 {
-    const char *path = grading->answers.files[submission->file], *slash = strrchr(path, '/');
-    char *name = strdup(submission->student ? submission->student : slash ? slash + 1 : path);
+    const char *path = grading->answers.files[submission->file];
+    char *name = strdup(submission->student ? submission->student : basename(path));
     char *dot = name && !submission->student ? strrchr(name, '.') : NULL;
 
     if (dot && dot > name)

@@ -7,6 +7,7 @@
 
 #include "../base/diagnostics.h"
 #include "../base/number.h"
+#include "../base/path.h"
 #include "../base/sink.h"
 #include "../format/csv_read.h"
 
@@ -14,7 +15,7 @@
 
 luxel_status luxel_check_grid_output_name(const char *path, luxel_diagnostics *diagnostics)
 {
-    const char *slash = strrchr(path, '/'), *name = slash ? slash + 1 : path, *dot = strrchr(name, '.');
+    const char *name = lx_path_name(path), *dot = strrchr(name, '.');
     if (dot && dot != name && strcasecmp(dot, ENDING) == 0)
         return LUXEL_OK;
     return lx_refuse(diagnostics, LX_MSG_GRID_ENDING, LX_ARGS(path, ENDING));

@@ -6,12 +6,13 @@
 #include <strings.h>
 
 #include "diagnostics.h"
+#include "path.h"
 #include "text.h"
 
 luxel_status lx_find_ending(const char *path, const char *const *endings, size_t count, luxel_diagnostics *diagnostics,
                             size_t *found)
 {
-    const char *slash = strrchr(path, '/'), *name = slash ? slash + 1 : path, *dot = strrchr(name, '.');
+    const char *name = lx_path_name(path), *dot = strrchr(name, '.');
     const char *ending = dot && dot != name ? dot : NULL;
     struct lx_text known = {0};
     for (*found = 0; *found < count; ++*found) {

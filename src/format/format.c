@@ -7,6 +7,7 @@
 #include <strings.h>
 
 #include "../base/memory.h"
+#include "../base/path.h"
 
 enum { LONGEST_MAGIC = 8, MOST_OF_A_PIPE = 1 << 30 };
 
@@ -23,8 +24,7 @@ const char *lx_format_ending(size_t i)
 /* The ending of the last name in a path with its dot, or NULL.  A dot that begins a name begins no ending. */
 static const char *ending_of(const char *path)
 {
-    const char *slash = strrchr(path, '/');
-    const char *name = slash ? slash + 1 : path;
+    const char *name = lx_path_name(path);
     const char *dot = strrchr(name, '.');
     return dot && dot != name && dot[1] != '\0' ? dot : NULL;
 }

@@ -6,16 +6,13 @@
 #include <stdatomic.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/stat.h>
-#include <time.h>
 
-#include "../base/builtin_file.h"
 #include "../base/memory.h"
 
-void lx_kept_init(struct lx_kept *kept, void (*free)(struct lx_kept *kept))
+void lx_kept_init(struct lx_kept *kept, void (*end)(struct lx_kept *kept))
 {
     atomic_init(&kept->users, 1);
-    kept->free = free;
+    kept->end = end;
     kept->is_current = NULL;
 }
 
@@ -28,7 +25,7 @@ struct lx_kept *lx_kept_hold(struct lx_kept *kept)
 void lx_kept_release(struct lx_kept *kept)
 {
     if (kept && atomic_fetch_sub(&kept->users, 1) == 1)
-        kept->free(kept);
+        kept->end(kept);
 }
 
 struct lx_kept_slot {
@@ -73,29 +70,6 @@ void lx_kept_slot_put(struct lx_kept_slot *slot, struct lx_kept *kept)
     lx_kept_release(before);
 }
 
-/* Seconds after which the times of a file tell it from a later change. */
-enum { SETTLING = 2 };
-
-struct lx_file_state lx_file_state_of(const char *path)
-{
-    struct stat about;
-    struct timespec now;
-    struct lx_file_state state = {.is_known = false};
-    if (lx_builtin_file_of(path))
-        return (struct lx_file_state){.is_known = true}; /* it never changes */
-    if (stat(path, &about) != 0 || !S_ISREG(about.st_mode) || clock_gettime(CLOCK_REALTIME, &now) != 0)
-        return state;
-    state.is_known = now.tv_sec - about.st_mtim.tv_sec > SETTLING && now.tv_sec - about.st_ctim.tv_sec > SETTLING;
-    state.device = (uint64_t)about.st_dev;
-    state.inode = (uint64_t)about.st_ino;
-    state.size = (int64_t)about.st_size;
-    state.modified_s = (int64_t)about.st_mtim.tv_sec;
-    state.modified_ns = (int64_t)about.st_mtim.tv_nsec;
-    state.changed_s = (int64_t)about.st_ctim.tv_sec;
-    state.changed_ns = (int64_t)about.st_ctim.tv_nsec;
-    return state;
-}
-
 bool lx_file_is_as_before(const char *path, const struct lx_file_state *then)
 {
     const struct lx_file_state now = lx_file_state_of(path);
@@ -110,10 +84,10 @@ static bool is_as_before(const struct lx_kept_file *file)
            (!file->kept->is_current || file->kept->is_current(file->kept));
 }
 
-struct lx_kept *lx_kept_find(struct lx_kept_files *files, const char *path, void (*free)(struct lx_kept *kept))
+struct lx_kept *lx_kept_find(struct lx_kept_files *files, const char *path, void (*end)(struct lx_kept *kept))
 {
     for (size_t i = 0; i < files->count; i++)
-        if (files->items[i].kept->free == free && strcmp(files->items[i].path, path) == 0) {
+        if (files->items[i].kept->end == end && strcmp(files->items[i].path, path) == 0) {
             files->items[i].is_used = true;
             return files->items[i].kept;
         }

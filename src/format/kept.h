@@ -14,13 +14,13 @@
 
 struct lx_kept {
     _Atomic size_t users;
-    void (*free)(struct lx_kept *kept); /* frees all of it; what it is of is told by this, too */
+    void (*end)(struct lx_kept *kept); /* frees all of it; what it is of is told by this, too */
     /* Whether the files that it was read from beside its own are as they were; NULL: there are none. */
     bool (*is_current)(const struct lx_kept *kept);
 };
 
 /* Makes what begins with it have one user. */
-void lx_kept_init(struct lx_kept *kept, void (*free)(struct lx_kept *kept));
+void lx_kept_init(struct lx_kept *kept, void (*end)(struct lx_kept *kept));
 
 /* One more user; one less (NULL is harmless), the last frees it. */
 struct lx_kept *lx_kept_hold(struct lx_kept *kept);
@@ -65,8 +65,8 @@ struct lx_kept_files {
     size_t count, capacity;
 };
 
-/* What was read of a path as the kind that `free` frees, which keeps its user; NULL where there is none. */
-struct lx_kept *lx_kept_find(struct lx_kept_files *files, const char *path, void (*free)(struct lx_kept *kept));
+/* What was read of a path as the kind that `end` ends, which keeps its user; NULL where there is none. */
+struct lx_kept *lx_kept_find(struct lx_kept_files *files, const char *path, void (*end)(struct lx_kept *kept));
 /* Keeps what was read of a path, as one more user; 0, or -1 when memory ran out. */
 int lx_kept_add(struct lx_kept_files *files, const char *path, struct lx_kept *kept);
 /* Drops what was read of files that are not known to be as they were. */

@@ -5,15 +5,16 @@
 
 #include "../base/builtin_file.h"
 #include "../base/memory.h"
+#include "../base/path.h"
 #include "check.h"
 
 char *lx_check_path(const struct lx_check *check, const char *file)
 {
     const char *folder = check->walk->folder;
     struct lx_text path = {0};
-    if (folder && folder[0] && file[0] != '/' && !lx_is_builtin_path(file)) {
+    if (folder && folder[0] && !lx_path_is_absolute(file) && !lx_is_builtin_path(file)) {
         lx_text_puts(&path, folder);
-        lx_text_puts(&path, folder[strlen(folder) - 1] == '/' ? "" : "/");
+        lx_text_puts(&path, *lx_path_name(folder) == '\0' ? "" : "/");
     }
     lx_text_puts(&path, file);
     char *joined = lx_text_take(&path);

@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "../base/number.h"
+#include "../base/path.h"
 #include "../base/phrase.h"
 
 /* What a file is read for. */
@@ -18,10 +19,9 @@ struct reading {
 /* A file beside the mesh's, by a name as it stands there. */
 static char *path_beside(const char *path, const char *name)
 {
-    const char *slash = strrchr(path, '/');
     struct lx_text text = {0};
-    if (slash && name[0] != '/')
-        lx_text_add(&text, path, (size_t)(slash + 1 - path));
+    if (!lx_path_is_absolute(name))
+        lx_text_add(&text, path, (size_t)(lx_path_name(path) - path));
     lx_text_puts(&text, name);
     return lx_text_take(&text);
 }

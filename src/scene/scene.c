@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "../base/memory.h"
+#include "../base/path.h"
 #include "../surface/part.h"
 #include "guard.h"
 #include "input.h"
@@ -74,9 +75,9 @@ luxel_status luxel_scene_set_folder_of(luxel_scene *scene, const char *path)
 {
     if (!scene)
         return LUXEL_ERROR_ARGUMENT;
-    const char *slash = path ? strrchr(path, '/') : NULL;
-    char *folder = slash ? lx_copy_text(path, (size_t)(slash - path) + 1) : NULL;
-    if (slash && !folder)
+    const size_t length = path ? (size_t)(lx_path_name(path) - path) : 0;
+    char *folder = length > 0 ? lx_copy_text(path, length) : NULL;
+    if (length > 0 && !folder)
         return LUXEL_ERROR_MEMORY;
     free(scene->folder);
     scene->folder = folder;

@@ -5,6 +5,7 @@
 
 #include "../base/memory.h"
 #include "../base/number.h"
+#include "../base/path.h"
 #include "../base/source.h"
 #include "../scene/guard.h"
 #include "../scene/input.h"
@@ -17,7 +18,7 @@
 static char *path_of(const struct luxel_study *study, const char *name)
 {
     struct lx_text text = {0};
-    if (study->folder && name[0] != '/')
+    if (study->folder && !lx_path_is_absolute(name))
         lx_text_puts(&text, study->folder);
     lx_text_puts(&text, name);
     return lx_text_take(&text);
@@ -178,8 +179,8 @@ luxel_status luxel_study_read_file(const char *path, luxel_diagnostics *diagnost
     luxel_status status = lx_source_open(path, LX_LARGEST_TEXT, diagnostics, &file);
     if (status != LUXEL_OK)
         return status;
-    const char *slash = strrchr(path, '/');
-    char *folder = slash ? lx_copy_text(path, (size_t)(slash - path) + 1) : NULL;
+    const size_t length = (size_t)(lx_path_name(path) - path);
+    char *folder = length > 0 ? lx_copy_text(path, length) : NULL;
     status = read_study(file, folder, diagnostics, study);
     free(folder);
     return status;

@@ -10,6 +10,7 @@
 #include <strings.h>
 
 #include "../../base/memory.h"
+#include "../../base/path.h"
 #include "../../base/source.h"
 #include "../../base/text.h"
 
@@ -154,10 +155,9 @@ static size_t tilt_word(const struct lx_luminaire_file *file, size_t start, size
 /* The path of a file that stands beside the luminaire's. */
 static char *path_beside(const struct lx_luminaire_file *file, size_t start, size_t end)
 {
-    const char *slash = strrchr(file->name, '/');
     struct lx_text path = {0};
-    if (slash && file->text[start] != '/')
-        lx_text_add(&path, file->name, (size_t)(slash + 1 - file->name));
+    if (!lx_path_is_absolute(file->text + start))
+        lx_text_add(&path, file->name, (size_t)(lx_path_name(file->name) - file->name));
     lx_text_add(&path, file->text + start, end - start);
     return lx_text_take(&path);
 }

@@ -1,0 +1,216 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * Staged files on Windows: a file of a hidden name beside its place, put there in one step by its handle.
+ *
+ * Hidden names are few and follow from the target's name, so that leftovers of killed processes can be found.  Whoever
+ * writes a hidden file lets nobody else remove it; what can be removed was left by a dead process.
+ */
+#include "../staged.h"
+
+#include <errno.h>
+#include <fcntl.h>
+#include <io.h>
+#include <limits.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <windows.h>
+
+#include "../path.h"
+
+enum { SLOTS = 8, ATTEMPTS = 1000, LONGEST = 32768 };
+
+static int no_unnamed(int folder, mode_t mode)
+{
+    (void)folder;
+    (void)mode;
+    errno = EOPNOTSUPP;
+    return -1;
+}
+
+static int error_of(DWORD error)
+{
+    switch (error) {
+    case ERROR_FILE_NOT_FOUND:
+    case ERROR_PATH_NOT_FOUND:
+    case ERROR_INVALID_NAME:
+    case ERROR_BAD_NETPATH: return ENOENT;
+    case ERROR_FILE_EXISTS:
+    case ERROR_ALREADY_EXISTS: return EEXIST;
+    case ERROR_DISK_FULL:
+    case ERROR_HANDLE_DISK_FULL: return ENOSPC;
+    case ERROR_NOT_ENOUGH_MEMORY: return ENOMEM;
+    case ERROR_WRITE_PROTECT: return EROFS;
+    case ERROR_FILENAME_EXCED_RANGE: return ENAMETOOLONG;
+    case ERROR_ACCESS_DENIED:
+    case ERROR_SHARING_VIOLATION: return EACCES;
+    default: return EIO;
+    }
+}
+
+static ssize_t write_bytes(int file, const void *bytes, size_t count)
+{
+    DWORD written;
+    if (WriteFile((HANDLE)_get_osfhandle(file), bytes, count < INT_MAX ? (DWORD)count : INT_MAX, &written, NULL))
+        return (ssize_t)written;
+    const DWORD error = GetLastError();
+    errno = error == ERROR_NO_DATA || error == ERROR_BROKEN_PIPE ? EPIPE : error_of(error);
+    return -1;
+}
+
+static int sync_file(int file)
+{
+    return FlushFileBuffers((HANDLE)_get_osfhandle(file)) ? 0 : (errno = error_of(GetLastError()), -1);
+}
+
+static int rename_path(int folder, const char *from, const char *to)
+{
+    (void)folder;
+    return rename(from, to);
+}
+
+const struct lx_sink_system lx_sink_real_system = {no_unnamed, write_bytes, sync_file, rename_path};
+
+static wchar_t *widened(const char *path)
+{
+    wchar_t *wide = malloc(LONGEST * sizeof *wide);
+    if (wide && MultiByteToWideChar(CP_UTF8, 0, path, -1, wide, LONGEST) == 0)
+        wide[0] = L'\0';
+    return wide;
+}
+
+/* The path of hidden name number `slot` of a target; the name's length does not depend on the target's. */
+static char *hidden_path(struct lx_staged *staged, unsigned slot)
+{
+    const char *name = lx_path_name(staged->target);
+    const size_t folder = (size_t)(name - staged->target);
+    uint64_t hash = UINT64_C(0xcbf29ce484222325); /* FNV-1a */
+    for (const char *c = name; *c != '\0'; c++)
+        hash = (hash ^ (unsigned char)*c) * UINT64_C(0x100000001b3);
+    snprintf(staged->hidden, LX_HIDDEN_SIZE, ".luxel-%016llx-%u.part", (unsigned long long)hash, slot);
+    char *path = malloc(folder + LX_HIDDEN_SIZE);
+    if (path) {
+        memcpy(path, staged->target, folder);
+        strcpy(path + folder, staged->hidden);
+    }
+    return path;
+}
+
+/* Makes the file of one hidden name.  EEXIST: another process has it. */
+static int create_hidden(struct lx_staged *staged, unsigned slot)
+{
+    char *path = hidden_path(staged, slot);
+    wchar_t *wide = path ? widened(path) : NULL;
+    int error = wide ? 0 : ENOMEM;
+    if (wide) {
+        DeleteFileW(wide); /* fails while a process has it */
+        HANDLE handle = CreateFileW(wide, GENERIC_READ | GENERIC_WRITE | DELETE, FILE_SHARE_READ, NULL, CREATE_NEW,
+                                    FILE_ATTRIBUTE_NORMAL, NULL);
+        error = handle == INVALID_HANDLE_VALUE ? error_of(GetLastError()) : 0;
+        staged->file = error == 0 ? _open_osfhandle((intptr_t)handle, _O_RDWR | _O_BINARY | _O_NOINHERIT) : -1;
+        if (error == 0 && staged->file < 0) {
+            CloseHandle(handle);
+            error = EMFILE;
+        }
+    }
+    free(wide);
+    free(path);
+    return error;
+}
+
+static int create(struct lx_staged *staged)
+{
+    for (unsigned attempt = 0; attempt < ATTEMPTS; attempt++) {
+        for (unsigned slot = 0; slot < SLOTS; slot++) {
+            const int error = create_hidden(staged, slot);
+            if (error == 0)
+                return 0;
+            staged->hidden[0] = '\0';
+            if (error != EEXIST)
+                return error;
+        }
+        Sleep(1);
+    }
+    return EBUSY;
+}
+
+/* Standard output by its name, which may have an extension to say the format: /dev/stdout.png. */
+static bool is_standard_output(const char *path)
+{
+    static const char name[] = "/dev/stdout";
+    const size_t length = sizeof name - 1;
+    return strncmp(path, name, length) == 0 && (path[length] == '\0' || path[length] == '.');
+}
+
+static int open_direct(struct lx_staged *staged, const char *path)
+{
+    staged->direct = true;
+    staged->file = path ? open(path, O_WRONLY | O_CLOEXEC) : dup(STDOUT_FILENO);
+    if (staged->file < 0)
+        return errno;
+    _setmode(staged->file, _O_BINARY);
+    return 0;
+}
+
+int lx_staged_open(struct lx_staged *staged, const char *path, const struct lx_sink_system *system)
+{
+    struct stat about;
+    *staged = (struct lx_staged){.system = system, .file = -1, .folder = -1};
+    if (is_standard_output(path))
+        return open_direct(staged, NULL);
+    if (path[0] == '\0')
+        return ENOENT;
+    const bool exists = stat(path, &about) == 0;
+    if (!exists && errno != ENOENT)
+        return errno;
+    if (exists && S_ISDIR(about.st_mode))
+        return EISDIR;
+    if (exists && !S_ISREG(about.st_mode))
+        return open_direct(staged, path);
+    if (exists && access(path, W_OK) != 0) /* the file is protected by its owner */
+        return errno;
+    if (*lx_path_name(path) == '\0')
+        return EISDIR;
+    /* The place of a link is where it leads to. */
+    staged->target = exists ? realpath(path, NULL) : strdup(path);
+    return staged->target ? create(staged) : ENOMEM;
+}
+
+int lx_staged_publish(struct lx_staged *staged)
+{
+    if (staged->direct)
+        return 0;
+    wchar_t *full = malloc(LONGEST * sizeof *full), *wide = widened(staged->target);
+    DWORD length = full && wide ? GetFullPathNameW(wide, LONGEST, full, NULL) : 0;
+    FILE_RENAME_INFO *wanted = length > 0 ? calloc(1, sizeof *wanted + (length + 1) * sizeof(wchar_t)) : NULL;
+    int error = ENOMEM;
+    if (wanted) {
+        wanted->ReplaceIfExists = TRUE;
+        wanted->FileNameLength = length * (DWORD)sizeof(wchar_t);
+        memcpy(wanted->FileName, full, (length + 1) * sizeof(wchar_t));
+        const DWORD size = (DWORD)(sizeof *wanted + length * sizeof(wchar_t));
+        HANDLE handle = (HANDLE)_get_osfhandle(staged->file);
+        error = SetFileInformationByHandle(handle, FileRenameInfo, wanted, size) ? 0 : error_of(GetLastError());
+    }
+    free(wanted);
+    free(wide);
+    free(full);
+    if (error == 0)
+        staged->hidden[0] = '\0';
+    return error;
+}
+
+void lx_staged_close(struct lx_staged *staged)
+{
+    if (staged->hidden[0] != '\0' && staged->file >= 0) {
+        FILE_DISPOSITION_INFO gone = {.DeleteFile = TRUE};
+        SetFileInformationByHandle((HANDLE)_get_osfhandle(staged->file), FileDispositionInfo, &gone, sizeof gone);
+    }
+    if (staged->file >= 0)
+        close(staged->file);
+    free(staged->target);
+}

@@ -1,0 +1,141 @@
+# SPDX-License-Identifier: MIT
+"""luxel.exe under Wine against the tool for Linux: test_windows.py LUXEL LUXEL.EXE FOLDER (of Wine's own files)."""
+import array
+import os
+import pathlib
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+
+from tap import Tap
+
+NATIVE, WINDOWS, PREFIX = (os.path.abspath(path) for path in sys.argv[1:4])
+FORMATS = ("png", "pfm", "npy", "csv", "exr")
+SCENE = """\
+luxel: 1
+screen: {width: 800, height: 800, resolution: [60, 60]}
+observer: {z: 2500}
+surfaces:
+  - {type: %s, material: {diffuse: 0.7, specular: 0}}
+lights:
+  - {type: point, position: [800, 900, 2400], intensity: 40}
+"""
+BALL = SCENE % "sphere, center: [0, 0, 1000], radius: 300"
+POT = SCENE % "mesh, file: parts/pot.ply, position: [0, 0, 1000]"
+# Of the maximum: what each may be from the exact value.  Bytes may differ, as the C library of Windows rounds sines,
+# exponentials and their like in its own way, and a symmetric scene may be seen by them as its mirror image.
+# With highlights of extended sources that is 1e-3 (docs/RELIABILITY.md), of which a thin one takes its part.
+TOLERANCE, TOLERANCES = 2e-6, {"tube": 1e-3}
+NUMBER = re.compile(rb"-?\d[-+.e\d]*")
+tap = Tap()
+
+
+def run(program, folder, *arguments, **more):
+    """Ends with exit code, standard output and standard error."""
+    variables = {**os.environ, "LC_ALL": "C.UTF-8", "LANGUAGE": "", "WINEPREFIX": PREFIX, "WINEDEBUG": "-all",
+                 "LUXEL_ISA": "", **more.pop("environment", {})}
+    variables = {name: value for name, value in variables.items() if value or name == "LANGUAGE"}
+    command = ["wine", WINDOWS] if program == WINDOWS else [NATIVE]
+    done = subprocess.run([*command, *arguments], cwd=folder, env=variables, timeout=300, check=False,
+                          stdout=subprocess.PIPE, stderr=subprocess.PIPE, **more)
+    return done.returncode, done.stdout, done.stderr
+
+
+def both(folder, *arguments, **more):
+    return run(NATIVE, folder, *arguments, **more), run(WINDOWS, folder, *arguments, **more)
+
+
+def same(folder, name, *arguments, **more):
+    native, windows = both(folder, *arguments, **more)
+    tap.equal(windows, native, name)
+
+
+def values(picture):
+    """The header of a PFM file, and its numbers."""
+    *header, numbers = picture.split(b"\n", 3)
+    return header, array.array("f", numbers)
+
+
+def same_values(folder, name, tolerance, *arguments):
+    """The same picture, but for the rounding of another C library."""
+    (code, native, _), (other_code, windows, told) = both(folder, *arguments)
+    if not tap.equal((other_code, code, told), (0, 0, b""), f"{name}: both render it"):
+        return
+    (header, expected), (other_header, found) = values(native), values(windows)
+    tap.equal((other_header, len(found)), (header, len(expected)), f"{name}: size")
+    apart = max(abs(a - b) for a, b in zip(found, expected))
+    tap.ok(apart <= tolerance * max(expected), f"{name}: values", f"apart by {apart / max(expected)} of the maximum")
+
+
+def scenes_and_formats(folder):
+    """Pictures of all built-in scenes have the same values; a small one is the same bytes in each format."""
+    for name in sorted(path.stem for path in SOURCES.glob("*.yaml")):
+        same_values(folder, name, TOLERANCES.get(name, TOLERANCE), "render", name, "-q", "-o", "-", "--format", "pfm")
+    for ending in FORMATS:
+        same(folder, f"{ending} by standard output", "render", "-q", "-o", "-", "--format", ending)
+        for program, place in ((NATIVE, "one"), (WINDOWS, "other")):
+            run(program, folder, "render", "-q", "-o", f"{place}.{ending}")
+        tap.equal((folder / f"other.{ending}").read_bytes(), (folder / f"one.{ending}").read_bytes(), f"{ending} file")
+
+
+def texts(folder):
+    """What is printed, wrong usage, and exit codes."""
+    (code, native, _), (other_code, windows, told) = both(folder, "probe", "report", "--json")
+    tap.equal((other_code, code, told), (0, 0, b""), "probe as JSON")
+    tap.equal(NUMBER.sub(b"", windows), NUMBER.sub(b"", native), "probe as JSON: keys")
+    for found, expected in zip(NUMBER.findall(windows), NUMBER.findall(native)):
+        tap.near(float(found), float(expected), 1e-12, "probe as JSON: a number")
+    same(folder, "help", "help")
+    same(folder, "wrong option", "render", "--sise", "3")
+    same(folder, "no such scene", "render", "absent.yaml", "-o", "a.png")
+    same(folder, "a folder as scene", "render", ".", "-o", "a.png")
+    same(folder, "Russian help", "help", environment={"LC_ALL": "C.UTF-8", "LANGUAGE": "ru", "LANG": "ru_RU.UTF-8"})
+    code, _, told = run(WINDOWS, folder, "sweep", "study.yaml")
+    tap.ok(code == 4 and b"not in Luxel for Windows" in told, "sweeps are refused", told)
+
+
+def inputs(folder):
+    """Names in Cyrillic, ends of lines, scenes by standard input, files that are replaced."""
+    (folder / "сцена.yaml").write_text(BALL, encoding="utf-8")
+    (folder / "crlf.yaml").write_bytes(BALL.replace("\n", "\r\n").encode())
+    same(folder, "name in Cyrillic", "check", "сцена.yaml")
+    same(folder, "ends of lines", "check", "crlf.yaml")
+    same(folder, "standard input", "check", "-", input=BALL.encode())
+    code, _, told = run(WINDOWS, folder, "render", "-q", "-o", "картина.png")
+    tap.ok(code == 0 and (folder / "картина.png").stat().st_size > 1000, "output in Cyrillic", told)
+    before = (folder / "картина.png").read_bytes()
+    code, _, told = run(WINDOWS, folder, "render", "-q", "distant", "-o", "картина.png")
+    tap.ok(code == 0 and (folder / "картина.png").read_bytes() != before, "a file is replaced", told)
+    tap.equal([path.name for path in folder.iterdir() if path.name.endswith(".part")], [], "nothing is left beside it")
+
+
+def paths(folder):
+    """Backslashes and drives: Wine's drive Z is the root of all files."""
+    (folder / "place/parts").mkdir(parents=True)
+    (folder / "place/pot.yaml").write_text(POT, encoding="utf-8")
+    shutil.copy(SOURCES.parent / "files/pot.ply", folder / "place/parts")
+    drive = "Z:" + str(folder).replace("/", "\\")
+    code, expected, told = run(NATIVE, folder, "render", "place/pot.yaml", "-q", "-o", "-", "--format", "pfm")
+    tap.ok(code == 0 and expected, "a scene with a file beside it", told)
+    names = ("place/pot.yaml", r"place\pot.yaml", rf"{drive}\place\pot.yaml", f"{drive[:2]}{folder}/place/pot.yaml")
+    for name in names:
+        found = run(WINDOWS, folder, "render", name, "-q", "-o", "-", "--format", "pfm")
+        tap.equal(found, (0, expected, b""), f"file beside {name.replace(str(drive), 'Z:...')}")
+    (folder / "place/whole.yaml").write_text(POT.replace("parts/pot.ply", rf"'{drive}\place\parts\pot.ply'"),
+                                             encoding="utf-8")
+    found = run(WINDOWS, folder, "render", r"place\whole.yaml", "-q", "-o", "-", "--format", "pfm")
+    tap.equal(found, (0, expected, b""), "a scene that names a drive")
+    found = run(WINDOWS, folder, "render", "-q", "-o", rf"{drive}\place\out.pfm")
+    tap.ok(found[0] == 0 and (folder / "place/out.pfm").is_file(), "output behind backslashes", found)
+    code, _, told = run(WINDOWS, folder, "render", "-q", "-o", r"pictures.png\out")
+    tap.ok(code == 2 and b"needs an extension" in told, "a dot of a folder begins no extension", code, told)
+
+
+SOURCES = pathlib.Path(__file__).resolve().parents[2] / "data/scenes"
+for test in (paths, texts, inputs, scenes_and_formats):
+    with tempfile.TemporaryDirectory() as name:
+        tap.run(test, pathlib.Path(name))
+print(f"{tap.count - tap.failed} passed, {tap.failed} failed")
+tap.finish()
