@@ -29,18 +29,28 @@ POT = SCENE % "mesh, file: parts/pot.ply, position: [0, 0, 1000]"
 # With highlights of extended sources that is 1e-3 (docs/RELIABILITY.md), of which a thin one takes its part.
 TOLERANCE, TOLERANCES = 2e-6, {"tube": 1e-3}
 NUMBER = re.compile(rb"-?\d[-+.e\d]*")
+INSTRUCTIONS = ""
 tap = Tap()
 
 
 def run(program, folder, *arguments, **more):
     """Ends with exit code, standard output and standard error."""
     variables = {**os.environ, "LC_ALL": "C.UTF-8", "LANGUAGE": "", "WINEPREFIX": PREFIX, "WINEDEBUG": "-all",
-                 "LUXEL_ISA": "", **more.pop("environment", {})}
+                 "LUXEL_ISA": INSTRUCTIONS, **more.pop("environment", {})}
     variables = {name: value for name, value in variables.items() if value or name == "LANGUAGE"}
     command = ["wine", WINDOWS] if program == WINDOWS else [NATIVE]
     done = subprocess.run([*command, *arguments], cwd=folder, env=variables, timeout=300, check=False,
                           stdout=subprocess.PIPE, stderr=subprocess.PIPE, **more)
     return done.returncode, done.stdout, done.stderr
+
+
+def shared_instructions():
+    """The widest set of instructions that both programs have and this machine runs: with it they round alike."""
+    for name in ("x86-64-v4", "x86-64-v3", "x86-64"):
+        if all(run(program, ".", "render", "-q", "-o", "-", "--format", "pfm", environment={"LUXEL_ISA": name})[0] == 0
+               for program in (NATIVE, WINDOWS)):
+            return name
+    raise SystemExit("no set of instructions is in both programs")
 
 
 def both(folder, *arguments, **more):
@@ -133,6 +143,7 @@ def paths(folder):
     tap.ok(code == 2 and b"needs an extension" in told, "a dot of a folder begins no extension", code, told)
 
 
+INSTRUCTIONS = shared_instructions()
 SOURCES = pathlib.Path(__file__).resolve().parents[2] / "data/scenes"
 for test in (paths, texts, inputs, scenes_and_formats):
     with tempfile.TemporaryDirectory() as name:
