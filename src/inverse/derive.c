@@ -244,7 +244,7 @@ static void add_step(const luxel_probes *const sides[2], size_t place, double st
 
 static luxel_derivative conclude(const struct lx_differences *differences)
 {
-    luxel_derivative derivative = {.state = LUXEL_DERIVATIVE_NO_VALUE, .value = NAN, .error = NAN};
+    luxel_derivative derivative = {.state = LUXEL_DERIVATIVE_NO_VALUE, .value = (double)NAN, .error = (double)NAN};
     if (differences->is_missing)
         return derivative;
     switch (lx_differences_slope(differences, &derivative.value, &derivative.error)) {

@@ -39,8 +39,9 @@ static void add_row(struct lx_tableau *tableau, double value, double noise)
 
 void lx_differences_begin(struct lx_differences *differences, double middle, double error, bool is_one_sided)
 {
-    const struct lx_tableau slope = {.first = is_one_sided ? 1 : 2, .step = is_one_sided ? 1 : 2, .error = INFINITY};
-    const struct lx_tableau gap = {.first = 1, .step = 2, .error = INFINITY};
+    const struct lx_tableau slope = {
+        .first = is_one_sided ? 1 : 2, .step = is_one_sided ? 1 : 2, .error = (double)INFINITY};
+    const struct lx_tableau gap = {.first = 1, .step = 2, .error = (double)INFINITY};
     *differences = (struct lx_differences){.is_one_sided = is_one_sided,
                                            .middle = middle,
                                            .middle_error = error,
@@ -76,7 +77,7 @@ enum lx_slope_kind lx_differences_slope(const struct lx_differences *differences
 {
     const struct lx_tableau *found = &differences->slope, *gap = &differences->gap;
     const double natural = differences->greatest / differences->first_step;
-    *slope = *error = NAN;
+    *slope = *error = (double)NAN;
     if (!(found->error <= fmax(0.1 * fabs(found->best), 0.01 * natural)))
         return LX_SLOPE_ROUGH;
     if (!differences->is_one_sided && fabs(gap->best) > 4.0 * (gap->error + found->error))

@@ -113,7 +113,7 @@ static void albedos_of_powers(void **unused)
                                                       .diffuse = 0.25,
                                                       .specular = 0.5,
                                                       .shininess = exponents[k],
-                                                      .highlight = (enum lx_highlight)weight,
+                                                      .highlight = weight,
                                                       .over_pi = true};
                     const double found = lx_material_albedo(&power, cos(angles[i] * DEGREE));
                     assert_near(found, sum_of(&power, angles[i], 6), 1e-9, half ? "blinn-phong" : "phong", angles[i]);
