@@ -64,7 +64,7 @@ static void print_text(const struct result *result, const luxel_derivatives *der
     result_print_conventions(result->scene, &result->use);
 }
 
-static int print(struct result *result, const luxel_derivatives *derivatives, const char *name)
+static void print(struct result *result, const luxel_derivatives *derivatives, const char *name)
 {
     const struct options *options = result->options;
 
@@ -75,39 +75,46 @@ static int print(struct result *result, const luxel_derivatives *derivatives, co
         result_print_json(result);
     else if (result->count > 0 && standard_output_is_free(options))
         print_text(result, derivatives, name);
-    return EXIT_DONE;
+}
+
+/* The derivatives at all places. */
+static int find(const struct options *options, const struct loaded *loaded, luxel_derivatives **derivatives)
+{
+    struct places places;
+    int code = places_collect(options, loaded->scene, loaded->diagnostics, &places);
+
+    if (code == EXIT_DONE) {
+        struct work work;
+
+        work_begin(&work, options);
+        const luxel_status status =
+            luxel_derive_places(loaded->scene, &work.settings, places.list, places.count, options->free_keys,
+                                options->free_key_count, loaded->diagnostics, derivatives);
+        code = work_end(&work, status, loaded->diagnostics);
+    }
+    places_clear(&places);
+    return code;
 }
 
 static int derive(const struct options *options, const struct loaded *loaded)
 {
     struct result result;
-    struct places places;
     luxel_derivatives *derivatives = NULL;
-    int code, derived = EXIT_DONE;
+    int code;
 
     if (options->free_key_count == 0) {
         message_error(_("name the keys to derive by: --free lights[0].intensity, for instance"));
         return EXIT_USAGE;
     }
+    code = find(options, loaded, &derivatives);
+    if (code != EXIT_DONE)
+        return code;
     code = result_probe(options, loaded->scene, false, loaded->diagnostics, &result);
-    if (code == EXIT_DONE || code == EXIT_TOLERANCE) {
-        derived = places_collect(options, loaded->scene, loaded->diagnostics, &places);
-        if (derived == EXIT_DONE) {
-            struct work work;
-
-            work_begin(&work, options);
-            const luxel_status status =
-                luxel_derive_places(loaded->scene, &work.settings, places.list, places.count, options->free_keys,
-                                    options->free_key_count, loaded->diagnostics, &derivatives);
-            derived = work_end(&work, status, loaded->diagnostics);
-        }
-        places_clear(&places);
-        if (derived == EXIT_DONE)
-            derived = print(&result, derivatives, loaded->name);
-    }
+    if (code == EXIT_DONE || code == EXIT_TOLERANCE)
+        print(&result, derivatives, loaded->name);
     luxel_derivatives_free(derivatives);
     result_clear(&result);
-    return derived == EXIT_DONE ? code : derived;
+    return code;
 }
 
 static int run(const struct options *options)
