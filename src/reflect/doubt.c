@@ -22,7 +22,7 @@ double lx_kernel_at(const struct lx_receiver *receiver, const double place_mm[3]
 
 /* On a cell that is not near, and on which normals turn little, the kernel is no greater than a little above that at
  * its nodes. */
-static double greatest_afar(const struct lx_receiver *receiver, const struct lx_tile_cell *cell)
+double lx_kernel_of_nodes(const struct lx_receiver *receiver, const struct lx_tile_cell *cell)
 {
     const double beyond = 1.3;
     double greatest = 0;
@@ -38,7 +38,7 @@ double lx_greatest_kernel(const struct lx_receiver *receiver, const struct lx_ma
     for (int i = 0; i < 3; i++)
         way[i] = cell->center_mm[i] - receiver->place_mm[i];
     if (1.5 * cell->radius_mm < fmin(sqrt(lx_dot(way, way)), face->is_flat ? HUGE_VAL : 1.5 * face->sheet.half_mm[0]))
-        return greatest_afar(receiver, cell);
+        return lx_kernel_of_nodes(receiver, cell);
     const double here = lx_dot(receiver->normal, way) + cell->radius_mm;
     double least = sqrt(lx_dot(way, way)) - cell->radius_mm, there = HUGE_VAL;
     if (face->is_flat) {

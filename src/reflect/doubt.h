@@ -9,8 +9,10 @@
 #include "receiver.h"
 #include "tile.h"
 
-/* The kernel between a receiver and a place, and the greatest one between it and any place of a cell with nodes. */
+/* The kernel between a receiver and a place, the greatest one between it and a cell that is not near, as its nodes tell
+ * it, and the greatest one between it and any place of a cell with nodes. */
 double lx_kernel_at(const struct lx_receiver *receiver, const double place_mm[3], const double normal[3]);
+double lx_kernel_of_nodes(const struct lx_receiver *receiver, const struct lx_tile_cell *cell);
 double lx_greatest_kernel(const struct lx_receiver *receiver, const struct lx_matte_face *face,
                           const struct lx_tile_cell *cell);
 

@@ -329,6 +329,7 @@ static void set_fineness(struct lx_radiosity *reflected)
                                              .flat_part = 0.42 * fourth,
                                              .round_part = 0.12 * fourth,
                                              .group = 0.26 * fourth};
+    reflected->fine.is_of_nodes = reflected->coarse.is_of_nodes = reflected->sampling.near_count == 0;
     reflected->rule = rule_of(reflected);
 }
 

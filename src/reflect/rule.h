@@ -74,6 +74,7 @@ static inline struct lx_window lx_window_half(const struct lx_window *window, in
 struct lx_fineness {
     double seen, rough, narrow, flat_part, round_part, group;
     bool has_details; /* light is asked in all detail where a part of it is seen */
+    bool is_of_nodes; /* no places are asked: kernels at nodes stand for the greatest on windows of direct light */
 };
 
 #endif

@@ -277,8 +277,9 @@ static void send_cell(const struct sending *sending, const struct lx_window *win
     if (cell != &sending->tile->cell)
         lx_cell_nodes(sending->of->face, window, cell);
     const double seen = fabs(seen_of(sending->sent) - before);
-    const double kernel = sending->of->constant > 0
-                              ? sending->of->constant
+    const double kernel = sending->of->constant > 0 ? sending->of->constant
+                          : sending->of->fineness->is_of_nodes
+                              ? lx_kernel_of_nodes(sending->of->receiver, cell)
                               : lx_greatest_kernel(sending->of->receiver, sending->of->face, cell);
     const double differs = lx_doubt_differs(doubt, kernel, seen);
     sending->sent->doubt += lx_doubt_at(doubt, kernel, seen);

@@ -178,7 +178,7 @@ static void shows_what_has_a_say(void **state)
          "power " BODY},
         {"lampshade", 0,
          "type name enabled color color.temperature sphere sphere.center sphere.radius sphere.facets radiance "
-         "attenuation k parts"},
+         "attenuation k parts" ARRAY},
         {"desk", 0, SPOT},
         {"desk", 1, AMBIENT},
         {"tin", 0, SPOT},

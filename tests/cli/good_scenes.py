@@ -73,8 +73,13 @@ def _pattern(rng):
     return light
 
 
+def _array(rng):
+    return {"n": [rng.randint(1, 4), rng.randint(1, 4)], "spacing": [rng.uniform(1, 1e4), rng.uniform(1, 1e4)],
+            **_some(rng, {"axes": lambda: [[1, rng.uniform(-1, 1), 0], [0, 1, rng.uniform(-1, 1)]]})}
+
+
 def _point(rng):
-    return {"type": "point", **_placed(rng), **_pattern(rng)}
+    return {"type": "point", **_placed(rng), **_pattern(rng), **_some(rng, {"array": lambda: _array(rng)})}
 
 
 def _points(rng):

@@ -169,7 +169,7 @@ static const struct asked asked[] = {
      "lights[0].radiance: radiance = 0 lies outside the advised range 0.01 to 1000000 W/(sr·m²); try -s "
      "'lights[0].radiance=100'\n"
      "surfaces[0].material.specular: with specular the material reflects 110 % of the light, seen straight on: more "
-     "than falls in; try -s 'surfaces[0].material.specular=0.39'\n"
+     "than falls in; try -s 'surfaces[0].material.specular=0.4'\n"
      "lights: no light reaches what is seen of the surfaces: the picture is dark; try -s 'lights[0].radiance=100'\n"},
     {"report",
      {"surfaces[0].material.diffuse=0", "surfaces[0].material.specular=0"},
