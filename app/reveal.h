@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* What scrolls to one of its rows or parts. */
+/* A scrolled window shows one of its rows or parts. */
 #ifndef LUXEL_APP_REVEAL_H
 #define LUXEL_APP_REVEAL_H
 

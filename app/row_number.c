@@ -34,7 +34,7 @@ static double extent(const AppRow *self)
                : 0;
 }
 
-/* What a drag gives is rounded to what its dots can tell apart; `fine` to a tenth of that, `round` to ten of them. */
+/* The value of a drag, rounded to what its dots can tell apart; `fine` to a tenth of that, `coarse` to ten of them. */
 static double from_scale(const AppRow *self, double place, gboolean fine, gboolean coarse)
 {
     char text[APP_NUMBER_SIZE];
@@ -195,7 +195,7 @@ static void hide_buttons(GtkWidget *spin)
             gtk_widget_set_visible(child, FALSE);
 }
 
-/* What holds where nothing is given, in grey. */
+/* The field shows what holds where nothing is given, in grey. */
 static void show_missing(GtkWidget *spin, const char *missing)
 {
     for (GtkWidget *child = gtk_widget_get_first_child(spin); child; child = gtk_widget_get_next_sibling(child))

@@ -32,7 +32,8 @@ static void add_rows(struct text_table *table, const struct options *options, co
 
         text_table_row(table, TEXT_CELLS(number_name(options, derivatives, key, i, name),
                                          words ? "" : text_bounded(value, 12, found->value, found->error),
-                                         words ? "" : text_error(found->error, error), *unit ? text_unit(unit) : "1",
+                                         words ? "" : text_bound(error, 12, found->value, found->error),
+                                         *unit ? text_unit(unit) : "1",
                                          words                                        ? _(words)
                                          : found->state == LUXEL_DERIVATIVE_ONE_SIDED ? _("from one side")
                                                                                       : ""));

@@ -96,26 +96,6 @@ void language_begin(void)
     textdomain(domain);
 }
 
-const char *language_translate(const char *english, void *data)
-{
-    (void)data;
-    return gettext(english);
-}
-
-const char *language_code(void)
-{
-    /* TRANSLATORS: the code of your language by BCP 47, such as ru */
-    return _("en");
-}
-
-char language_decimal_mark(void)
-{
-    static const char mark[] = "decimal point";
-
-    /* TRANSLATORS: to be translated where your language has a comma there, and left out where it has a point */
-    return strcmp(_("decimal point"), mark) == 0 ? '.' : ',';
-}
-
 const char *language_reason(int number)
 {
     const char *english = strerrordesc_np(number);

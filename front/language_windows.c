@@ -122,24 +122,6 @@ void language_begin(void)
         catalogue = language_russian;
 }
 
-const char *language_translate(const char *english, void *data)
-{
-    (void)data;
-    return gettext(english);
-}
-
-const char *language_code(void)
-{
-    return _("en");
-}
-
-char language_decimal_mark(void)
-{
-    static const char mark[] = "decimal point";
-
-    return strcmp(_("decimal point"), mark) == 0 ? '.' : ',';
-}
-
 const char *language_reason(int number)
 {
     return gettext(strerrordesc_np(number));

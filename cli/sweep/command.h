@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* What luxel sweep does, which a system may lack. */
+/* The run of luxel sweep, which a system may lack. */
 #ifndef LUXEL_CLI_SWEEP_COMMAND_H
 #define LUXEL_CLI_SWEEP_COMMAND_H
 

@@ -60,7 +60,7 @@ LUXEL_API const char *luxel_derivatives_unit(const luxel_derivatives *derivative
 /* The derivative at a place by a number of a key, which lives as long as all of them; NULL beyond the last. */
 LUXEL_API const luxel_derivative *luxel_derivatives_get(const luxel_derivatives *derivatives, size_t place, size_t key,
                                                         size_t number);
-/* What a state is in words, "the value has a kink here", or NULL where there is a derivative. */
+/* A state in words, "the value has a kink here", or NULL where there is a derivative. */
 LUXEL_API const char *luxel_derivative_words(luxel_derivative_state state);
 /* Frees derivatives; NULL is harmless. */
 LUXEL_API void luxel_derivatives_free(luxel_derivatives *derivatives);

@@ -55,17 +55,6 @@ static void proc_name(int file, char name[LX_PROC_SIZE])
     snprintf(name, LX_PROC_SIZE, "/proc/self/fd/%d", file);
 }
 
-/* The hidden name number `slot` of a target; its length does not depend on the target's. */
-static void hidden_name(const char *target, unsigned slot, char name[LX_HIDDEN_SIZE])
-{
-    uint64_t hash = UINT64_C(0xcbf29ce484222325); /* FNV-1a */
-
-    for (const char *c = target; *c != '\0'; c++) {
-        hash = (hash ^ (unsigned char)*c) * UINT64_C(0x100000001b3);
-    }
-    snprintf(name, LX_HIDDEN_SIZE, ".luxel-%016llx-%u.part", (unsigned long long)hash, slot);
-}
-
 /* Whether the name in the folder still means this open file. */
 static bool has_name(int folder, const char *name, int file)
 {
@@ -94,7 +83,7 @@ static void sweep_all(int folder, const char *target)
     char name[LX_HIDDEN_SIZE];
 
     for (unsigned slot = 0; slot < LX_SLOTS; slot++) {
-        hidden_name(target, slot, name);
+        lx_staged_hidden_name(target, slot, name);
         sweep(folder, name);
     }
 }
@@ -133,7 +122,7 @@ static int take_hidden_name(struct lx_staged *staged)
 
     for (unsigned attempt = 0; attempt < LX_ATTEMPTS; attempt++) {
         for (unsigned slot = 0; slot < LX_SLOTS; slot++) {
-            hidden_name(staged->target, slot, name);
+            lx_staged_hidden_name(staged->target, slot, name);
             sweep(staged->folder, name);
             int error = staged->file < 0 ? create_hidden(staged, name) : link_unnamed(staged, name);
             if (error == 0) {
@@ -255,18 +244,6 @@ static int open_direct(struct lx_staged *staged, const char *place)
     return staged->file >= 0 ? 0 : errno;
 }
 
-/*
- * Standard output by its name, which may have an extension to say the format: /dev/stdout.png.  It is taken as it is
- * open, so that what it appends to is not overwritten, and a socket can be written to.
- */
-static bool is_standard_output(const char *path)
-{
-    static const char name[] = "/dev/stdout";
-    const size_t length = sizeof name - 1;
-
-    return strncmp(path, name, length) == 0 && (path[length] == '\0' || path[length] == '.');
-}
-
 int lx_staged_open(struct lx_staged *staged, const char *path, const struct lx_sink_system *system)
 {
     struct stat status;
@@ -274,7 +251,7 @@ int lx_staged_open(struct lx_staged *staged, const char *path, const struct lx_s
     int error;
 
     *staged = (struct lx_staged){.system = system, .file = -1, .folder = -1};
-    if (is_standard_output(path)) {
+    if (lx_staged_is_standard_output(path)) { /* as it is open: what it appends to stays, and it may be a socket */
         staged->direct = true;
         staged->file = fcntl(STDOUT_FILENO, F_DUPFD_CLOEXEC, 0);
         return staged->file >= 0 ? 0 : errno;

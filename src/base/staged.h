@@ -28,4 +28,10 @@ int lx_staged_publish(struct lx_staged *staged);
 /* Closes the file, and removes it if it was not published. */
 void lx_staged_close(struct lx_staged *staged);
 
+/* The hidden name number `slot` of a target's name; its length does not depend on the target's. */
+void lx_staged_hidden_name(const char *target, unsigned slot, char name[LX_HIDDEN_SIZE]);
+
+/* Standard output by its name, which may have an extension to say the format: /dev/stdout.png. */
+bool lx_staged_is_standard_output(const char *path);
+
 #endif

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* What tells a file from what it was, by the system's record of it. */
+/* The state of a file, which tells it from what it was, by the system's record of it. */
 #include <stdint.h>
 #include <sys/stat.h>
 #include <time.h>

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* What tells a file from what it was, by Windows' record of it: volume, number, size, last writing. */
+/* The state of a file, which tells it from what it was, by Windows' record of it: volume, number, size, time. */
 #include <stdint.h>
 #include <windows.h>
 

@@ -242,21 +242,6 @@ static void add_step(const luxel_probes *const sides[2], size_t place, double st
         lx_differences_add(differences, step, values, errors);
 }
 
-static luxel_derivative conclude(const struct lx_differences *differences)
-{
-    luxel_derivative derivative = {.state = LUXEL_DERIVATIVE_NO_VALUE, .value = (double)NAN, .error = (double)NAN};
-    if (differences->is_missing)
-        return derivative;
-    switch (lx_differences_slope(differences, &derivative.value, &derivative.error)) {
-    case LX_SLOPE:
-        derivative.state = differences->is_one_sided ? LUXEL_DERIVATIVE_ONE_SIDED : LUXEL_DERIVATIVE_EXISTS;
-        break;
-    case LX_SLOPE_KINK: derivative.state = LUXEL_DERIVATIVE_KINK; break;
-    case LX_SLOPE_ROUGH: derivative.state = LUXEL_DERIVATIVE_ROUGH; break;
-    }
-    return derivative;
-}
-
 /* A step, at all places that are not done; *done: all of them are. */
 static luxel_status take_step(struct derivation *derivation, const struct key *key, size_t number, double step,
                               luxel_diagnostics *diagnostics, struct lx_differences *differences, bool *done)
@@ -302,7 +287,7 @@ static luxel_status derive_number(struct derivation *derivation, const struct ke
         step /= 2.0;
     }
     for (size_t i = 0; i < made->place_count; i++)
-        made->list[i * made->number_count + key->offset + number] = conclude(&differences[i]);
+        made->list[i * made->number_count + key->offset + number] = lx_differences_conclude(&differences[i]);
     return status;
 }
 

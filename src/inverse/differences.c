@@ -73,16 +73,20 @@ bool lx_differences_are_done(const struct lx_differences *differences)
     return differences->is_missing || (slope->rows >= FEWEST_ROWS && slope->noise[0] >= slope->error);
 }
 
-enum lx_slope_kind lx_differences_slope(const struct lx_differences *differences, double *slope, double *error)
+luxel_derivative lx_differences_conclude(const struct lx_differences *differences)
 {
-    const struct lx_tableau *found = &differences->slope, *gap = &differences->gap;
+    const struct lx_tableau *slope = &differences->slope, *gap = &differences->gap;
     const double natural = differences->greatest / differences->first_step;
-    *slope = *error = (double)NAN;
-    if (!(found->error <= fmax(0.1 * fabs(found->best), 0.01 * natural)))
-        return LX_SLOPE_ROUGH;
-    if (!differences->is_one_sided && fabs(gap->best) > 4.0 * (gap->error + found->error))
-        return LX_SLOPE_KINK;
-    *slope = found->best;
-    *error = found->error;
-    return LX_SLOPE;
+    luxel_derivative derivative = {.state = LUXEL_DERIVATIVE_EXISTS, .value = slope->best, .error = slope->error};
+    if (differences->is_missing)
+        derivative.state = LUXEL_DERIVATIVE_NO_VALUE;
+    else if (!(slope->error <= fmax(0.1 * fabs(slope->best), 0.01 * natural)))
+        derivative.state = LUXEL_DERIVATIVE_ROUGH;
+    else if (differences->is_one_sided)
+        derivative.state = LUXEL_DERIVATIVE_ONE_SIDED;
+    else if (fabs(gap->best) > 4.0 * (gap->error + slope->error))
+        derivative.state = LUXEL_DERIVATIVE_KINK;
+    if (luxel_derivative_words(derivative.state))
+        derivative.value = derivative.error = (double)NAN;
+    return derivative;
 }

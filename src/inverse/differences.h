@@ -8,6 +8,8 @@
 #ifndef LX_INVERSE_DIFFERENCES_H
 #define LX_INVERSE_DIFFERENCES_H
 
+#include <luxel/derive.h>
+
 #include <stdbool.h>
 
 enum { LX_EXTRAPOLATIONS = 6 }; /* columns of a tableau */
@@ -43,10 +45,7 @@ void lx_differences_add(struct lx_differences *differences, double step, const d
 /* Whether smaller steps can tell no more: the function's errors alone make more of them. */
 bool lx_differences_are_done(const struct lx_differences *differences);
 
-/* What is found out: a slope, one that is different on either side, or none. */
-enum lx_slope_kind { LX_SLOPE, LX_SLOPE_KINK, LX_SLOPE_ROUGH };
-
-/* The slope with its error, NaN where there is none. */
-enum lx_slope_kind lx_differences_slope(const struct lx_differences *differences, double *slope, double *error);
+/* The derivative that they tell, or why there is none. */
+luxel_derivative lx_differences_conclude(const struct lx_differences *differences);
 
 #endif

@@ -44,6 +44,9 @@ def the_exercise(tap, tool):
             tap.near(one["value"], exact, 1e-12, "report by " + key)
             tap.ok(one["error"] < 1e-11, "its error", one)
     text = tool.run("derive", "-p", "150,0", "--free", "lights[0].position").out
+    row = next(line.split() for line in text.splitlines() if "position[2]" in line)
+    exact = found["lights[0].position"][2]["value"]
+    tap.ok(abs(float(row[1]) - exact) <= float(row[2]), "the error covers what is rounded off the text", row, exact)
     tap.ok("lights[0].position[2]" in text and "0.003890256867" in text and " mm" in text, "as text", text)
 
 

@@ -83,15 +83,12 @@ static wchar_t *widened(const char *path)
     return wide;
 }
 
-/* The path of hidden name number `slot` of a target; the name's length does not depend on the target's. */
+/* The path of hidden name number `slot` of a target. */
 static char *hidden_path(struct lx_staged *staged, unsigned slot)
 {
     const char *name = lx_path_name(staged->target);
     const size_t folder = (size_t)(name - staged->target);
-    uint64_t hash = UINT64_C(0xcbf29ce484222325); /* FNV-1a */
-    for (const char *c = name; *c != '\0'; c++)
-        hash = (hash ^ (unsigned char)*c) * UINT64_C(0x100000001b3);
-    snprintf(staged->hidden, LX_HIDDEN_SIZE, ".luxel-%016llx-%u.part", (unsigned long long)hash, slot);
+    lx_staged_hidden_name(name, slot, staged->hidden);
     char *path = malloc(folder + LX_HIDDEN_SIZE);
     if (path) {
         memcpy(path, staged->target, folder);
@@ -138,14 +135,6 @@ static int create(struct lx_staged *staged)
     return EBUSY;
 }
 
-/* Standard output by its name, which may have an extension to say the format: /dev/stdout.png. */
-static bool is_standard_output(const char *path)
-{
-    static const char name[] = "/dev/stdout";
-    const size_t length = sizeof name - 1;
-    return strncmp(path, name, length) == 0 && (path[length] == '\0' || path[length] == '.');
-}
-
 static int open_direct(struct lx_staged *staged, const char *path)
 {
     staged->direct = true;
@@ -160,7 +149,7 @@ int lx_staged_open(struct lx_staged *staged, const char *path, const struct lx_s
 {
     struct stat about;
     *staged = (struct lx_staged){.system = system, .file = -1, .folder = -1};
-    if (is_standard_output(path))
+    if (lx_staged_is_standard_output(path))
         return open_direct(staged, NULL);
     if (path[0] == '\0')
         return ENOENT;

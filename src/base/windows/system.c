@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* What POSIX has and Windows lacks, as the headers of include/ declare it: memory, texts, streams, files. */
+/* Functions of POSIX that Windows lacks, as the headers of include/ declare them: memory, texts, streams, files. */
 #include <dirent.h>
 #include <errno.h>
 #include <fcntl.h>

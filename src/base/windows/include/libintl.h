@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Header <libintl.h>, as front/windows/language.c has it: the catalogues are in the program. */
+/* Header <libintl.h>, as front/language_windows.c has it: the catalogues are in the program. */
 #ifndef LX_WINDOWS_LIBINTL_H
 #define LX_WINDOWS_LIBINTL_H
 

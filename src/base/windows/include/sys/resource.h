@@ -11,7 +11,7 @@ struct rlimit {
     unsigned long long rlim_cur;
 };
 
-/* What the machine has free, less a fifth. */
+/* The limit is what the machine has free, less a fifth. */
 int getrlimit(int resource, struct rlimit *limit);
 
 #endif
