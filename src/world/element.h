@@ -24,6 +24,7 @@ struct lx_element {
     const struct lx_prepared_surface *own; /* the surface that it lies on, NULL: none */
     bool is_free;                          /* it was asked for by its place: its normal need not be its surface's */
     enum lx_shown shown;
+    unsigned mirrors; /* over how many it is seen */
 };
 
 #endif

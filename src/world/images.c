@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Light over mirrors: ways from points and directions, what is seen of extended sources, and the bound of the rest. */
+/* Light over mirrors: ways from points and directions, and what is seen of extended sources. */
 #include "images.h"
 
 #include <math.h>
@@ -79,8 +79,8 @@ static lx_bounded openness(const struct task *task)
         open = lx_both(open, lx_step(change, false));
         if (lx_is_zero(open))
             return open;
-        const lx_bounded start = lx_dot3(lx_sub3(lx_exact3(mirror.anchor_mm), element->place_mm),
-                                         lx_shape_axis(&mirror));
+        const lx_bounded start =
+            lx_dot3(lx_sub3(lx_exact3(mirror.anchor_mm), element->place_mm), lx_shape_axis(&mirror));
         const lx_bounded share = lx_div(start, change);
         open = lx_both(open, lx_step(lx_sub(share, before), true));
         const lx_bounded3 place = lx_add3(element->place_mm, lx_mul3(way, share));
@@ -120,38 +120,12 @@ static struct lx_lighting light_by_point(const struct task *task)
 /* How a source stands to the apertures of a way. */
 enum standing { COMES, IS_CUT, IS_AWAY };
 
-static void middle_of(const struct lx_aperture *aperture, double middle[3])
-{
-    middle[0] = middle[1] = middle[2] = 0;
-    for (unsigned i = 0; i < aperture->count; i++)
-        for (int k = 0; k < 3; k++)
-            middle[k] += aperture->corners_mm[i][k] / aperture->count;
-}
-
-/* The unit normal of the plane through a place and edge i of an aperture, which looks to the side of the aperture; 0
- * where there is no such plane. */
-static void inwards_of(const struct lx_aperture *aperture, unsigned i, const double place[3], double inwards[3])
-{
-    double a[3], b[3], middle[3];
-    middle_of(aperture, middle);
-    for (int k = 0; k < 3; k++) {
-        a[k] = aperture->corners_mm[i][k] - place[k];
-        b[k] = aperture->corners_mm[(i + 1) % aperture->count][k] - place[k];
-        middle[k] -= place[k];
-    }
-    lx_cross(a, b, inwards);
-    lx_normalize(inwards);
-    const double sign = lx_dot(inwards, middle) < 0 ? -1 : 1;
-    for (int k = 0; k < 3; k++)
-        inwards[k] *= sign;
-}
-
 /* Whether nothing of the source may come through an aperture, as the place sees it. */
 static bool is_beside(const struct lx_aperture *aperture, const struct lx_emitter *emitter, const double place[3])
 {
     for (unsigned i = 0; i < aperture->count; i++) {
         double inwards[3], nearest;
-        inwards_of(aperture, i, place, inwards);
+        lx_aperture_inwards(aperture, i, place, inwards);
         const double reach = lx_emitter_extent(emitter, place, inwards, &nearest);
         if (reach < -1e-12 * (fabs(reach) + fabs(nearest) + lx_emitter_radius(emitter)))
             return true;
@@ -182,7 +156,7 @@ static int frame_aperture(const struct task *task, const struct lx_aperture *ape
 {
     const double *light = lx_emitter_center(task->emitter);
     double middle[3], within = HUGE_VAL, reach = lx_emitter_radius(task->emitter), size = 0;
-    middle_of(aperture, middle);
+    lx_aperture_middle(aperture, middle);
     for (unsigned i = 0; i < aperture->count; i++) {
         const double *a = aperture->corners_mm[i], *b = aperture->corners_mm[(i + 1) % aperture->count];
         double edge[3], offset[3], product[3];
@@ -352,8 +326,7 @@ static int gather(const struct task *task, bool takes_bodies, struct lx_occlusio
         apertures[1] = leg ? &task->way->apertures[j] : NULL;
         ends[1] = leg ? leg->surface : UINT32_MAX;
         if ((leg && frame_aperture(task, apertures[1], place, &occlusion->obstacles)) ||
-            (prepared->shadows_extended &&
-             gather_leg(task, leg, ends, apertures, takes_bodies, occlusion, is_cut)))
+            (prepared->shadows_extended && gather_leg(task, leg, ends, apertures, takes_bodies, occlusion, is_cut)))
             return -1;
         apertures[0] = apertures[1];
         ends[0] = ends[1];
@@ -384,9 +357,9 @@ static struct lx_lighting between_lights(const struct lx_lighting *a, const stru
 
 static struct lx_lighting light_by_extended(const struct task *task)
 {
-    const struct lx_lighting nothing = {.irradiance = lx_exact(0)},
-                             unknown = {
-                                 .irradiance = {0, HUGE_VAL}, .diffuse = {0, HUGE_VAL}, .specular = {0, HUGE_VAL}};
+    const struct lx_lighting nothing = {.irradiance = lx_exact(0)}, unknown = {.irradiance = {0, HUGE_VAL},
+                                                                               .diffuse = {0, HUGE_VAL},
+                                                                               .specular = {0, HUGE_VAL}};
     double place[3];
     lx_values3(task->element.place_mm, place);
     const enum standing standing = stand(task, place);
@@ -398,225 +371,14 @@ static struct lx_lighting light_by_extended(const struct task *task)
         struct lx_occlusion occlusion = {.place_mm = {0}};
         lights[i] = unknown;
         if (gather(task, i == 0, &occlusion, &is_cut) == 0)
-            lights[i] = occlusion.is_dark
-                            ? nothing
-                            : lx_light_behind(task->prepared, &task->element, task->emitter, &occlusion);
+            lights[i] = occlusion.is_dark ? nothing
+                                          : lx_light_behind(task->prepared, &task->element, task->emitter, &occlusion);
         lx_occlusion_clear(&occlusion);
         if (!is_cut)
             break;
     }
     const struct lx_lighting light = is_cut ? between_lights(&lights[0], &lights[1]) : lights[0];
     return standing == IS_CUT ? between_lights(&light, &nothing) : light;
-}
-
-/* ---- the rest ---- */
-
-/* What the rest is a bound of: light that falls straight on the element, as it is and times the cosine. */
-struct rest {
-    double straight, by_cosine;
-};
-
-/* The law of a distance in mm, of a light of the intensity 1. */
-static double by_law(const struct lx_emitter *emitter, double distance_mm)
-{
-    const double distance_m = distance_mm / 1000;
-    return lx_relative_law(emitter, distance_mm) / (distance_m * distance_m);
-}
-
-/* The greatest intensity of a light that stands somewhere. */
-static double greatest_intensity(const struct lx_emitter *emitter)
-{
-    return lx_is_point(emitter) ? emitter->strength + emitter->strength_error
-                                : (emitter->radiance.value + emitter->radiance.error) *
-                                      lx_emitter_kind(emitter)->section_mm2(emitter) * 1e-6;
-}
-
-/* Adds the most that comes by one way that is longer than is counted. */
-static void add_way(const struct lx_mirror_way *way, const struct lx_element *element, const struct lx_emitter *emitter, struct rest *rest)
-{
-    const struct lx_element image = lx_mirrored_element(way, element);
-    const bool endless = lx_is_endless(emitter);
-    const double radius = lx_is_extended(emitter) ? lx_emitter_radius(emitter) : 0;
-    const double *at = lx_is_extended(emitter) ? lx_emitter_center(emitter) : emitter->position_mm;
-    double place[3], towards[3], normal[3];
-    lx_values3(image.place_mm, place);
-    lx_values3(image.normal, normal);
-    lx_values3(emitter->towards, towards);
-    for (int k = 0; k < 3 && !endless; k++)
-        towards[k] = at[k] - place[k];
-    const double distance = endless ? 1 : sqrt(lx_dot(towards, towards));
-    for (unsigned j = 0; j < way->count; j++) {
-        const struct lx_aperture *aperture = &way->apertures[j];
-        const double height = aperture->height_mm - lx_dot(aperture->normal, place);
-        const double change = lx_dot(aperture->normal, towards);
-        const double room = 1e-9 * (fabs(aperture->height_mm) + lx_distance(aperture->corners_mm[0], place));
-        if (height < -room || (endless ? change < -1e-9 : change + radius < height - room))
-            return;
-        if (radius > 0 || !(change > 0))
-            continue;
-        double middle[3], size = 0, met[3];
-        middle_of(aperture, middle);
-        for (unsigned i = 0; i < aperture->count; i++)
-            size = fmax(size, lx_distance(aperture->corners_mm[i], middle));
-        for (int k = 0; k < 3; k++)
-            met[k] = place[k] + height / change * towards[k];
-        if (lx_distance(met, middle) > size * (1 + 1e-9) + room * (1 + distance / change))
-            return;
-    }
-    const double nearest = distance - radius;
-    const double cosine = fmax((lx_dot(normal, towards) + radius) / fmax(distance, DBL_MIN), 0) + 1e-12;
-    const double e_perp = endless        ? emitter->strength + emitter->strength_error
-                          : nearest > 0 ? greatest_intensity(emitter) * by_law(emitter, nearest)
-                                        : HUGE_VAL;
-    rest->straight += e_perp * (1 + 1e-9);
-    rest->by_cosine += e_perp * (1 + 1e-9) * fmin(radius > 0 ? cosine * distance / fmax(nearest, DBL_MIN) : cosine, 1);
-}
-
-/* Whether light falls with the square of the distance, far away at least. */
-static bool falls_by_square(const struct lx_emitter *emitter, double *share)
-{
-    *share = emitter->attenuation == LX_POLYNOMIAL ? 1 / emitter->coefficients[2] : 1;
-    return emitter->attenuation == LX_INVERSE_SQUARE ||
-           (emitter->attenuation == LX_POLYNOMIAL && emitter->coefficients[2] > 0);
-}
-
-/*
- * Adds what comes by ways over more mirrors than are known one by one.  Between two facing planes at the distance g a
- * way over n of their mirrors is (n - 1) g long at least; of ways that the other planes, at right angles to them, take
- * part in, there are 2^o images at each of the two ends, o the number of those planes, and each image lights an element
- * by one way at most.  The cosine of incidence is no more than |N.a| + b/d, a the axis of the two planes, b how far the
- * image is off along all of the others.
- */
-static void add_endless(const struct lx_prepared *prepared, const struct lx_element *element,
-                        const struct lx_emitter *emitter, struct rest *rest)
-{
-    const struct lx_mirrors *mirrors = &prepared->mirrors;
-    const double gap = mirrors->pair_gap_mm, images = 2 << mirrors->other_planes;
-    double place[3], normal[3], towards[3], share = 1;
-    lx_values3(element->place_mm, place);
-    lx_values3(element->normal, normal);
-    lx_values3(emitter->towards, towards);
-    if (gap > 0 && lx_is_endless(emitter)) {
-        const double along = fabs(lx_dot(towards, mirrors->pair_axis)), aside = sqrt(fmax(1 - along * along, 0));
-        const double least = (double)mirrors->deepest - mirrors->other_planes;
-        if (least * gap * aside > (double)(1 << mirrors->other_planes) * mirrors->pair_size_mm * along)
-            return; /* after so many mirrors it has left them */
-    }
-    const double first = (double)mirrors->deepest - mirrors->other_planes; /* n - 1 of the first of these ways */
-    if (!(gap > 0) || !lx_has_place(emitter) || !falls_by_square(emitter, &share) || !(first >= 1)) {
-        rest->straight = rest->by_cosine = HUGE_VAL;
-        return;
-    }
-    const double radius = lx_is_extended(emitter) ? lx_emitter_radius(emitter) : 0;
-    const double *at = lx_is_extended(emitter) ? lx_emitter_center(emitter) : emitter->position_mm;
-    double off = lx_distance(at, place) + radius;
-    for (size_t m = 0; m < mirrors->count && mirrors->other_planes > 0; m++) {
-        const double *anchor = prepared->surfaces[mirrors->surfaces[m]].shape.anchor_mm;
-        off += lx_distance(at, anchor) + lx_distance(place, anchor);
-    }
-    /* the sums of 1/n^2 and 1/n^3 from the first on */
-    const double squares = 1 / (first * first) + 1 / first, cubes = 1 / pow(first, 3) + 1 / (2 * first * first);
-    const double gap_m = gap / 1000, strength = images * greatest_intensity(emitter) * share / (gap_m * gap_m);
-    const double tilt = fabs(lx_dot(normal, mirrors->pair_axis)) + 1e-12;
-    rest->straight += strength * squares;
-    rest->by_cosine += strength * fmin(tilt * squares + off / gap * cubes, squares);
-}
-
-/* No highlight, times its weight, makes more of light than this. */
-static double greatest_highlight(const struct lx_lobe *lobe)
-{
-    if (!lx_lobe_shines(lobe))
-        return 0;
-    const double most = lx_lobe_kind_of(lobe)->power ? 1 : 0.5 / (lobe->own[2] * lobe->own[2] * lobe->own[2]);
-    return (lobe->specular.value + lobe->specular.error) * most;
-}
-
-/* Of a rough surface D N.L is below 3: Oren and Nayar's is below 1.5, EON's below 2 but for what its slopes send on to
- * each other, which is below 1. */
-static double greatest_diffuse(const struct lx_lobe *lobe, const struct rest *rest)
-{
-    const double diffuse = lobe->diffuse.value + lobe->diffuse.error;
-    return diffuse > 0 ? diffuse * (lx_lobe_is_rough(lobe) ? 3 * rest->straight : rest->by_cosine) : 0;
-}
-
-/* Cuts a polygon in room for MOST_SEEN corners to where n.(x - place) >= -room. */
-enum { MOST_SEEN = 512 };
-static unsigned cut_seen(double corners[][3], unsigned count, const double n[3], const double place[3], double room)
-{
-    double kept[MOST_SEEN][3];
-    unsigned made = 0;
-    for (unsigned i = 0; i < count && made + 2 <= MOST_SEEN; i++) {
-        const double *a = corners[i], *b = corners[(i + 1) % count];
-        double at = room, then = room;
-        for (int k = 0; k < 3; k++) {
-            at += n[k] * (a[k] - place[k]);
-            then += n[k] * (b[k] - place[k]);
-        }
-        if (at >= 0)
-            memcpy(kept[made++], a, sizeof kept[0]);
-        if ((at < 0) == (then < 0))
-            continue;
-        for (int k = 0; k < 3; k++)
-            kept[made][k] = a[k] + at / (at - then) * (b[k] - a[k]);
-        made++;
-    }
-    memcpy(corners, kept, made * sizeof kept[0]);
-    return made;
-}
-
-/* Whether an element may see anything through all mirrors of a way. */
-static bool may_see_through(const struct lx_mirror_way *way, const struct lx_element *element)
-{
-    const struct lx_element image = lx_mirrored_element(way, element);
-    const struct lx_aperture *last = &way->apertures[way->count - 1];
-    double seen[MOST_SEEN][3], place[3], normal[3];
-    unsigned count = last->count;
-    lx_values3(image.place_mm, place);
-    lx_values3(image.normal, normal);
-    const double room = 1e-9 * (fabs(last->height_mm) + lx_distance(last->corners_mm[0], place));
-    memcpy(seen, last->corners_mm, count * sizeof seen[0]);
-    if (!lx_lobe_reaches_below(element->lobe))
-        count = cut_seen(seen, count, normal, place, room);
-    for (unsigned j = 0; j < way->count && count > 0; j++) {
-        const struct lx_aperture *aperture = &way->apertures[j];
-        const double height = aperture->height_mm - lx_dot(aperture->normal, place);
-        if (height < -room)
-            return false;
-        for (unsigned i = 0; i < aperture->count && j + 1 < way->count && height > room && count > 0; i++) {
-            double inwards[3];
-            inwards_of(aperture, i, place, inwards);
-            count = cut_seen(seen, count, inwards, place, room);
-        }
-    }
-    return count > 0;
-}
-
-/* Whether an element may see anything over more mirrors than ways are known of. */
-static bool may_see_beyond(const struct lx_prepared *prepared, const struct lx_element *element)
-{
-    const struct lx_mirrors *mirrors = &prepared->mirrors;
-    for (size_t i = mirrors->way_count; i > 0 && mirrors->ways[i - 1].count == mirrors->deepest; i--)
-        if (element->own != &prepared->surfaces[mirrors->ways[i - 1].surface] &&
-            may_see_through(&mirrors->ways[i - 1], element))
-            return true;
-    return false;
-}
-
-/* Adds to the errors what comes over more mirrors than are counted. */
-static void add_rest(const struct lx_prepared *prepared, const struct lx_element *element,
-                     const struct lx_emitter *emitter, struct lx_lighting *lighting)
-{
-    const struct lx_mirrors *mirrors = &prepared->mirrors;
-    struct rest rest = {0, 0};
-    for (size_t i = mirrors->computed; i < mirrors->way_count; i++)
-        if (element->own != &prepared->surfaces[mirrors->ways[i].surface])
-            add_way(&mirrors->ways[i], element, emitter, &rest);
-    if (!mirrors->ends && may_see_beyond(prepared, element))
-        add_endless(prepared, element, emitter, &rest);
-    const double highlight = greatest_highlight(element->lobe);
-    lighting->irradiance.error += rest.by_cosine;
-    lighting->diffuse.error += greatest_diffuse(element->lobe, &rest);
-    lighting->specular.error += highlight > 0 ? highlight * rest.straight : 0;
 }
 
 void lx_add_images(const struct lx_prepared *prepared, const struct lx_element *element,
@@ -636,5 +398,5 @@ void lx_add_images(const struct lx_prepared *prepared, const struct lx_element *
         lighting->specular = lx_add(lighting->specular, image.specular);
         lighting->parts += image.parts;
     }
-    add_rest(prepared, element, emitter, lighting);
+    lx_add_rest(prepared, element, emitter, lighting);
 }

@@ -13,4 +13,8 @@
 void lx_add_images(const struct lx_prepared *prepared, const struct lx_element *element,
                    const struct lx_emitter *emitter, struct lx_lighting *lighting);
 
+/* Adds to its errors what may come over more mirrors than are counted; the other of the two does so. */
+void lx_add_rest(const struct lx_prepared *prepared, const struct lx_element *element, const struct lx_emitter *emitter,
+                 struct lx_lighting *lighting);
+
 #endif

@@ -14,12 +14,12 @@
 #include "camera.h"
 
 enum {
-    MOST_WAYS = 20000,          /* to be computed */
-    MOST_SHAPES = 400000,       /* carried by all of them */
-    MOST_DEEPER = 512,          /* ways that bounds know one by one, */
-    DEEPER = 16,                /* over so many mirrors more */
-    MOST_CORNERS = 4 + 2 * 80,  /* of an aperture: each plane adds one */
-    MOST_SIGHTS = 10000,        /* mirrors that a sight is followed over */
+    MOST_WAYS = 20000,         /* to be computed */
+    MOST_SHAPES = 400000,      /* carried by all of them */
+    MOST_DEEPER = 512,         /* ways that bounds know one by one, */
+    DEEPER = 16,               /* over so many mirrors more */
+    MOST_CORNERS = 4 + 2 * 80, /* of an aperture: each plane adds one */
+    MOST_SIGHTS = 10000,       /* mirrors that a sight is followed over */
 };
 
 /* What of an aperture is no wider than this share of its size is none: planes that are the same but for rounding. */
@@ -71,7 +71,7 @@ static struct lx_aperture whole_aperture(const struct lx_shape *plate, double (*
 static int make_apertures(const struct lx_prepared *prepared, struct lx_mirror_way *way)
 {
     const struct lx_mirror_way *rest = lx_rest_of(prepared, way);
-    double (*room)[3] = lx_new_array((size_t)way->count * MOST_CORNERS, sizeof *room);
+    double(*room)[3] = lx_new_array((size_t)way->count * MOST_CORNERS, sizeof *room);
     struct lx_aperture *made = lx_new_array(way->count, sizeof *made);
     struct lx_shape plate = prepared->surfaces[way->surface].shape;
     bool is_open = room && made;
@@ -105,6 +105,30 @@ static int make_apertures(const struct lx_prepared *prepared, struct lx_mirror_w
     else
         free(made);
     return failed ? -1 : is_open;
+}
+
+void lx_aperture_middle(const struct lx_aperture *aperture, double middle[3])
+{
+    middle[0] = middle[1] = middle[2] = 0;
+    for (unsigned i = 0; i < aperture->count; i++)
+        for (int k = 0; k < 3; k++)
+            middle[k] += aperture->corners_mm[i][k] / aperture->count;
+}
+
+void lx_aperture_inwards(const struct lx_aperture *aperture, unsigned i, const double place[3], double inwards[3])
+{
+    double a[3], b[3], middle[3];
+    lx_aperture_middle(aperture, middle);
+    for (int k = 0; k < 3; k++) {
+        a[k] = aperture->corners_mm[i][k] - place[k];
+        b[k] = aperture->corners_mm[(i + 1) % aperture->count][k] - place[k];
+        middle[k] -= place[k];
+    }
+    lx_cross(a, b, inwards);
+    lx_normalize(inwards);
+    const double sign = lx_dot(inwards, middle) < 0 ? -1 : 1;
+    for (int k = 0; k < 3; k++)
+        inwards[k] *= sign;
 }
 
 /* ---- ways ---- */
@@ -220,7 +244,8 @@ enum lx_mirror_side lx_side_of_mirror(const struct lx_prepared *prepared, size_t
 static enum lx_mirror_side side_of(const struct lx_prepared_surface *surface, const struct lx_shape *plate)
 {
     const double back[3] = {-plate->axis[0], -plate->axis[1], -plate->axis[2]};
-    const double height = lx_dot(plate->axis, plate->anchor_mm), room = plate->touch_mm + lx_shape_room(&surface->shape);
+    const double height = lx_dot(plate->axis, plate->anchor_mm);
+    const double room = plate->touch_mm + lx_shape_room(&surface->shape);
     const double high = lx_surface_farthest(surface->kind, surface->parameters, plate->axis) - height;
     const double low = -lx_surface_farthest(surface->kind, surface->parameters, back) - height;
     return low >= -room ? LX_BEFORE_MIRROR : high <= room ? LX_BEHIND_MIRROR : LX_ACROSS_MIRROR;
@@ -261,7 +286,8 @@ static void find_pair(struct lx_prepared *prepared)
         }
     for (size_t i = 0; i < mirrors->count && mirrors->pair_gap_mm > 0; i++) {
         const struct lx_shape *plate = &prepared->surfaces[mirrors->surfaces[i]].shape;
-        const double *n = plate->axis, height = lx_dot(n, plate->anchor_mm), room = SAME * (plate->radius_mm + fabs(height));
+        const double *n = plate->axis, height = lx_dot(n, plate->anchor_mm);
+        const double room = SAME * (plate->radius_mm + fabs(height));
         const double cosine = lx_dot(n, mirrors->pair_axis), along = lx_dot(mirrors->pair_axis, plate->anchor_mm);
         bool is_known = false;
         for (int k = 0; k < 2; k++)
@@ -323,8 +349,8 @@ void lx_mirrors_clear(struct lx_mirrors *mirrors)
 static lx_bounded carry_component(const struct lx_frame *frame, int i, const double carried[3], lx_bounded3 place)
 {
     const lx_bounded3 *axis = &frame->rounded[i];
-    const double inherited = fabs(axis->x.value) * place.x.error + fabs(axis->y.value) * place.y.error +
-                             fabs(axis->z.value) * place.z.error;
+    const double inherited =
+        fabs(axis->x.value) * place.x.error + fabs(axis->y.value) * place.y.error + fabs(axis->z.value) * place.z.error;
     double size = fabs(carried[i]);
     for (int k = 0; k < 3; k++)
         size += fabs(frame->origin_mm[k]);
@@ -402,8 +428,8 @@ bool lx_sight_meets(const struct lx_prepared *prepared, struct lx_ray ray, lx_bo
     struct lx_hit hit;
     const unsigned before = mirrors;
     while ((surface = meet_nearest(prepared, &ray, &hit)) != NULL) {
-        *element = (struct lx_element){
-            .place_mm = hit.place_mm, .normal = hit.normal, .lobe = &surface->lobe, .own = surface};
+        *element =
+            (struct lx_element){.place_mm = hit.place_mm, .normal = hit.normal, .lobe = &surface->lobe, .own = surface};
         if (!surface->is_mirror)
             break;
         eye = is_endless ? mirror_direction(&surface->shape, eye) : mirror_place(&surface->shape, eye);
@@ -417,6 +443,7 @@ bool lx_sight_meets(const struct lx_prepared *prepared, struct lx_ray ray, lx_bo
         element->view = lx_view_from(&prepared->camera, element->place_mm);
         return true;
     }
+    element->mirrors = mirrors;
     element->view = is_endless ? eye : lx_unit3(lx_sub3(eye, element->place_mm));
     if (!surface)
         element->shown = LX_SHOWN_NOTHING;

@@ -58,6 +58,11 @@ static inline const struct lx_shape *lx_mirrored_shape(const struct lx_prepared 
 int lx_mirrors_make(struct lx_prepared *prepared, unsigned most, const struct lx_prepared *from);
 void lx_mirrors_clear(struct lx_mirrors *mirrors);
 
+/* The middle of an aperture's corners; the unit normal of the plane through a place and edge i, which looks to the side
+ * of the aperture, 0 where there is no such plane. */
+void lx_aperture_middle(const struct lx_aperture *aperture, double middle_mm[3]);
+void lx_aperture_inwards(const struct lx_aperture *aperture, unsigned i, const double place_mm[3], double inwards[3]);
+
 /* How a surface stands to a mirror's plane. */
 enum lx_mirror_side { LX_BEFORE_MIRROR, LX_BEHIND_MIRROR, LX_ACROSS_MIRROR };
 enum lx_mirror_side lx_side_of_mirror(const struct lx_prepared *prepared, size_t surface, size_t mirror);
