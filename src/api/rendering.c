@@ -311,6 +311,13 @@ static void finish_statistics(struct lx_rendering *rendering)
     *statistics = lx_tally_finish(&rendering->tally);
     if (rendering->reaching.is_plain)
         statistics->minimum_reached = statistics->minimum;
+    const struct lx_mirrors *mirrors = &rendering->session->prepared.mirrors;
+    if (mirrors->way_count > mirrors->computed) {
+        char most[LX_NUMBER_SIZE];
+        lx_report(rendering->diagnostics, LUXEL_SEVERITY_ADVICE, NULL, LX_MSG_PICTURE_OF_MIRRORS,
+                  LX_ARGS(lx_write_number(rendering->session->prepared.scene->mirrors, most)));
+        lx_hint(rendering->diagnostics, LX_MSG_HINT_MORE_MIRRORS, NULL);
+    }
     if (!rendering->session->world.reflected)
         return;
     const double maximum = statistics->maximum.exists ? statistics->maximum.value : 0;
