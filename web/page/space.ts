@@ -22,12 +22,18 @@ const GLOWING = 60; // lights that have a glow
 const NAMED = 8; // lights that are called by their names
 const ROOM = 18; // pixels between the edge and a lamp that is beyond it
 const FLIGHT = 420; // milliseconds
+const CELL = [18, 15]; // pixels that a number of a cell takes, of its width the half
+const TURN = 0.008; // radians by a pixel of a hand's way
 const FAR_OFF = 8; // of the camera of an observer who looks along parallel lines, in sizes of the screen
 
 export class SpaceView {
     readonly canvas = h('canvas', { tabindex: 0, class: 'space', role: 'application' });
     selected: Thing | null = null;
     probe: Probe | null = null;
+    /** The place that a task asks about. */
+    asked: number[] | null = null;
+    /** Numbers that stand at places, as those of measuring grids. */
+    cells: { at: Place; text: string }[] = [];
     onSelect: (thing: Thing | null) => void = () => undefined;
     onSide: (side: Side) => void = () => undefined;
     /** Told a place on a body that the hand points at, and where that is on the canvas; null: on no body. */
@@ -55,7 +61,7 @@ export class SpaceView {
         followPointer(
             this.canvas,
             (x, y, event) => this.begin(x, y, event),
-            (factor, x, y, dx, dy) => this.pinch(factor, x, y, dx, dy),
+            (factor, x, y, dx, dy) => this.twoFingers(factor, x, y, dx, dy),
             true,
         );
         this.canvas.addEventListener('keydown', (event) => this.key(event));
@@ -100,6 +106,7 @@ export class SpaceView {
         this.stage.clear();
         this.probe = null;
         this.selected = null;
+        this.cells = [];
         this.draw();
     }
 
@@ -214,6 +221,8 @@ export class SpaceView {
         const lights = this.model.shapes.filter(({ kind }) => kind === 'light');
         for (const shape of lights) this.drawLight(drawing, shape, lights.length <= FILLED);
         this.drawProbe(drawing);
+        this.drawAsked(drawing);
+        this.drawCells(drawing);
         for (const thing of this.model.things) if (thing.kind !== 'light') this.drawThing(drawing, thing);
         const lamps = this.model.things.filter(({ kind }) => kind === 'light');
         for (const lamp of lamps) this.drawLamp(drawing, lamp, lamps.length <= NAMED);
@@ -370,6 +379,41 @@ export class SpaceView {
         context.lineWidth = 1;
     }
 
+    private drawCells(drawing: Drawing) {
+        const { context } = drawing;
+        context.font = '600 11px system-ui, sans-serif';
+        context.textAlign = 'center';
+        context.textBaseline = 'middle';
+        // Those that would lie on others are left out until the view is near enough.
+        const taken = new Set<string>();
+        for (const { at, text } of this.cells) {
+            const [x, y] = drawing.seen(at);
+            const spots = [-1, 0, 1].map((aside) => [Math.round(x / CELL[0]) + aside, Math.round(y / CELL[1])].join());
+            if (spots.some((spot) => taken.has(spot))) continue;
+            taken.add(spots[1]);
+            context.globalAlpha = drawing.isHidden(at) ? 0.35 : 1;
+            drawing.words(text, x, y);
+        }
+        context.globalAlpha = 1;
+    }
+
+    private drawAsked(drawing: Drawing) {
+        if (!this.asked) return;
+        const { context } = drawing;
+        const [x, y] = drawing.seen(this.asked);
+        context.beginPath();
+        context.arc(x, y, 4, 0, 2 * Math.PI);
+        context.fillStyle = '#fff';
+        context.fill();
+        context.lineWidth = 1.5;
+        context.strokeStyle = '#202226';
+        context.stroke();
+        context.font = '600 13px system-ui, sans-serif';
+        context.textAlign = 'left';
+        context.textBaseline = 'bottom';
+        drawing.words('P', x + 6, y - 4);
+    }
+
     // A lamp glows; beyond the edge it stands at the edge, and a plumb line tells how high it is.
     private drawLamp(drawing: Drawing, thing: Thing, isNamed: boolean) {
         const { context, view } = drawing;
@@ -451,7 +495,7 @@ export class SpaceView {
         let least = NEAR;
         // Lamps and aims before the places that they aim at.
         const order = ['light', 'direction', 'aim', 'observer', 'surface'];
-        for (const thing of [...this.model.things].sort((a, b) => order.indexOf(a.kind) - order.indexOf(b.kind))) {
+        for (const thing of this.model.things.filter((each) => !this.model.isFixed(each)).sort((a, b) => order.indexOf(a.kind) - order.indexOf(b.kind))) {
             const [tx, ty] = thing.kind === 'light' ? this.markPlace(thing) : this.seen(thing.at);
             const distance = Math.hypot(tx - x, ty - y);
             // A body is dragged at its middle where it was chosen before.
@@ -466,7 +510,8 @@ export class SpaceView {
 
     private begin(x: number, y: number, event: PointerEvent): Action {
         const thing = event.shiftKey || event.button === 2 ? null : this.thingAt(x, y);
-        if (!thing) return event.button === 2 ? this.beginPan(x, y) : this.beginOrbit(x, y);
+        if (!thing && event.button === 2) return this.beginPan(x, y);
+        if (!thing) return event.pointerType === 'touch' && this.placeAt(x, y) ? this.beginPointing(x, y) : this.beginOrbit(x, y);
         this.select(thing);
         const drag = new Drag(this.model, thing);
         const { view } = this;
@@ -488,18 +533,32 @@ export class SpaceView {
         return { move, end: () => undefined };
     }
 
+    // A finger on a body asks for the value under it; elsewhere it turns the view.
+    private beginPointing(x: number, y: number): Action {
+        const move = (nx: number, ny: number) => {
+            const place = this.placeAt(nx, ny);
+            if (place) this.onPlace(place, nx, ny);
+        };
+        move(x, y);
+        return { move, end: (moved) => void (moved || this.select(null)) };
+    }
+
     private beginOrbit(x: number, y: number): Action {
         if (this.side !== 'orbit') {
             const pan = this.beginPan(x, y);
             return { move: pan.move, end: (moved) => void (moved || this.press(x, y)) };
         }
-        const { turn, tilt } = this;
+        let last: [number, number] = [x, y];
         const move = (nx: number, ny: number) => {
-            this.turn = turn - (nx - x) * 0.008;
-            this.tilt = Math.max(0.02, Math.min(Math.PI - 0.02, tilt - (ny - y) * 0.008));
-            this.draw();
+            this.turnBy(nx - last[0], ny - last[1]);
+            last = [nx, ny];
         };
         return { move, end: (moved: boolean) => void (moved || this.press(x, y)) };
+    }
+
+    private turnBy(dx: number, dy: number) {
+        this.turned = [this.turn - dx * TURN, this.tilt - dy * TURN];
+        this.draw();
     }
 
     // A press on a body tells its place; on nothing it selects nothing.
@@ -562,7 +621,14 @@ export class SpaceView {
         this.pinch(Math.exp(-event.deltaY * 0.001), event.clientX - left, event.clientY - top, 0, 0);
     }
 
-    // Two fingers zoom around the point between them, and move it.
+    // Two fingers zoom around the point between them, and turn the view; a plan they move.
+    private twoFingers(factor: number, x: number, y: number, dx: number, dy: number) {
+        if (this.side !== 'orbit') return this.pinch(factor, x, y, dx, dy);
+        this.pinch(factor, x, y, 0, 0);
+        this.turnBy(dx, dy);
+    }
+
+    // Zooms around a point, and moves it.
     private pinch(factor: number, x: number, y: number, dx: number, dy: number) {
         const { width, height } = this.canvas.getBoundingClientRect();
         const [right, up] = this.axes();
