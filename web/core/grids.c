@@ -58,15 +58,6 @@ static void answer_grid(const luxel_grid *grid)
         answer_key("ud");
         answer_number(grid->ud);
     }
-    if (grid->has_mean)
-        answer_amount("mean", grid->mean.value, grid->mean.error);
-    if (grid->has_mean && grid->flux_unit) {
-        answer_amount("flux", grid->flux.value, grid->flux.error);
-        answer_key("flux_unit");
-        answer_string(page_translate(grid->flux_unit, NULL));
-    }
-    answer_key("coarse");
-    answer_bool(grid->is_coarse);
     answer_close('}');
 }
 
@@ -81,7 +72,7 @@ PAGE_CALLS(page_grids) const char *page_grids(void)
     answer_open('[');
     for (size_t i = 0; i < count && status == LUXEL_OK; i++) {
         luxel_grid *grid = NULL;
-        status = luxel_find_grid(scene, &settings, i, fresh_diagnostics(), &grid);
+        status = luxel_find_grid_values(scene, &settings, i, fresh_diagnostics(), &grid);
         if (status == LUXEL_OK)
             answer_grid(grid);
         luxel_grid_free(grid);

@@ -105,10 +105,6 @@ export interface Grid {
     maximum: GridExtremum;
     u0?: number;
     ud?: number;
-    mean?: Amount;
-    flux?: Amount;
-    flux_unit?: string;
-    coarse: boolean; // finer cells are needed
 }
 
 export interface LightFacts {

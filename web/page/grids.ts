@@ -74,8 +74,6 @@ export class GridsPanel {
                   [t('maximum'), number(grid.maximum.value, 5)],
                   ['U₀', grid.u0 === undefined ? '—' : number(grid.u0, 4)],
                   ['U_d', grid.ud === undefined ? '—' : number(grid.ud, 4)],
-                  ...(grid.mean ? [[t('mean of the plane'), amount(grid.mean)] as [string, string]] : []),
-                  ...(grid.flux ? [[`Φ, ${grid.flux_unit}`, amount(grid.flux)] as [string, string]] : []),
               ]
             : [];
         const lines = Array.from({ length: rows }, (_, row) =>
@@ -96,7 +94,7 @@ export class GridsPanel {
                 h('caption', {}, title),
                 h('tbody', {}, ...facts.map(([key, value]) => h('tr', {}, h('th', { scope: 'row' }, key), h('td', { class: 'amount' }, value)))),
             ),
-            h('div', {}, grid.coarse && h('p', { class: 'dim' }, t('The light varies over the cells: finer ones are needed.')), h('table', { class: 'cells' }, h('tbody', {}, ...lines))),
+            h('table', { class: 'cells' }, h('tbody', {}, ...lines)),
         );
     }
 }

@@ -224,7 +224,7 @@ class Page {
         };
         this.space.onPlace = (place, x, y) => void this.pointInSpace(place, x, y);
         this.layout.onLook = (camera, go) => this.fly(camera, go);
-        this.layout.onTab = () => this.text.number();
+        this.layout.onTab = () => this.text.textChanged();
         this.layout.onCamera = () => this.cameraChanged();
         this.picture.onPaint = () => this.space.draw();
         this.picture.onWhy = () => this.why();

@@ -2,7 +2,7 @@
 // The space view: bodies in their light, which the core computes as a camera sees them from any side; lamps, panels, cones,
 // aims, observer and screen over them, hidden where bodies stand before them; and all of it grabbed.
 import type { Probe } from './core';
-import { faded, fitted, h, lightColour, numberMark, styleColour } from './dom';
+import { faded, fitted, h, lightColour, numberMark, sizeOf, styleColour } from './dom';
 import { nextOf } from './choosing';
 import { Drag, followPointer, type Action } from './drag';
 import type { Model, Shape, Thing } from './model';
@@ -139,7 +139,7 @@ export class SpaceView {
 
     // Takes as much of the stage as there is for places, clear of what stands on it.
     private fill(places: number[][]) {
-        const { width, height } = this.canvas.getBoundingClientRect();
+        const { width, height } = sizeOf(this.canvas);
         if (width < 200 || height < 150) return;
         const isNarrow = width < 700;
         const room = { left: 24, right: isNarrow ? 84 : 88, top: isNarrow ? 84 : 64, low: isNarrow ? 64 : 56 };
@@ -173,14 +173,14 @@ export class SpaceView {
     }
 
     private factor(): number {
-        const { width, height } = this.canvas.getBoundingClientRect();
+        const { width, height } = sizeOf(this.canvas);
         return (0.45 * this.scale * this.zoom * Math.min(width, height)) / this.reach;
     }
 
     /** The camera: that of the side and zoom that were chosen, or on its way. */
     private wanted(): View {
         if (this.flight) return this.flight;
-        const { width, height } = this.canvas.getBoundingClientRect();
+        const { width, height } = sizeOf(this.canvas);
         const [right, up, back] = this.axes();
         const distance = FAR * this.reach;
         const eye = add(this.center, back, distance);
@@ -630,7 +630,7 @@ export class SpaceView {
 
     // Zooms around a point, and moves it.
     private pinch(factor: number, x: number, y: number, dx: number, dy: number) {
-        const { width, height } = this.canvas.getBoundingClientRect();
+        const { width, height } = sizeOf(this.canvas);
         const [right, up] = this.axes();
         const before = this.factor();
         this.zoomBy(factor);
@@ -680,7 +680,7 @@ export class SpaceView {
     observerView(factor: number, aside: number): View | null {
         const { whole } = this.model;
         if (!whole) return null;
-        const { width, height } = this.canvas.getBoundingClientRect();
+        const { width, height } = sizeOf(this.canvas);
         const { corners, middle } = whole.frame;
         const back = unit(whole.frame.axis);
         const [right, up] = [1, 3].map((i) => unit(corners[i].map((c, axis) => c - corners[0][axis])));
