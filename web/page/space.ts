@@ -14,7 +14,8 @@ import { t } from './words';
 
 export type Side = 'orbit' | 'plan' | 'elevation';
 
-const BEGIN = [-0.65, 0.92]; // turn and tilt
+const TURNED = -0.65; // radians that the view begins with
+const TILTS = [0.92, 0.7, 0.5, 0.35]; // from what is up: the first that goes
 const NEAR = 20; // pixels within which a thing is grabbed
 const FAR = 3.2; // of the camera, in reaches of the scene
 const FILLED = 12; // lights of which panels and cones are filled
@@ -40,8 +41,9 @@ export class SpaceView {
     onPlace: (place: Place | null, x: number, y: number) => void = () => undefined;
     side: Side = 'orbit';
     readonly stage: Stage;
-    private turn = BEGIN[0]; // about the axis that is up, radians
-    private tilt = BEGIN[1]; // from that axis
+    private turn = TURNED; // about the axis that is up, radians
+    private tilt = TILTS[0]; // from that axis
+    private firstOf = TILTS[0]; // the tilt that the scene began with
     private zoom = 1;
     private scale = 1; // by which the whole scene fills the stage
     private center: Place = [0, 0, 0];
@@ -79,7 +81,7 @@ export class SpaceView {
 
     /** Turn and tilt of the view; null: as it begins. */
     get turned(): number[] | null {
-        return this.turn === BEGIN[0] && this.tilt === BEGIN[1] ? null : [this.turn, this.tilt];
+        return this.turn === TURNED && this.tilt === this.firstOf ? null : [this.turn, this.tilt];
     }
 
     set turned(value: number[]) {
@@ -116,13 +118,18 @@ export class SpaceView {
         this.draw();
     }
 
+    // Lamps and bodies are taken into view; of a scene without bodies the observer's screen, too.
     private fitNow() {
-        const places = this.model.things.map(({ at }) => at);
+        const places = this.model.things.filter(({ kind }) => kind !== 'observer').map(({ at }) => at);
         const [w, h] = this.model.screen;
-        places.push(...this.model.whole!.frame.corners);
-        for (const { center, radius, size } of this.model.shapes) {
-            // Floors and walls far beyond what is seen of them need not be in sight as a whole.
-            const most = 1.5 * Math.max(w, h);
+        if (!this.model.shapes.some(({ kind }) => kind === 'surface')) places.push(...this.model.whole!.frame.corners);
+        if (!this.turned) this.tilt = this.firstOf = this.firstTilt();
+        const isPlate = ({ kind, type }: Shape) => kind === 'surface' && (type === 'rectangle' || type === 'disk');
+        const hasOthers = this.model.shapes.some((shape) => shape.kind === 'surface' && !isPlate(shape));
+        for (const shape of this.model.shapes) {
+            const { center, radius, size } = shape;
+            // Floors and walls far beyond what is seen of them need not be in sight as a whole, and those under bodies even less.
+            const most = (hasOthers && isPlate(shape) ? 0.45 : 1.5) * Math.max(w, h);
             const flat = Math.max(radius ?? 0, ...(size ?? []).map((each) => each / 2));
             const half = [0, 1, 2].map((axis) => Math.min(size?.length === 3 ? size[axis] / 2 : flat, most));
             for (const corner of [0, 1, 2, 3, 4, 5, 6, 7])
@@ -135,6 +142,24 @@ export class SpaceView {
         this.zoom = this.scale = 1;
         this.isFitted = true;
         this.fill(places);
+    }
+
+    // The tilt to begin with: less where plates whose fronts the observer sees would turn their backs.
+    private firstTilt(): number {
+        const observer = this.model.whole!.frame.axis;
+        const dot = (a: number[], b: number[]) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+        const plates = this.model.shapes.flatMap(({ kind, type, axis = [0, 0, 1] }) =>
+            kind === 'surface' && (type === 'rectangle' || type === 'disk') && dot(axis, observer) > 0 ? [axis] : [],
+        );
+        const before = this.tilt;
+        const isGood = (tilt: number) => {
+            this.tilt = tilt;
+            const [, , eye] = this.axes();
+            return plates.every((axis) => dot(axis, eye) > 0.15);
+        };
+        const found = TILTS.find(isGood) ?? TILTS[0];
+        this.tilt = before;
+        return found;
     }
 
     // Takes as much of the stage as there is for places, clear of what stands on it.
