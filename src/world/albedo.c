@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /*
  * The directional albedo: the diffuse part's has a closed form.  Powers of a cosine are integrated in polar coordinates
- * around the vector that stands still, in which the integral around it has one, too; other lobes in both angles around
- * the normal, in which V is turned by pi, so that the mirrored V lies where panels begin.
+ * around the vector that stands still, in which the integral around it has one, too; facets in polar coordinates around
+ * the normal, which are changed so that their peak is as wide as all else.
  */
 #include "albedo.h"
 
@@ -73,47 +73,69 @@ static double sum_power(const struct lx_lobe *lobe, double n_dot_v)
     return lx_integrate_panels(&integrand, &panels).value;
 }
 
-struct hemisphere {
+/*
+ * Facets, at an angle theta of L to the normal, and psi around it.  With the angle phi around the normal from the
+ * mirrored V on, 1 + L.V = 2 C + S (1 - cos phi), and D has the denominator (P - Q cos phi)^2, where P - Q = u and
+ * P + Q = w.  As tan(phi/2) = sqrt(u/w) tan(psi/2), it is (u w/(w cos^2(psi/2) + u sin^2(psi/2)))^2, without a peak.
+ */
+struct facets {
     const struct lx_lobe *lobe;
-    struct lx_lobe_at at;
-    double slant; /* of V */
-    double cos_turn, sin_turn;
+    double slant, n_dot_v;
+    double c, s, u, w;
 };
 
-/* What L at an angle to the normal gives. */
-static struct lx_point_value by_angle(void *data, size_t interval, double angle)
+/* F (2 (1 + L.V))^2 (w cos^2(psi/2) + u sin^2(psi/2)). */
+static struct lx_point_value by_turn(void *data, size_t interval, double psi)
 {
-    const struct hemisphere *sky = data;
-    const double sine = sin(angle), cosine = cos(angle);
-    const double towards[3] = {sine * sky->cos_turn, sine * sky->sin_turn, cosine};
-    double unused;
+    const struct facets *facets = data;
+    const double cosine = cos(psi / 2), sine = sin(psi / 2), f0 = facets->lobe->own[1];
+    const double spread = facets->w * cosine * cosine + facets->u * sine * sine;
+    const double both = 2 * facets->c + 2 * facets->s * facets->u * sine * sine / spread; /* 1 + L.V */
+    const double versine = fmax(1 - sqrt(both / 2), 0), square = versine * versine;
     (void)interval;
-    const double f = exp(lx_lobe_log(sky->lobe, &sky->at, towards, 0, &unused));
-    return (struct lx_point_value){.value = f * lx_lobe_weight(sky->lobe, cosine) * sine};
+    return (struct lx_point_value){.value = (f0 + (1 - f0) * square * square * versine) * 4 * both * both * spread};
 }
 
-static struct lx_point_value by_turn(void *data, size_t interval, double turn)
+static double share(void *data, const struct lx_integral *integral)
 {
-    struct hemisphere *sky = data;
-    struct lx_panel memory[INNER_PANELS] = {{.from = 0, .to = sky->slant}, {.from = sky->slant, .to = M_PI / 2}};
-    const size_t first = sky->slant > 0 ? (size_t)0 : (size_t)1;
-    struct lx_panels panels = {memory + first, 2 - first, INNER_PANELS - first};
-    const struct lx_integrand integrand = {.at = by_angle, .target = target, .data = sky};
-    (void)interval;
-    sky->cos_turn = cos(turn);
-    sky->sin_turn = sin(turn);
-    return (struct lx_point_value){.value = lx_integrate_panels(&integrand, &panels).value};
+    (void)data;
+    return TOLERANCE * fabs(integral->value);
 }
 
-/* The integral of f w over all L above the horizon. */
-static double sum_lobe(const struct lx_lobe *lobe, double n_dot_v)
+/* What all L at an angle to the normal give: theta = theta_V + 2 atan(a sinh x), over which D has no peak. */
+static struct lx_point_value by_slant(void *data, size_t interval, double x)
 {
-    struct hemisphere sky = {.lobe = lobe, .slant = acos(n_dot_v)};
-    lx_lobe_at_set((const double[]){0, 0, 1}, (const double[]){-sin(sky.slant), 0, n_dot_v}, &sky.at);
-    struct lx_panel memory[OUTER_PANELS] = {{.from = 0, .to = M_PI / 2}, {.from = M_PI / 2, .to = M_PI}};
-    struct lx_panels panels = {memory, 2, OUTER_PANELS};
-    const struct lx_integrand integrand = {.at = by_turn, .target = target, .data = &sky};
-    return 2 * lx_integrate_panels(&integrand, &panels).value;
+    struct facets *facets = data;
+    const double square = facets->lobe->own[0], a = facets->lobe->own[2];
+    const double delta = atan(a * sinh(x)), theta = facets->slant + 2 * delta, mean = facets->slant + delta;
+    const double n_dot_l = fmax(cos(theta), 0), cosine = cos(mean), sine = sin(mean), near = cos(delta);
+    struct lx_panel memory[INNER_PANELS] = {{.from = 0, .to = M_PI}};
+    struct lx_panels panels = {memory, 1, INNER_PANELS};
+    const struct lx_integrand integrand = {.at = by_turn, .target = share, .data = facets, .is_smooth = true};
+    (void)interval;
+    facets->c = cosine * cosine;
+    facets->s = fmax(sin(theta), 0) * sin(facets->slant);
+    facets->u = 4 * facets->c * (sin(delta) * sin(delta) + square * near * near);
+    facets->w = 4 * near * near * (sine * sine + square * facets->c);
+    const double seen_root = sqrt(square + (1 - square) * facets->n_dot_v * facets->n_dot_v);
+    const double lit_root = sqrt(square + (1 - square) * n_dot_l * n_dot_l);
+    const double around = 2 * lx_integrate_panels(&integrand, &panels).value / pow(facets->u * facets->w, 1.5);
+    const double slope = 2 * a * cosh(x) * near * near; /* of theta by x */
+    return (struct lx_point_value){.value = square * n_dot_l /
+                                            (2 * (n_dot_l * seen_root + facets->n_dot_v * lit_root)) * around *
+                                            fmax(sin(theta), 0) * slope};
+}
+
+/* The integral of f w of facets over all L above the horizon. */
+static double sum_facets(const struct lx_lobe *lobe, double n_dot_v)
+{
+    struct facets facets = {.lobe = lobe, .slant = acos(n_dot_v), .n_dot_v = n_dot_v};
+    const double a = lobe->own[2];
+    struct lx_panel memory[OUTER_PANELS] = {
+        {.from = -asinh(tan(facets.slant / 2) / a), .to = asinh(tan(M_PI / 4 - facets.slant / 2) / a)}};
+    struct lx_panels panels = {memory, 1, OUTER_PANELS};
+    const struct lx_integrand integrand = {.at = by_slant, .target = target, .data = &facets, .is_smooth = true};
+    return lx_integrate_panels(&integrand, &panels).value;
 }
 
 double lx_material_albedo(const struct lx_material *material, double n_dot_v)
@@ -130,6 +152,6 @@ double lx_material_albedo(const struct lx_material *material, double n_dot_v)
         albedo *= lx_lobe_kind_of(&rough)->albedo(&rough, n_dot_v);
     }
     if (lx_lobe_shines(&lobe))
-        albedo += lobe.specular.value * (lx_power_lobe_of(lobe.model) ? sum_power : sum_lobe)(&lobe, n_dot_v);
+        albedo += lobe.specular.value * (lx_power_lobe_of(lobe.model) ? sum_power : sum_facets)(&lobe, n_dot_v);
     return albedo;
 }
