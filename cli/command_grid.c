@@ -130,6 +130,8 @@ static void write_extremum(struct json *json, const char *key, const luxel_grid 
     json_number(json, "value", extremum->value);
     json_wholes(json, "cell", (const unsigned[]){extremum->column, extremum->row}, 2);
     json_numbers(json, "position", extremum->position_mm, 3);
+    if (grid->colors)
+        result_write_color(json, &grid->colors[(size_t)extremum->row * grid->columns + extremum->column]);
     json_close(json, '}');
 }
 
@@ -183,6 +185,8 @@ static void write_peak(struct json *json, const char *key, const luxel_grid_peak
     json_number(json, "value", peak->value);
     json_number(json, "error", peak->error);
     json_numbers(json, "position", peak->position_mm, 3);
+    if (peak->color.exists)
+        result_write_color(json, &peak->color);
     json_close(json, '}');
 }
 
@@ -410,6 +414,18 @@ static void print_statistics(const luxel_grid *grid, const luxel_grid_extrema *e
     text_table_print(table, stdout, 2);
 }
 
+static void print_colors(const luxel_grid *grid, const luxel_grid_extrema *extrema)
+{
+    const luxel_color average = average_color(grid);
+    char words[TEXT_SIZE];
+
+    printf(_("  colour of the average: %s\n"), result_color_text(&average, words));
+    if (extrema->minimum.color.exists)
+        printf(_("  colour of the minimum: %s\n"), result_color_text(&extrema->minimum.color, words));
+    if (extrema->maximum.color.exists)
+        printf(_("  colour of the maximum: %s\n"), result_color_text(&extrema->maximum.color, words));
+}
+
 static void print_grid(const luxel_grid *grid, const luxel_grid_extrema *extrema, size_t i)
 {
     const size_t without = (size_t)grid->columns * grid->rows - grid->measured - grid->enclosed;
@@ -419,12 +435,8 @@ static void print_grid(const luxel_grid *grid, const luxel_grid_extrema *extrema
     if (grid->columns <= MOST_COLUMNS && grid->rows <= MOST_ROWS)
         print_values(grid);
     print_statistics(grid, extrema);
-    if (grid->colors && grid->measured > 0) {
-        const luxel_color average = average_color(grid);
-        char words[TEXT_SIZE];
-
-        printf(_("  colour of the average: %s\n"), result_color_text(&average, words));
-    }
+    if (grid->colors && grid->measured > 0)
+        print_colors(grid, extrema);
     if (without > 0)
         printf(ngettext("  %zu cell lies on a source, lights[%zu], and has no value\n",
                         "  %zu cells lie on a source, the first of them on lights[%zu], and have no value\n", without),

@@ -37,11 +37,11 @@ static size_t count_parts(const struct lx_list *surfaces)
     return count;
 }
 
-/* The material in the scene's channel, number `number` of those that may have colours. */
+/* The material in the scene's channel, number `number` of those that may be another one there. */
 static const struct lx_material *in_channel(const struct lx_prepared *prepared, const struct lx_material *material,
                                             size_t number)
 {
-    if (!prepared->colored || !lx_has_color(material))
+    if (!prepared->colored || (prepared->scene->channel <= LX_CHANNELS && !lx_has_color(material)))
         return material;
     prepared->colored[number] = lx_material_in_channel(material, prepared->scene->channel);
     return &prepared->colored[number];
