@@ -299,9 +299,13 @@ static luxel_status rate(const luxel_scene *scene, struct rating *rating, luxel_
     return status == LUXEL_ERROR_MEMORY ? lx_out_of_memory(diagnostics) : status;
 }
 
-/* Each source of an array would have a place of its own in the field of view. */
-static luxel_status refuse_arrays(const struct lx_prepared *prepared, luxel_diagnostics *diagnostics)
+/* Each source of an array would have a place of its own in the field of view, and each image in a mirror. */
+static luxel_status refuse_places(const struct lx_prepared *prepared, luxel_diagnostics *diagnostics)
 {
+    if (prepared->mirrors.count > 0) {
+        lx_report(diagnostics, LUXEL_SEVERITY_ERROR, NULL, LX_MSG_GLARE_OF_MIRRORS, NULL);
+        return LUXEL_ERROR_SCENE;
+    }
     const struct lx_list *lights = &prepared->scene->lights;
     for (size_t i = 0; i < lights->count; i++)
         if (prepared->on[i] && lx_light_places(&lights->items[i]) > 1) {
@@ -325,7 +329,7 @@ luxel_status luxel_find_glare(const luxel_scene *scene, const luxel_settings *se
         return status;
     status = lx_session_open_world(scene, settings, diagnostics, &session);
     if (status == LUXEL_OK)
-        status = refuse_arrays(&session.prepared, diagnostics);
+        status = refuse_places(&session.prepared, diagnostics);
     if (status == LUXEL_OK && !open_eye(session.prepared.scene, sight, &rating.eye)) {
         lx_report(diagnostics, LUXEL_SEVERITY_ERROR, NULL, LX_MSG_MISSING_ARGUMENT, LX_ARGS("sight"));
         status = LUXEL_ERROR_ARGUMENT;

@@ -85,6 +85,7 @@ struct lx_scene_parameters {
     int channels;                          /* enum lx_channels */
     int shadows;                           /* enum lx_shadows */
     struct lx_choice_or_whole reflections; /* enum lx_reflections, or the number of bounces */
+    unsigned mirrors;                      /* how many in a row are counted */
     struct lx_screen screen;
     struct lx_observer observer;
     struct lx_list surfaces; /* variants are lx_surface_kind, common lx_surface_common */

@@ -343,6 +343,16 @@ static const struct lx_parameter scene_parameters[] = {
             "physical laws of attenuation",
     },
     {
+        .name = "mirrors",
+        .label = "Mirrors in a row",
+        .type = LX_WHOLE,
+        .offset = offsetof(struct lx_scene_parameters, mirrors),
+        .initial = "4",
+        .legal = LX_BETWEEN(1, 64),
+        .advised = {LX_BETWEEN(1, 8)},
+        .meaning = "how many mirrors in a row light and sights are followed by; what more of them give is in the bound",
+    },
+    {
         .name = "screen",
         .label = "Screen",
         .type = LX_GROUP,
