@@ -19,8 +19,8 @@
 #include "../base/phrase.h"
 #include "../base/vector.h"
 #include "../light/array.h"
-#include "../scene/observer.h"
 #include "../scene/colours.h"
+#include "../scene/observer.h"
 #include "../scene/scene.h"
 #include "../world/evaluate.h"
 #include "glare_light.h"
@@ -254,7 +254,7 @@ static luxel_status rate(struct rating *rating, luxel_diagnostics *diagnostics)
 {
     const luxel_settings *settings = &rating->session->settings;
     struct lx_control control = {.rows = 1, .progress = settings->progress, .data = settings->progress_data};
-    const struct lx_reflecting reflecting = {&control, 1, ask_eye, take_reflected, rating, NULL, NULL};
+    const struct lx_reflecting reflecting = {&control, 1, ask_eye, take_reflected, rating, NULL, NULL, NULL};
     luxel_status status = rate_lights(rating);
     if (status == LUXEL_OK && lx_wants_reflections(rating->session->prepared.scene))
         status = lx_reflect_places(rating->session, &reflecting, false, diagnostics);
