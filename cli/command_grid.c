@@ -11,6 +11,7 @@
 #include <luxel/luxel.h>
 
 #include "cli.h"
+#include "grid_measure.h"
 #include "json.h"
 #include "load.h"
 #include "message.h"
@@ -229,6 +230,7 @@ static void write_grid(struct json *json, const luxel_grid *grid, const luxel_gr
     json_numbers(json, "axis", grid->axis, 3);
     json_numbers(json, "up", grid->up, 3);
     json_wholes(json, "n", (const unsigned[]){grid->columns, grid->rows}, 2);
+    grid_measure_write(json, grid);
     write_number_if(json, "average", measured, grid->average.value);
     write_extremum(json, "minimum", grid, &grid->minimum);
     write_extremum(json, "maximum", grid, &grid->maximum);
@@ -301,6 +303,7 @@ static void print_plane(const luxel_grid *grid)
            text_lengths(grid->center_mm, 3, center));
     printf(_("  normal (%.6g, %.6g, %.6g), up (%.6g, %.6g, %.6g)\n\n"), axis[0] + 0.0, axis[1] + 0.0, axis[2] + 0.0,
            up[0] + 0.0, up[1] + 0.0, up[2] + 0.0);
+    grid_measure_print(grid);
 }
 
 /* The values as the plane is seen from its front, with the numbers of the columns above and of the rows at the left. */
@@ -403,6 +406,7 @@ static void print_statistics(const luxel_grid *grid, const luxel_grid_extrema *e
                                      measured ? text_error(grid->error, error) : _("none"), "", ""));
     add_number(table, _("U0 = minimum / average of the values"), grid->has_evenness, grid->u0);
     add_number(table, _("Ud = minimum / maximum of the values"), grid->has_evenness, grid->ud);
+    grid_measure_add(table, grid);
     if (grid->has_mean)
         add_bounded(table, _("mean over the plane, whatever its cells"), grid->mean.value, grid->mean.error);
     if (grid->flux_unit) {

@@ -19,6 +19,7 @@
 #include "../base/phrase.h"
 #include "../base/vector.h"
 #include "../light/array.h"
+#include "../scene/colours.h"
 #include "../scene/observer.h"
 #include "../scene/scene.h"
 #include "../world/evaluate.h"
@@ -237,7 +238,7 @@ static luxel_status reflect(struct rating *rating, luxel_diagnostics *diagnostic
 {
     const luxel_settings *settings = &rating->session->settings;
     struct lx_control control = {.rows = 1, .progress = settings->progress, .data = settings->progress_data};
-    const struct lx_reflecting reflecting = {&control, 1, ask_eye, take_reflected, rating, NULL, NULL};
+    const struct lx_reflecting reflecting = {&control, 1, ask_eye, take_reflected, rating, NULL, NULL, NULL};
     return lx_reflect_places(rating->session, &reflecting, false, diagnostics);
 }
 

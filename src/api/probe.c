@@ -372,8 +372,8 @@ static luxel_status compute(struct probing *probing, struct lx_control *control,
     if (status == LUXEL_OK && lx_wants_reflections(probing->session->prepared.scene))
         status = lx_reflect_places(
             probing->session,
-            &(struct lx_reflecting){probing->control, count, element_of, take_reflected, probing, NULL, NULL}, false,
-            diagnostics);
+            &(struct lx_reflecting){probing->control, count, element_of, take_reflected, probing, NULL, NULL, NULL},
+            false, diagnostics);
     return status == LUXEL_OK ? check_values(list, count, diagnostics) : status;
 }
 

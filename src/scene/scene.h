@@ -61,6 +61,7 @@ struct lx_grid {
     double axis[3], up[3]; /* as of a rectangle: the normal of the elements; along the rows' order */
     unsigned n[2];         /* columns, rows; as the spacing says where they are not given */
     int spacing;
+    int measure; /* enum lx_measure */
 };
 
 /* The keys that every surface and every light has beside those of its kind. */

@@ -4,6 +4,7 @@
 
 #include "../base/number.h"
 #include "../light/light.h"
+#include "../material/measure.h"
 #include "../parameter/check.h"
 #include "../surface/surface.h"
 #include "observer.h"
@@ -234,6 +235,16 @@ static const struct lx_parameter grid_parameters[] = {
         .meaning = "the number of cells by a rule: en12464 makes them at most 0.2 * 5^log10(d) metres wide and high, "
                    "but no more than 10, where d is the longer side in metres, or the shorter one where the longer is "
                    "twice as long or more",
+    },
+    {
+        .name = "measure",
+        .label = "Measure",
+        .type = LX_CHOICE,
+        .offset = offsetof(struct lx_grid, measure),
+        .choices = lx_measure_names,
+        .meaning = "what is measured at the centre of each cell: the illuminance on the plane, or the mean of that on "
+                   "the surface of a small body there: on the side of a cylinder along the axis, on that half of "
+                   "it which faces along up, on a sphere, or on the half of a sphere that looks along the axis",
     },
 };
 
