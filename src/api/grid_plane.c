@@ -53,7 +53,7 @@ static struct lx_point_value reflected_at(void *data, size_t interval, double u)
     struct lx_received received;
     (void)interval;
     lx_place_on_cells(cells, (const double[]){u * cells->size_mm[0], reflection->v * cells->size_mm[1]}, place_mm);
-    lx_elements_begin(&elements, &measuring->lobe, true);
+    lx_elements_begin(&elements, &measuring->measure.lobe, true);
     lx_elements_append_place(&elements, lx_exact3(place_mm), cells->normal, NULL);
     lx_elements_end(&elements);
     lx_world_settle(&measuring->world, &(struct lx_settling){.has_normals = true}, &elements);
@@ -141,7 +141,7 @@ static double sum_of_other(const struct lx_measuring *measuring, struct lx_measu
     struct lx_measuring coarse = {.world = measuring->world,
                                   .control = measuring->control,
                                   .threads = measuring->threads,
-                                  .lobe = measuring->lobe,
+                                  .measure = measuring->measure,
                                   .bodies = measuring->bodies,
                                   .made = other,
                                   .values = lx_new_array(cells, sizeof *coarse.values),

@@ -12,6 +12,7 @@
 #include "../light/distribution.h"
 #include "../light/placed.h"
 #include "../parameter/words.h"
+#include "../scene/colours.h"
 #include "../world/albedo.h"
 #include "../world/camera.h"
 #include "explain.h"
@@ -126,14 +127,37 @@ static void explain_height(const struct lx_steps *steps, const struct lx_surface
     lx_end_formula(steps->document, &text);
 }
 
+static double albedo_of(const struct lx_steps *steps, const struct lx_material *material)
+{
+    return lx_material_albedo(material, lx_dot3(steps->element->normal, steps->element->view).value);
+}
+
+/* What a material of colours reflects in each channel. */
+static void explain_albedos(const struct lx_steps *steps, const struct lx_material *material)
+{
+    char numbers[LX_CHANNELS][LX_NUMBER_SIZE];
+    for (unsigned c = 0; c < LX_CHANNELS; c++) {
+        const struct lx_material seen = lx_material_in_channel(material, c + 1);
+        lx_write_digits(100 * albedo_of(steps, &seen), 4, numbers[c]);
+    }
+    lx_document_paragraph(steps->document,
+                          LX_N("Of light that came from all sides alike the material would send {0} % of red, {1} % of "
+                               "green and {2} % of blue this way."),
+                          LX_SPANS(LX_PLAIN(numbers[0]), LX_PLAIN(numbers[1]), LX_PLAIN(numbers[2])));
+}
+
 /* What the material reflects in all. */
 static void explain_albedo(const struct lx_steps *steps)
 {
-    const struct lx_element *element = steps->element;
+    const struct lx_material *material = steps->element->own->material;
     char number[LX_NUMBER_SIZE];
-    const double albedo = lx_material_albedo(element->own->material, lx_dot3(element->normal, element->view).value);
+    const double albedo = albedo_of(steps, material);
     if (!(albedo >= 0))
         return;
+    if (lx_is_in_color(lx_scene_parameters(steps->scene)) && lx_has_color(material)) {
+        explain_albedos(steps, material);
+        return;
+    }
     lx_document_paragraph(steps->document,
                           albedo > 1 ? LX_N("Of light that came from all sides alike the material would send {0} % "
                                             "this way: more than falls in, as highlights do that nothing keeps in "
@@ -406,8 +430,9 @@ static void explain_sum(const struct lx_steps *steps, const luxel_light_share *s
         lx_document_paragraph(steps->document, LX_N("The integral over the source has a closed form."), NULL);
     lx_add_notation(&text, "E = #", share->irradiance);
     if (steps->quantity == LUXEL_BRIGHTNESS)
-        lx_add_notation(&text, lx_lobe_is_rough(steps->element->lobe) ? ", \\qquad B_d = p\\, k_d \\int D\\, dE = #"
-                                                                      : ", \\qquad B_d = p\\, k_d E = #",
+        lx_add_notation(&text,
+                        lx_lobe_is_rough(steps->element->lobe) ? ", \\qquad B_d = p\\, k_d \\int D\\, dE = #"
+                                                               : ", \\qquad B_d = p\\, k_d E = #",
                         share->diffuse);
     if (steps->quantity == LUXEL_BRIGHTNESS && lx_lobe_kind_of(steps->element->lobe)->value)
         lx_add_notation(&text, ", \\qquad B_s = #", share->specular);

@@ -20,11 +20,13 @@ enum { FEW_EMITTERS = 4096 };
 /* A point of a point set takes so much. */
 enum { SWARM_BYTES = 64 };
 
-static int prepare_lights(const struct lx_list *lights, const bool *on, struct lx_emitters *emitters)
+static int prepare_lights(const struct lx_scene_parameters *scene, const bool *on, struct lx_emitters *emitters)
 {
+    const struct lx_list *lights = &scene->lights;
     for (size_t i = 0; i < lights->count; i++) {
         emitters->light = i;
-        if (on[i] && (!lx_asking_goes_on(emitters->asking) || lx_light_lower(&lights->items[i], emitters)))
+        if (on[i] &&
+            (!lx_asking_goes_on(emitters->asking) || lx_light_lower(&lights->items[i], scene->maintenance, emitters)))
             return -1;
     }
     return 0;
@@ -38,11 +40,11 @@ static size_t count_parts(const struct lx_list *surfaces)
     return count;
 }
 
-/* The material in the scene's channel, number `number` of those that may have colours. */
+/* The material in the scene's channel, number `number` of those that may be another one there. */
 static const struct lx_material *in_channel(const struct lx_prepared *prepared, const struct lx_material *material,
                                             size_t number)
 {
-    if (!prepared->colored || !lx_has_color(material))
+    if (!prepared->colored || (prepared->scene->channel <= LX_CHANNELS && !lx_has_color(material)))
         return material;
     prepared->colored[number] = lx_material_in_channel(material, prepared->scene->channel);
     return &prepared->colored[number];
@@ -135,7 +137,7 @@ static int prepare(const struct lx_scene_parameters *scene, const luxel_settings
         prepare_surface(scene, i, prepared);
     if (lx_among_make(prepared) || lx_mirrors_make(prepared, scene->mirrors, NULL))
         return -1;
-    int failed = prepare_lights(&scene->lights, prepared->on, &prepared->emitters);
+    int failed = prepare_lights(scene, prepared->on, &prepared->emitters);
     prepared->emitters.asking = NULL;
     return failed;
 }
@@ -289,7 +291,7 @@ const char *lx_unit_of_scene(const struct lx_scene_parameters *scene, const luxe
     size_t over_pi = 0, parts = 0;
     for (size_t i = 0; i < scene->surfaces.count && quantity == LUXEL_BRIGHTNESS; i++)
         over_pi += count_over_pi(&scene->surfaces.items[i], &parts);
-    if (on && prepare_lights(&scene->lights, on, &emitters) == 0)
+    if (on && prepare_lights(scene, on, &emitters) == 0)
         unit = quantity == LUXEL_IRRADIANCE
                    ? unit_of_irradiance(&emitters, photometric)
                    : unit_of_brightness(&emitters, photometric, over_pi, parts);

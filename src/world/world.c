@@ -308,8 +308,8 @@ static void add_emitter(const struct lx_world *world, const struct lx_elements *
     }
 }
 
-/* Sums emitters from the first on: of one light, or all where `light` is NULL. */
-static size_t sum_emitters(const struct lx_world *world, const struct lx_elements *elements, size_t first,
+/* Sums emitters from the first on and before the last: of one light, or all where `light` is NULL. */
+static size_t sum_emitters(const struct lx_world *world, const struct lx_elements *elements, size_t first, size_t last,
                            const size_t *light, enum lx_wanted wanted, const struct lx_asking *asking,
                            struct lx_received *received)
 {
@@ -323,7 +323,7 @@ static size_t sum_emitters(const struct lx_world *world, const struct lx_element
     }
     memset(received->parts, 0, sizeof received->parts);
     memset(received->on_element, 0, sizeof received->on_element);
-    for (; range.end < emitters->count; range.end++) {
+    for (; range.end < last; range.end++) {
         struct lx_emitter room;
         const struct lx_emitter *emitter = lx_emitter_at(emitters, range.end, &room);
         if ((light && emitter->light != *light) || !lx_asking_at_step(asking, range.end, BETWEEN_CHECKS))
@@ -340,14 +340,20 @@ void lx_world_light_of(const struct lx_world *world, const struct lx_elements *e
                        enum lx_wanted wanted, const struct lx_asking *asking, size_t *next,
                        struct lx_received *received)
 {
-    *next = sum_emitters(world, elements, *next, &light, wanted, asking, received);
+    *next = sum_emitters(world, elements, *next, world->prepared->emitters.count, &light, wanted, asking, received);
+}
+
+void lx_world_light_between(const struct lx_world *world, const struct lx_elements *elements, size_t first, size_t end,
+                            enum lx_wanted wanted, const struct lx_asking *asking, struct lx_received *received)
+{
+    sum_emitters(world, elements, first, end, NULL, wanted, asking, received);
 }
 
 void lx_world_light(const struct lx_world *world, const struct lx_elements *elements, enum lx_wanted wanted,
                     const struct lx_asking *asking, struct lx_received *received)
 {
     if (wanted & (LX_WANT_IRRADIANCE | LX_WANT_BRIGHTNESS))
-        sum_emitters(world, elements, 0, NULL, wanted, asking, received);
+        sum_emitters(world, elements, 0, world->prepared->emitters.count, NULL, wanted, asking, received);
     if ((wanted & LX_WANT_REFLECTED) && world->reflected)
         world->reflect(world, elements, asking, received);
     else if (wanted & LX_WANT_REFLECTED)

@@ -214,15 +214,16 @@ def random_scenes(tap, tool):
                  {"cylinder": {"radius": 90, "height": 600, "center": [0, 0, 2490], "axis": [1, 0, 0]}})]}))
     wall = {"model": "phong", "diffuse": 0.5, "specular": 0.2, "shininess": 9, "ambient": 0.1, "over_pi": True,
             "highlight": "cosine", "normalized": True, "diffuse_model": "oren-nayar", "sigma": 12, "roughness": 0.5,
-            "alpha": 0.3, "f0": 0.5, "color": [0.2, 0.5, 1], "specular_color": [1, 0.9, 0.1]}
+            "alpha": 0.3, "f0": 0.5, "color": [0.2, 0.5, 1], "specular_color": [1, 0.9, 0.1], "mirror": False}
     made.append(("scene of a room, a box and a sphere from inside", {
-        **made[-2][1], "reflections": "none",
+        **made[-2][1], "reflections": "none", "mirrors": 2,
         "grids": [{"center": [0, 0, 0], "size": [900, 600], "spacing": "en12464"}],
         "surfaces": [{"type": "room", "center": [0, 0, 1000], "size": [2000, 2000, 2000], "up": "z", "materials": {
             name: wall for name in ("left", "right", "floor", "ceiling", "back", "front")}},
                      {"type": "box", "center": [0, 0, 300], "size": [200, 200, 200], "materials": {
                          name: wall for name in ("left", "right", "bottom", "top", "back", "front")}},
-                     {"type": "sphere", "center": [0, 0, 500], "radius": 200, "inside": True, "material": wall}]}))
+                     {"type": "sphere", "center": [0, 0, 500], "radius": 200, "inside": True, "material": wall},
+                     {"type": "rectangle", "center": [0, 700, 500], "size": [300, 200], "mirror": True}]}))
     tool.write("lamp-spectrum.csv", "nm,power\n" + "".join("%d,1\n" % nm for nm in range(400, 701, 20)))
     made.append(("scene in colour", {**made[-1][1], "channels": "rgb", "lights": [
         {"type": "point", "position": [0, 0, 1500], "intensity": 5, "color": color} for color in (
