@@ -163,9 +163,10 @@ static double unhidden(const struct lx_session *session, const struct lx_element
     return received.on_element[0] ? 0 : lx_received_value(&received, session->settings.quantity, 0).value;
 }
 
-/* An explicit tolerance is checked, the default one where there are integrals and nothing is left over mirrors.  Closed forms are as exact as the scene
- * is to float64, which just within a cone's edge or where light sets is less, relative to a value near 0.  A value that
- * its error does not tell from 0, behind what hides all, is judged by what is hidden. */
+/* An explicit tolerance is checked, the default one where there are integrals and nothing is left over mirrors.  Closed
+ * forms are as exact as the scene is to float64, which just within a cone's edge or where light sets is less, relative
+ * to a value near 0.  A value that its error does not tell from 0, behind what hides all, is judged by what is
+ * hidden. */
 static bool is_reached(const struct lx_session *session, const struct lx_elements *element, const luxel_probe *probe)
 {
     const struct lx_prepared *prepared = &session->prepared;

@@ -121,12 +121,14 @@ static void add_endless(const struct lx_prepared *prepared, const struct lx_elem
     rest->by_cosine += strength * fmin(tilt * squares + off / gap * cubes, squares);
 }
 
-/* No highlight, times its weight, makes more of light than this. */
+/* No highlight, times its weight, makes more of light than this: a power is no more than 1, |A x L| + V.L of measures
+ * no more than 2; of facets D is no more than 1/(pi a^2), and what is left of the other factors 1/(2 a). */
 static double greatest_highlight(const struct lx_lobe *lobe)
 {
     if (!lx_lobe_shines(lobe))
         return 0;
-    const double most = lx_lobe_kind_of(lobe)->power ? 1 : 0.5 / (lobe->own[2] * lobe->own[2] * lobe->own[2]);
+    const double alpha = lobe->model == LX_GGX ? lobe->own[2] : 1;
+    const double most = lobe->model == LX_GGX ? 0.5 / (alpha * alpha * alpha) : lobe->model == LX_MEASURE ? 2 : 1;
     return (lobe->specular.value + lobe->specular.error) * most;
 }
 
@@ -214,5 +216,5 @@ void lx_add_rest(const struct lx_prepared *prepared, const struct lx_element *el
     const double highlight = greatest_highlight(element->lobe);
     lighting->irradiance.error += rest.by_cosine;
     lighting->diffuse.error += greatest_diffuse(element->lobe, &rest);
-    lighting->specular.error += highlight > 0 ? highlight * rest.straight : 0;
+    lighting->specular.error += highlight > 0 && rest.straight > 0 ? highlight * rest.straight : 0;
 }

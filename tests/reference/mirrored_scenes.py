@@ -76,6 +76,49 @@ class Ball:
         return near if near > 1e-9 else far
 
 
+class Disk:
+    """A disk as scenes have it."""
+    mirror = False
+
+    def __init__(self, center, radius, axis):
+        self.center, self.radius, self.axis = list(center), radius, unit(axis)
+
+    def scene(self, **others):
+        return {"type": "disk", "center": self.center, "radius": self.radius, "axis": self.axis, **others}
+
+    def meet(self, origin, way):
+        slope = dot(way, self.axis)
+        if slope == 0:
+            return None
+        t = dot(sub(self.center, origin), self.axis) / slope
+        at = sub(along(origin, t, way), self.center)
+        return t if dot(at, at) <= self.radius ** 2 else None
+
+
+class Tube:
+    """The side of a cylinder as scenes have it."""
+    mirror = False
+
+    def __init__(self, center, radius, height, axis):
+        self.center, self.radius, self.height, self.axis = list(center), radius, height, unit(axis)
+
+    def scene(self, **others):
+        return {"type": "cylinder", "center": self.center, "radius": self.radius, "height": self.height,
+                "axis": self.axis, **others}
+
+    def meet(self, origin, way):
+        start = sub(origin, self.center)
+        low, rise = dot(start, self.axis), dot(way, self.axis)
+        start, across = along(start, -low, self.axis), along(way, -rise, self.axis)
+        a, b, c = dot(across, across), dot(start, across), dot(start, start) - self.radius ** 2
+        root = b * b - a * c
+        for sign in (-1, 1) if a > 0 and root > 0 else ():
+            t = (-b + sign * math.sqrt(root)) / a
+            if t > 1e-9 and abs(low + t * rise) <= self.height / 2:
+                return t
+        return None
+
+
 def is_free(surfaces, origin, way, end, skipped):
     """Whether nothing stands between the parameters 0 and `end` of a line, but for what it begins and ends on."""
     for surface in surfaces:
