@@ -7,6 +7,7 @@
 #include "../base/frame.h"
 #include "../base/memory.h"
 #include "../light/solid/extended.h"
+#include "../scene/colours.h"
 #include "../world/camera.h"
 #include "../world/general.h"
 #include "blockers.h"
@@ -390,6 +391,8 @@ static luxel_status find_maximum(struct lx_plan *plan, struct lx_control *contro
     const bool is_rough = plan->most_patches > 0 || plan->opening_rules || plan->asks_reference;
     plan->least_maximum = is_rough ? (1 - rough) * maximum : maximum;
     plan->least_value = DIM * plan->least_maximum;
+    if (plan->prepared->scene->channel > LX_CHANNELS) /* by whose channels a sum must be exact, too */
+        plan->least_maximum /= LX_LOBES_TO_CHANNEL;
     return status;
 }
 
