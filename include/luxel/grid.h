@@ -11,6 +11,12 @@
  * luxel_probe_element() has it.  The quantity is the irradiance, whatever the settings say: a measuring plane has no
  * material.
  *
+ * The measure of a grid may be another one than that of its plane: the mean of the irradiance on the surface of a small
+ * body at the centre.  Light of the irradiance E on a plane facing it, at the angle theta from the axis and psi from up
+ * about that, counts as E sin(theta)/pi, cylindrical; E sin(theta) (1 + cos(psi))/pi, semicylindrical; E/4, spherical;
+ * E (1 + cos(theta))/4, hemispherical (EN 12665).  Where a cell lies on a surface only light from its side counts.
+ * Flux and mean are those of the measure plane; others have none.
+ *
  * Cells inside of bodies have no value: nobody sees or measures there.  A body is what a surface closes around, a
  * sphere that is seen from outside, a closed mesh, or a tube with covers, unless a light shines in it: that is a room.
  *
@@ -84,6 +90,11 @@ typedef struct luxel_grid {
                                     tolerance, or 1e-9 where there is no closed form */
     const luxel_color *colors;   /* rows x columns: the values' channels; NULL in a scene without channels: rgb */
     const uint8_t *inside;       /* rows x columns: 1 where the cell is inside the body of a surface, else 0 */
+    const char *measure;         /* what the values are, as the scene has it: "plane", "cylindrical" and so on */
+    bool has_modelling;          /* whether the next three are known: the measure is cylindrical, the plane not dark */
+    luxel_bounded modelling;     /* the average by that of the irradiance on the plane at the same places, */
+    luxel_bounded least_modelling;    /* and the least */
+    luxel_bounded greatest_modelling; /* and the greatest of such ratios at a place (luxel_find_grid() alone) */
 } luxel_grid;
 
 /* The number of measuring grids of a committed scene. */

@@ -52,7 +52,7 @@ struct search {
     struct lx_world world;
     struct lx_prepared hasty; /* the scene, with that tolerance */
     struct lx_control *control;
-    struct lx_lobe lobe;
+    struct lx_plane_measure measure;
     struct lx_cells cells;
     struct lx_bodies bodies; /* in which nothing is looked for */
     bool is_costly;
@@ -74,7 +74,7 @@ static const struct lx_world *world_of(const struct search *search, size_t part)
 static void place_nodes(const struct search *search, const struct lx_world *world, const struct node *nodes,
                         unsigned count, struct lx_elements *elements)
 {
-    lx_elements_begin(elements, &search->lobe, true);
+    lx_elements_begin(elements, &search->measure.lobe, true);
     for (unsigned i = 0; i < count; i++) {
         double place_mm[3];
         lx_place_on_cells(&search->cells, nodes[i].at, place_mm);
@@ -91,7 +91,7 @@ static void ask(const struct search *search, const struct lx_world *world, const
     const struct lx_asking asking = {.control = search->control, .is_caller = is_caller};
     struct lx_elements elements;
     place_nodes(search, world, nodes, count, &elements);
-    lx_world_light(world, &elements, lx_wanted_of_plane(world), &asking, received);
+    lx_plane_light(world, &search->measure, &elements, &asking, received);
 }
 
 /* The irradiance of some nodes, at most a batch of them. */
@@ -433,8 +433,14 @@ static luxel_status add_reflected(const luxel_scene *scene, struct lx_session *s
                                   struct search *search, luxel_diagnostics *diagnostics)
 {
     const struct lx_reflected_key key = lx_reflected_key_of_plane(session, grid);
-    const struct lx_reflecting reflecting = {
-        search->control, search->count, element_of, take_reflected, search, lx_scene_reflected_on_plane(scene), &key};
+    const struct lx_reflecting reflecting = {search->control,
+                                             search->count,
+                                             element_of,
+                                             take_reflected,
+                                             search,
+                                             lx_scene_reflected_on_plane(scene),
+                                             &key,
+                                             lx_plane_response(&search->measure)};
     const bool is_shared = session->world.reflected != NULL;
     if (!is_shared)
         session->world.reflected = lx_reflected_of_plane(scene, session, grid);
@@ -500,6 +506,7 @@ static luxel_status run(const luxel_scene *scene, struct lx_session *session, si
 {
     const bool reflects = lx_wants_reflections(session->prepared.scene);
     search->cells = lx_cells_of(grid);
+    search->measure = lx_plane_measure_of((enum lx_measure)grid->measure, &search->cells);
     search->is_costly = reflects || lx_world_batch(&search->world) < LX_BATCH;
     if (make_lattice(search) || add_candidate_rays(search) ||
         lx_bodies_find(&session->prepared, &search->cells, &search->bodies))
@@ -555,7 +562,7 @@ luxel_status luxel_find_grid_extrema(const luxel_scene *scene, const luxel_setti
                                      luxel_diagnostics *diagnostics, luxel_grid_extrema *extrema)
 {
     struct lx_session session;
-    struct search search = {.world.prepared = &search.hasty, .lobe = lx_lobe_irradiance()};
+    struct search search = {.world.prepared = &search.hasty};
     luxel_grid_extrema found = {.minimum.exists = false};
     luxel_status status = lx_session_open_world(scene, settings, diagnostics, &session);
     const struct lx_grid *grid = status == LUXEL_OK ? lx_asked_grid(scene, i, extrema, "extrema", diagnostics) : NULL;

@@ -19,6 +19,7 @@
 #include "../world/bodies.h"
 #include "../world/camera.h"
 #include "../world/evaluate.h"
+#include "../world/mirrors.h"
 #include "coloring.h"
 #include "probe_pixels.h"
 #include "reflecting.h"
@@ -254,7 +255,7 @@ static void probe_element(const struct probing *probing, const luxel_place *plac
 static void probe_free_element(const struct probing *probing, const luxel_place *place, luxel_probe *probe)
 {
     const struct lx_prepared *prepared = &probing->session->prepared;
-    const struct lx_element element = lx_element_at(prepared, place);
+    const struct lx_element asked = lx_element_at(prepared, place), element = lx_element_shown(prepared, &asked);
     const struct lx_prepared_surface *around = lx_surface_around(prepared, place->position_mm);
     probe_element(probing, place, &element, probe);
     probe->is_enclosed = around != NULL;
@@ -371,8 +372,8 @@ static luxel_status compute(struct probing *probing, struct lx_control *control,
     if (status == LUXEL_OK && lx_wants_reflections(probing->session->prepared.scene))
         status = lx_reflect_places(
             probing->session,
-            &(struct lx_reflecting){probing->control, count, element_of, take_reflected, probing, NULL, NULL}, false,
-            diagnostics);
+            &(struct lx_reflecting){probing->control, count, element_of, take_reflected, probing, NULL, NULL, NULL},
+            false, diagnostics);
     return status == LUXEL_OK ? check_values(list, count, diagnostics) : status;
 }
 
