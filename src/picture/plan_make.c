@@ -7,7 +7,6 @@
 #include "../base/frame.h"
 #include "../base/memory.h"
 #include "../light/solid/extended.h"
-#include "../scene/colours.h"
 #include "../world/camera.h"
 #include "../world/general.h"
 #include "blockers.h"
@@ -389,10 +388,8 @@ static luxel_status find_maximum(struct lx_plan *plan, struct lx_control *contro
     plan->tolerance = tolerance;
     plan->light_error = light_error;
     const bool is_rough = plan->most_patches > 0 || plan->opening_rules || plan->asks_reference;
-    plan->least_maximum = is_rough ? (1 - rough) * maximum : maximum;
+    plan->least_maximum = lx_share_of_channel(plan->prepared->scene) * (is_rough ? (1 - rough) * maximum : maximum);
     plan->least_value = DIM * plan->least_maximum;
-    if (plan->prepared->scene->channel > LX_CHANNELS) /* by whose channels a sum must be exact, too */
-        plan->least_maximum /= LX_LOBES_TO_CHANNEL;
     return status;
 }
 

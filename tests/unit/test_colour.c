@@ -370,7 +370,7 @@ static void many_colors_have_temperatures(void **state)
     free(bodies);
 }
 
-/* A view of a channel has its values; that of the colour temperature leaves out what has none; a grey field has none. */
+/* A view of a channel has its values, that of the colour temperature leaves out what has none, and none is of grey. */
 static void fields_have_views(void **state)
 {
     (void)state;
