@@ -121,6 +121,17 @@ static void paint_grey(const luxel_field *field, guint32 *pixels)
         pixels[i] = GUINT32_TO_LE(0xff000000u | grey[i] * 0x010101u);
 }
 
+/* The colours themselves, by the range of the grey levels. */
+static void paint_srgb(const luxel_field *field, guint32 *pixels)
+{
+    const gsize count = (gsize)luxel_field_columns(field) * luxel_field_rows(field);
+    guint8 *levels = (guint8 *)pixels + count; /* the last three quarters, which are overwritten last */
+    luxel_field_srgb(field, levels);
+    for (gsize i = 0; i < count; i++)
+        pixels[i] = GUINT32_TO_LE(0xff000000u | (guint32)levels[3 * i] << 16 | (guint32)levels[3 * i + 1] << 8 |
+                                  levels[3 * i + 2]);
+}
+
 static void paint_colors(const AppDisplay *display, const luxel_field *field, double low, double high, guint32 *pixels)
 {
     const guint columns = luxel_field_columns(field), rows = luxel_field_rows(field);
@@ -151,7 +162,7 @@ void app_display_paint(const AppDisplay *display, const luxel_field *field, doub
 {
     guint32 *words = (guint32 *)(void *)pixels;
     if (app_display_is_plain(display))
-        paint_grey(field, words);
+        (luxel_field_channels(field) > 1 ? paint_srgb : paint_grey)(field, words);
     else
         paint_colors(display, field, low, high, words);
     if (luxel_field_statistics(field)->surface_pixels < (gsize)luxel_field_columns(field) * luxel_field_rows(field))

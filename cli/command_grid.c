@@ -3,7 +3,6 @@
  * luxel grid: the irradiance on a scene's measuring planes.  As with pictures, the files are written before anything is
  * printed.
  */
-#include <float.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -11,6 +10,7 @@
 #include <luxel/luxel.h>
 
 #include "cli.h"
+#include "grid_color.h"
 #include "grid_measure.h"
 #include "json.h"
 #include "limits.h"
@@ -107,26 +107,6 @@ static void grids_clear(struct grids *grids)
     free(grids->extrema);
 }
 
-/* The channels of the average; the bounds are those of the cells, averaged, with room for the roundings of the sum. */
-static luxel_color average_color(const luxel_grid *grid)
-{
-    luxel_color average = {.exists = grid->measured > 0};
-    const size_t cells = (size_t)grid->columns * grid->rows;
-
-    for (int c = 0; c < 3 && average.exists; c++) {
-        double sum = 0.0, errors = 0.0, sizes = 0.0;
-
-        for (size_t i = 0; i < cells; i++) {
-            sum += grid->colors[i].rgb[c];
-            errors += grid->colors[i].error[c];
-            sizes += fabs(grid->colors[i].rgb[c]);
-        }
-        average.rgb[c] = sum / (double)grid->measured;
-        average.error[c] = 1.01 * (errors + (double)(cells + 2) * DBL_EPSILON * sizes) / (double)grid->measured;
-    }
-    return average;
-}
-
 static void write_extremum(struct json *json, const char *key, const luxel_grid *grid,
                            const luxel_grid_extremum *extremum)
 {
@@ -198,34 +178,6 @@ static void write_peak(struct json *json, const char *key, const luxel_grid_peak
     json_close(json, '}');
 }
 
-/* The channels of the average and, cell by cell, of the values, null where there is none. */
-static void write_colors(struct json *json, const luxel_grid *grid)
-{
-    const luxel_color average = average_color(grid);
-
-    json_open(json, "average_color", '{');
-    result_write_color(json, &average);
-    json_close(json, '}');
-    json_open(json, "rgb", '[');
-    for (unsigned row = 0; row < grid->rows; row++) {
-        json_open(json, NULL, '[');
-        for (unsigned column = 0; column < grid->columns; column++) {
-            const luxel_color *color = &grid->colors[(size_t)row * grid->columns + column];
-
-            if (color->exists) {
-                json_open(json, NULL, '{');
-                json_numbers(json, "value", color->rgb, 3);
-                json_numbers(json, "error", color->error, 3);
-                json_close(json, '}');
-            } else {
-                json_null(json, NULL);
-            }
-        }
-        json_close(json, ']');
-    }
-    json_close(json, ']');
-}
-
 static void write_grid(struct json *json, const luxel_grid *grid, const luxel_grid_extrema *extrema,
                        const struct judged *judged)
 {
@@ -274,7 +226,7 @@ static void write_grid(struct json *json, const luxel_grid *grid, const luxel_gr
     write_cells(json, "values", grid, grid->values);
     write_cells(json, "errors", grid, grid->errors);
     if (grid->colors)
-        write_colors(json, grid);
+        grid_color_write(json, grid);
     json_close(json, '}');
 }
 
@@ -432,18 +384,6 @@ static void print_statistics(const luxel_grid *grid, const luxel_grid_extrema *e
     text_table_print(table, stdout, 2);
 }
 
-static void print_colors(const luxel_grid *grid, const luxel_grid_extrema *extrema)
-{
-    const luxel_color average = average_color(grid);
-    char words[TEXT_SIZE];
-
-    printf(_("  colour of the average: %s\n"), result_color_text(&average, words));
-    if (extrema->minimum.color.exists)
-        printf(_("  colour of the minimum: %s\n"), result_color_text(&extrema->minimum.color, words));
-    if (extrema->maximum.color.exists)
-        printf(_("  colour of the maximum: %s\n"), result_color_text(&extrema->maximum.color, words));
-}
-
 static void print_grid(const luxel_grid *grid, const luxel_grid_extrema *extrema, const struct judged *judged, size_t i)
 {
     const size_t without = (size_t)grid->columns * grid->rows - grid->measured - grid->enclosed;
@@ -455,7 +395,7 @@ static void print_grid(const luxel_grid *grid, const luxel_grid_extrema *extrema
     print_statistics(grid, extrema);
     limits_print(judged, grid->unit);
     if (grid->colors && grid->measured > 0)
-        print_colors(grid, extrema);
+        grid_color_print(grid, extrema);
     if (without > 0)
         printf(ngettext("  %zu cell lies on a source, lights[%zu], and has no value\n",
                         "  %zu cells lie on a source, the first of them on lights[%zu], and have no value\n", without),

@@ -150,6 +150,21 @@ static bool read_dashed(int argc, char **argv, struct options *options)
     return true;
 }
 
+bool options_take_word(const char *option, const char *argument, const char *const *words, size_t *found)
+{
+    char list[TEXT_SIZE] = "";
+    size_t used = 0;
+
+    for (*found = 0; words[*found]; ++*found)
+        if (strcmp(argument, words[*found]) == 0)
+            return true;
+    for (size_t i = 0; i < *found && used < sizeof list; i++)
+        used += (size_t)snprintf(list + used, sizeof list - used, "%s%s", i > 0 ? ", " : "", words[i]);
+    message_error(_("%s %s: expected one of %s"), option, argument, list);
+    message_did_you_mean(luxel_nearest_word(argument, words, *found));
+    return false;
+}
+
 static bool report_unknown_command(const char *typed)
 {
     const char *names[COMMAND_COUNT], *nearest;

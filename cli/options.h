@@ -129,6 +129,9 @@ struct option_row {
     const char *help;
 };
 
+/* Finds which of some words an option's argument is; where it is none of them all are named, and the nearest. */
+bool options_take_word(const char *option, const char *argument, const char *const *words, size_t *found);
+
 /* Takes the word of --format as one of option_formats; reports another. */
 bool options_take_document_format(struct options *options);
 

@@ -102,27 +102,11 @@ static bool take_free(struct options *options, const char *argument)
     return true;
 }
 
-/* Finds a word in a list; names them all, and the nearest, if it is none of them. */
-static bool take_word(const char *option, const char *argument, const char *const *words, size_t *found)
-{
-    char list[TEXT_SIZE] = "";
-    size_t used = 0;
-
-    for (*found = 0; words[*found]; ++*found)
-        if (strcmp(argument, words[*found]) == 0)
-            return true;
-    for (size_t i = 0; i < *found && used < sizeof list; i++)
-        used += (size_t)snprintf(list + used, sizeof list - used, "%s%s", i > 0 ? ", " : "", words[i]);
-    message_error(_("%s %s: expected one of %s"), option, argument, list);
-    message_did_you_mean(luxel_nearest_word(argument, words, *found));
-    return false;
-}
-
 static bool take_quantity(struct options *options, const char *argument)
 {
     size_t found;
 
-    if (!take_word("--quantity", argument, quantity_words, &found))
+    if (!options_take_word("--quantity", argument, quantity_words, &found))
         return false;
     options->settings.quantity = found % 2 == 0 ? LUXEL_BRIGHTNESS : LUXEL_IRRADIANCE;
     return true;
@@ -135,14 +119,14 @@ const char *options_quantity_name(luxel_quantity quantity)
 
 static bool take_channel(struct options *options, const char *argument)
 {
-    return take_word("--channel", argument, view_words, &options->analysis.view);
+    return options_take_word("--channel", argument, view_words, &options->analysis.view);
 }
 
 static bool take_precision(struct options *options, const char *argument)
 {
     size_t found;
 
-    if (!take_word("--precision", argument, precision_words, &found))
+    if (!options_take_word("--precision", argument, precision_words, &found))
         return false;
     options->settings.precision = found == 0 ? LUXEL_SINGLE : LUXEL_DOUBLE;
     return true;
@@ -150,14 +134,14 @@ static bool take_precision(struct options *options, const char *argument)
 
 static bool take_names(struct options *options, const char *argument)
 {
-    return take_word("--names", argument, names_words, &options->names);
+    return options_take_word("--names", argument, names_words, &options->names);
 }
 
 static bool take_accept(struct options *options, const char *argument)
 {
     size_t found;
 
-    options->accepts_pixel = take_word("--accept", argument, accept_words, &found);
+    options->accepts_pixel = options_take_word("--accept", argument, accept_words, &found);
     return options->accepts_pixel;
 }
 
@@ -165,7 +149,7 @@ static bool take_bits(struct options *options, const char *argument)
 {
     size_t found;
 
-    if (!take_word("--bits", argument, bits_words, &found))
+    if (!options_take_word("--bits", argument, bits_words, &found))
         return false;
     options->bits = found == 0 ? 8 : 16;
     return true;
@@ -336,7 +320,7 @@ static bool take_csv(struct options *options, const char *argument)
 {
     size_t found = 0;
 
-    if (argument && !take_word("--csv", argument, csv_words, &found))
+    if (argument && !options_take_word("--csv", argument, csv_words, &found))
         return false;
     options->csv = found == 0 ? CSV_RFC4180 : CSV_EXCEL_RU;
     return true;
@@ -360,7 +344,7 @@ static bool take_format(struct options *options, const char *argument)
 
 bool options_take_document_format(struct options *options)
 {
-    return take_word("--format", options->format_word, option_formats, &options->format);
+    return options_take_word("--format", options->format_word, option_formats, &options->format);
 }
 
 static bool take_width(struct options *options, const char *argument)
@@ -375,7 +359,7 @@ static bool take_dpi(struct options *options, const char *argument)
 
 static bool take_diagram(struct options *options, const char *argument)
 {
-    return take_word("--diagram", argument, diagram_words, &options->drawing.diagram);
+    return options_take_word("--diagram", argument, diagram_words, &options->drawing.diagram);
 }
 
 static bool take_eye(struct options *options, const char *argument)

@@ -261,6 +261,7 @@ void result_write_seen(struct json *json, const double rgb[3])
     if (rgb)
         luxel_find_chromaticity(rgb, &seen);
     write_numbers_if(json, "xy", seen.has_xy, seen.xy, 2);
+    write_numbers_if(json, "uv", seen.has_xy, seen.uv, 2);
     write_number_if(json, "cct", seen.has_cct, seen.cct_k);
     write_number_if(json, "duv", seen.has_cct, seen.duv);
 }
@@ -282,10 +283,11 @@ const char *result_color_text(const luxel_color *color, char buffer[TEXT_SIZE])
     luxel_find_chromaticity(color->rgb, &seen);
     text_format(channels, "R, G, B %.6g, %.6g, %.6g", color->rgb[0], color->rgb[1], color->rgb[2]);
     if (seen.has_cct)
-        text_format(buffer, _("%s; x, y %.5f, %.5f; %.0f K, Duv %.4f (nearest black body in u, v)"), channels,
-                    seen.xy[0], seen.xy[1], seen.cct_k, seen.duv + 0.0);
+        text_format(buffer, _("%s; x, y %.5f, %.5f; u', v' %.5f, %.5f; %.0f K, Duv %.4f (nearest black body in u, v)"),
+                    channels, seen.xy[0], seen.xy[1], seen.uv[0], seen.uv[1], seen.cct_k, seen.duv + 0.0);
     else if (seen.has_xy)
-        text_format(buffer, _("%s; x, y %.5f, %.5f; no colour temperature"), channels, seen.xy[0], seen.xy[1]);
+        text_format(buffer, _("%s; x, y %.5f, %.5f; u', v' %.5f, %.5f; no colour temperature"), channels, seen.xy[0],
+                    seen.xy[1], seen.uv[0], seen.uv[1]);
     else
         text_format(buffer, "%s", channels);
     return buffer;

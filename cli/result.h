@@ -39,9 +39,9 @@ luxel_conventions_use result_use_of_screen(const struct options *options, bool p
 /* Writes an extremum as SPEC's `max` and `min` are written; null where there is none. */
 void result_write_extremum(struct json *json, const char *key, const luxel_extremum *extremum);
 
-/* The channels of a value, its x, y, colour temperature and Duv, null where there are none; and the same in a line. */
+/* The channels of a value, its x, y, u', v', colour temperature and Duv, null where there are none; also in a line. */
 void result_write_color(struct json *json, const luxel_color *color);
-/* The last three of these alone; NULL: there is no colour. */
+/* The last of these alone, from x, y on; NULL: there is no colour. */
 void result_write_seen(struct json *json, const double rgb[3]);
 const char *result_color_text(const luxel_color *color, char buffer[TEXT_SIZE]);
 

@@ -20,6 +20,7 @@ class Color(NamedTuple):
     xy: Optional[Tuple[float, float]]  #: the chromaticity of 1931; None where the luminance is 0
     cct: Optional[float]  #: the temperature of the nearest black body in u, v, in K; None where it means nothing
     duv: Optional[float]  #: the distance from it in u, v, above 0 on the side of green
+    uv: Optional[Tuple[float, float]]  #: u', v' of 1976; None where the luminance is 0
 
 
 class Share(NamedTuple):

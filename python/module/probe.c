@@ -22,9 +22,9 @@ static PyObject *color_or_none(const luxel_color *color)
     if (!color->exists)
         return none();
     luxel_find_chromaticity(color->rgb, &seen);
-    return Py_BuildValue("(NNNNN)", triple_or_none(true, color->rgb), triple_or_none(true, color->error),
+    return Py_BuildValue("(NNNNNN)", triple_or_none(true, color->rgb), triple_or_none(true, color->error),
                          pair_or_none(seen.has_xy, seen.xy[0], seen.xy[1]), number_or_none(seen.has_cct, seen.cct_k),
-                         number_or_none(seen.has_cct, seen.duv));
+                         number_or_none(seen.has_cct, seen.duv), pair_or_none(seen.has_xy, seen.uv[0], seen.uv[1]));
 }
 
 static PyObject *share_tuple(const luxel_light_share *share)

@@ -81,9 +81,8 @@ static void add_part(struct luxel_field *field, const struct lx_color_part *part
 }
 
 /*
- * Whether the parts of each group of lights add up to channels as exact as pictures are.  Each is as exact as a picture
- * of its own greatest value, which a pixel of a darker colour may show: the channel must reach half of what both come
- * to at most, as pictures are twice as exact as they need be.
+ * Whether the parts of each group of lights add up to channels that are as exact as pictures have to be.  Parts are, by
+ * their own greatest values, which may stand where a channel is dark.
  */
 static bool do_fit(const struct lx_color_parts *parts, const struct size *sizes)
 {
@@ -95,7 +94,7 @@ static bool do_fit(const struct lx_color_parts *parts, const struct size *sizes)
                     most += sizes[k].most[c];
                     shown = fmax(shown, sizes[k].shown[c]);
                 }
-            if (most > 2 * shown)
+            if (most > LX_LOBES_TO_CHANNEL * shown)
                 return false;
         }
     return true;

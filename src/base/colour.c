@@ -7,6 +7,7 @@
 
 #include <math.h>
 
+#include "memory.h"
 #include "observer_table.h"
 
 static const double C2_NM_K = 1.438776877e7; /* the second radiation constant (CODATA 2018) */
@@ -159,6 +160,63 @@ void luxel_find_chromaticity(const double rgb[3], luxel_chromaticity *chromatici
     chromaticity->uv[0] = uv[0];
     chromaticity->uv[1] = 1.5 * uv[1];
     find_temperature(uv, chromaticity);
+}
+
+/* ---- many colours ---- */
+
+enum { BODIES = 1024 };
+
+struct lx_black_bodies {
+    double ratio;         /* of the mireds of two neighbours */
+    double uv[BODIES][2]; /* from 26000 K down to 950 K */
+};
+
+static const double HOTTEST = 26000, COLDEST = 950;
+
+struct lx_black_bodies *lx_black_bodies_new(void)
+{
+    struct lx_black_bodies *bodies = lx_new_array(1, sizeof *bodies);
+    if (!bodies)
+        return NULL;
+    bodies->ratio = pow(HOTTEST / COLDEST, 1.0 / (BODIES - 1));
+    for (int i = 0; i < BODIES; i++)
+        distance_from((const double[]){0, 0}, 1e6 / HOTTEST * pow(bodies->ratio, i), bodies->uv[i]);
+    return bodies;
+}
+
+/* The place on the cubic through four neighbours, t steps behind the second, and how fast it moves. */
+static void place_at(const struct lx_black_bodies *bodies, int second, double t, double uv[2], double way[2])
+{
+    for (int k = 0; k < 2; k++) {
+        const double a = bodies->uv[second - 1][k], b = bodies->uv[second][k], c = bodies->uv[second + 1][k];
+        const double d = bodies->uv[second + 2][k];
+        const double c1 = c - a / 3 - b / 2 - d / 6, c2 = (a + c) / 2 - b, c3 = (d - a) / 6 + (b - c) / 2;
+        uv[k] = b + t * (c1 + t * (c2 + t * c3));
+        way[k] = c1 + t * (2 * c2 + 3 * t * c3);
+    }
+}
+
+double lx_black_body_near(const struct lx_black_bodies *bodies, const double rgb[3])
+{
+    double xyz[3], uv[2], at[2], way[2], nearest = HUGE_VAL, t = 0;
+    int best = 0;
+    multiply(TO_XYZ, rgb, xyz);
+    const double sum = xyz[0] + xyz[1] + xyz[2];
+    if (!(xyz[1] > 0 && sum > 0 && isfinite(sum)))
+        return 0;
+    uv_of((const double[]){xyz[0] / sum, xyz[1] / sum}, uv);
+    for (int i = 0; i < BODIES; i++) {
+        const double u = bodies->uv[i][0] - uv[0], v = bodies->uv[i][1] - uv[1], square = u * u + v * v;
+        best = square < nearest ? i : best;
+        nearest = fmin(nearest, square);
+    }
+    const int second = best < 1 ? 1 : best > BODIES - 3 ? BODIES - 3 : best;
+    for (int i = 0; i < 6; i++) { /* the foot of the perpendicular, which bends little from one neighbour to the next */
+        place_at(bodies, second, t, at, way);
+        t -= ((at[0] - uv[0]) * way[0] + (at[1] - uv[1]) * way[1]) / (way[0] * way[0] + way[1] * way[1]);
+    }
+    const double kelvin = HOTTEST * pow(bodies->ratio, -(second + t));
+    return kelvin >= 999.999 && kelvin <= 25000.001 && hypot(at[0] - uv[0], at[1] - uv[1]) <= 0.05 ? kelvin : 0;
 }
 
 double luxel_srgb_curve(double channel)

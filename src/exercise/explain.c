@@ -118,7 +118,7 @@ static void add_sum(const struct explaining *explaining)
     struct lx_text line = {0};
     char number[LX_NUMBER_SIZE];
     lx_document_heading(explaining->document, 1, LX_N("The sum"), NULL);
-    lx_add_notation(&line, explaining->quantity == LUXEL_IRRADIANCE ? "E = " : "B = ");
+    lx_add_notation(&line, probe->color.exists ? "Y = " : explaining->quantity == LUXEL_IRRADIANCE ? "E = " : "B = ");
     const size_t terms = probe->share_count + probe->has_reflected;
     const bool shows_terms = terms > 1 && probe->share_count <= MOST_LIGHTS;
     for (size_t i = 0; i < terms && shows_terms; i++)

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* The channels of a value in colour, light by light, their sum, and the colour that they are. */
 #include <math.h>
+#include <stdio.h>
 
 #include "../base/number.h"
 #include "../base/phrase.h"
@@ -8,6 +9,11 @@
 #include "explain.h"
 
 static const char *const names[LX_CHANNELS] = {"R", "G", "B"};
+
+static const char *symbol_of(const struct lx_steps *steps)
+{
+    return steps->quantity == LUXEL_IRRADIANCE ? "E" : "B";
+}
 
 void lx_explain_color_rule(const struct lx_steps *steps)
 {
@@ -39,7 +45,7 @@ static void explain_channel(const struct lx_steps *steps, int c, double lamp, co
     const double diffuse = material->color[c], specular = material->specular_color[c];
     const bool shines = lx_lobe_kind_of(steps->element->lobe)->value && white->specular != 0;
     struct lx_text text = {0};
-    lx_add_notation(&text, "$ = ", names[c]);
+    lx_add_notation(&text, "$_$ = ", symbol_of(steps), names[c]);
     if (steps->quantity == LUXEL_IRRADIANCE)
         lx_add_notation(&text, "l_$\\, E = ! \\cdot # = #", names[c], lamp, white->irradiance, value);
     else if (is_bent(material, c) && shines)
@@ -56,14 +62,28 @@ static void explain_channel(const struct lx_steps *steps, int c, double lamp, co
     lx_end_formula(steps->document, &text);
 }
 
+/* What a channel counts for in the luminance. */
+static double weight_of(int c)
+{
+    return luxel_rgb_luminance((const double[LX_CHANNELS]){c == 0, c == 1, c == 2});
+}
+
+/* The luminance of channels. */
+static void show_luminance(const struct lx_steps *steps, const double rgb[LX_CHANNELS])
+{
+    lx_show_formula(steps->document, "Y = # \\cdot ! + # \\cdot ! + # \\cdot ! = #", weight_of(0), rgb[0], weight_of(1),
+                    rgb[1], weight_of(2), rgb[2], luxel_rgb_luminance(rgb));
+}
+
 void lx_explain_light_color(const struct lx_steps *steps, const luxel_light_share *white,
                             const luxel_light_share *share)
 {
     double lamp[LX_CHANNELS];
     lx_light_channels(steps->prepared->scene->lights.items[share->light].common, lamp);
-    lx_document_paragraph(steps->document, LX_N("Its channels:"), NULL);
+    lx_document_paragraph(steps->document, LX_N("Its channels, and their luminance:"), NULL);
     for (int c = 0; c < LX_CHANNELS; c++)
         explain_channel(steps, c, lamp[c], white, share->color->rgb[c]);
+    show_luminance(steps, share->color->rgb);
 }
 
 /* R = 1.2 + 0.3 + 0.1 = 1.6: what the lights give, and then what is reflected. */
@@ -71,7 +91,7 @@ static void add_up(const struct lx_steps *steps, const luxel_probe *probe, int c
 {
     struct lx_text text = {0};
     double direct = 0;
-    lx_add_notation(&text, "$ = ", names[c]);
+    lx_add_notation(&text, "$_$ = ", symbol_of(steps), names[c]);
     for (size_t i = 0; i < probe->share_count; i++) {
         const double value = probe->shares[i].color->rgb[c];
         direct += value;
@@ -84,20 +104,15 @@ static void add_up(const struct lx_steps *steps, const luxel_probe *probe, int c
     lx_end_formula(steps->document, &text);
 }
 
-/* What a channel counts for in the luminance. */
-static double weight_of(int c)
-{
-    return luxel_rgb_luminance((const double[LX_CHANNELS]){c == 0, c == 1, c == 2});
-}
-
 /* A channel to all its digits. */
 static void tell_channel(const struct lx_steps *steps, const luxel_color *color, int c)
 {
-    char value[LX_NUMBER_SIZE], error[LX_NUMBER_SIZE];
+    char value[LX_NUMBER_SIZE], error[LX_NUMBER_SIZE], symbol[8];
+    snprintf(symbol, sizeof symbol, "%s_%s", symbol_of(steps), names[c]);
     lx_write_digits(color->rgb[c] == 0 ? 0 : color->rgb[c], 15, value);
     lx_write_bound(lx_error_of_shown(value, color->rgb[c], color->error[c]), 2, error);
     lx_document_item(steps->document, LX_N("{0} = {1}, with an error of at most {2}"),
-                     LX_SPANS(LX_MATH(names[c]), LX_PLAIN(value), LX_PLAIN(error)));
+                     LX_SPANS(LX_MATH(symbol), LX_PLAIN(value), LX_PLAIN(error)));
 }
 
 /* The chromaticity, and the black body that is nearest to it. */
@@ -141,7 +156,6 @@ void lx_explain_color(const struct lx_steps *steps, const luxel_probe *probe, bo
     for (int c = 0; c < LX_CHANNELS; c++)
         tell_channel(steps, &probe->color, c);
     lx_document_paragraph(steps->document, LX_N("The luminance of these channels of linear sRGB is the value:"), NULL);
-    lx_show_formula(steps->document, "Y = # \\cdot ! + # \\cdot ! + # \\cdot ! = #", weight_of(0), rgb[0], weight_of(1),
-                    rgb[1], weight_of(2), rgb[2], luxel_rgb_luminance(rgb));
+    show_luminance(steps, rgb);
     explain_chromaticity(steps, &seen);
 }

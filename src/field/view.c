@@ -1,10 +1,9 @@
 /* SPDX-License-Identifier: MIT */
 /* Views of a picture in colour: fields of one channel, or of the colour temperature. */
-#include <math.h>
+#include <stdlib.h>
 #include <string.h>
 
-#include <luxel/colour.h>
-
+#include "../base/colour.h"
 #include "../base/diagnostics.h"
 #include "../base/memory.h"
 #include "../base/phrase.h"
@@ -21,10 +20,10 @@ const char *luxel_color_view_word(luxel_color_view view)
 }
 
 /* What a pixel shows in a view; false: there is no such. */
-static bool see(const struct luxel_field *field, size_t i, luxel_color_view view, double *value)
+static bool see(const struct luxel_field *field, size_t i, luxel_color_view view, const struct lx_black_bodies *bodies,
+                double *value)
 {
     double rgb[3] = {0, 0, 0};
-    luxel_chromaticity seen;
     for (size_t c = 0; field->rgb && c < 3; c++)
         rgb[c] = field->precision == LUXEL_DOUBLE ? ((const double *)field->rgb)[3 * i + c]
                                                   : (double)((const float *)field->rgb)[3 * i + c];
@@ -35,9 +34,8 @@ static bool see(const struct luxel_field *field, size_t i, luxel_color_view view
         *value = view == LUXEL_VIEW_LUMINANCE ? lx_field_value(field, i) : rgb[view - LUXEL_VIEW_RED];
         return true;
     }
-    luxel_find_chromaticity(rgb, &seen);
-    *value = seen.has_cct ? seen.cct_k : 0;
-    return seen.has_cct;
+    *value = lx_black_body_near(bodies, rgb);
+    return *value > 0;
 }
 
 /* A copy of the places of columns or rows; NULL also where there are none. */
@@ -92,16 +90,21 @@ luxel_status luxel_field_of_view(const luxel_field *field, luxel_color_view view
         return LUXEL_ERROR_ARGUMENT;
     }
     struct luxel_field *made = new_like(field, view);
-    if (!made)
+    struct lx_black_bodies *bodies = view == LUXEL_VIEW_CCT ? lx_black_bodies_new() : NULL;
+    if (!made || (view == LUXEL_VIEW_CCT && !bodies)) {
+        luxel_field_free(made);
+        free(bodies);
         return lx_out_of_memory(diagnostics);
+    }
     for (size_t i = 0; i < (size_t)field->columns * field->rows; i++) {
         double value;
-        made->mask[i] = see(field, i, view, &value);
+        made->mask[i] = see(field, i, view, bodies, &value);
         if (made->precision == LUXEL_DOUBLE)
             ((double *)made->values)[i] = value;
         else
             ((float *)made->values)[i] = (float)value;
     }
+    free(bodies);
     if (lx_gather_statistics(made) < 0) {
         luxel_field_free(made);
         return lx_out_of_memory(diagnostics);

@@ -388,7 +388,7 @@ static luxel_status find_maximum(struct lx_plan *plan, struct lx_control *contro
     plan->tolerance = tolerance;
     plan->light_error = light_error;
     const bool is_rough = plan->most_patches > 0 || plan->opening_rules || plan->asks_reference;
-    plan->least_maximum = is_rough ? (1 - rough) * maximum : maximum;
+    plan->least_maximum = lx_share_of_channel(plan->prepared->scene) * (is_rough ? (1 - rough) * maximum : maximum);
     plan->least_value = DIM * plan->least_maximum;
     return status;
 }

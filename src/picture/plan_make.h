@@ -3,6 +3,7 @@
 #ifndef LX_PICTURE_PLAN_MAKE_H
 #define LX_PICTURE_PLAN_MAKE_H
 
+#include "../scene/colours.h"
 #include "plan.h"
 
 /* A plan that tells what is seen, but not how it is lit (seen.h), as lx_plan_make() does. */

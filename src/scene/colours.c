@@ -228,7 +228,8 @@ luxel_status lx_color_parts_make(const luxel_scene *scene, const luxel_settings 
     return make_parts(scene, settings, &division, diagnostics, parts);
 }
 
-/* A model of the diffuse part that is not linear in its reflectance is none that colours could be factors of. */
+/* A model of the diffuse part that is not linear in its reflectance is none that colours could be factors of, and what
+ * a mirror shows is not of the material that its pixels would take them from. */
 bool lx_is_sum_of_lobes(const struct lx_scene_parameters *scene, luxel_quantity quantity)
 {
     struct lx_scene_material at = {.material = NULL};
@@ -236,7 +237,7 @@ bool lx_is_sum_of_lobes(const struct lx_scene_parameters *scene, luxel_quantity 
         scene->reflections.choice != LX_REFLECTIONS_NONE)
         return false;
     while (lx_next_material(scene, &at))
-        if (lx_has_color(at.material) && LX_LAMBERT + at.material->diffuse_model == LX_EON)
+        if (at.material->mirror || (lx_has_color(at.material) && LX_LAMBERT + at.material->diffuse_model == LX_EON))
             return false;
     return true;
 }

@@ -18,6 +18,14 @@ enum { LX_CHANNELS = 3 };
 
 /* Behind the channels of materials, from 1: what they scatter, and their highlights, by the greatest of each. */
 enum { LX_CHANNEL_DIFFUSE = LX_CHANNELS + 1, LX_CHANNEL_HIGHLIGHT };
+/* Pictures of these are as exact as those of channels with a maximum smaller by this factor have to be. */
+enum { LX_LOBES_TO_CHANNEL = 4 };
+
+/* The greatest value that the picture of a scene, or of a channel, must be exact for, as a share of its own. */
+static inline double lx_share_of_channel(const struct lx_scene_parameters *scene)
+{
+    return scene->channel > LX_CHANNELS ? 1.0 / LX_LOBES_TO_CHANNEL : 1;
+}
 
 /* A grey computation, and what its value counts for. */
 struct lx_color_part {

@@ -144,6 +144,22 @@ static void shows_the_grey_of_the_file(void **state)
     }
 }
 
+static void shows_the_colors_of_the_file(void **state)
+{
+    (void)state;
+    Painting painting = begin("three-lights", "channels", "rgb");
+    guint8 *levels = g_malloc(3 * painting.count);
+    const guint8 *mask = luxel_field_mask(painting.field);
+    luxel_field_srgb(painting.field, levels);
+    assert_int_equal(luxel_field_channels(painting.field), 3);
+    paint(&painting);
+    for (gsize i = 0; i < painting.count; i++)
+        for (gsize k = 0; k < 3 && mask[i]; k++)
+            assert_int_equal(painting.pixels[4 * i + 2 - k], levels[3 * i + k]);
+    g_free(levels);
+    finish(&painting);
+}
+
 static void shows_the_palette(void **state)
 {
     (void)state;
@@ -318,6 +334,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(is_plain_at_first),
         cmocka_unit_test(shows_the_grey_of_the_file),
+        cmocka_unit_test(shows_the_colors_of_the_file),
         cmocka_unit_test(shows_the_palette),
         cmocka_unit_test(shows_logarithms),
         cmocka_unit_test(shows_exposure),

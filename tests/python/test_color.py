@@ -4,7 +4,7 @@ import pickle
 
 import numpy
 
-from package import Tap, luxel, run_tests
+from package import Tap, luxel, raises, run_tests
 
 SCENE = """luxel: 1
 channels: rgb
@@ -43,7 +43,23 @@ def test_probes(tap, tool):
     told = tool.run("probe", "a.yaml", "-p", "0,0", "--json").json()["points"][0]
     tap.equal((list(probe.color.rgb), list(probe.color.error), list(probe.color.xy), probe.color.cct, probe.color.duv),
               (told["rgb"]["value"], told["rgb"]["error"], told["xy"], told["cct"], told["duv"]), "as told")
+    tap.equal(list(probe.color.uv), told["uv"], "u', v', too")
     tap.equal(scene.changed({"channels": "grey"}).probe((0, 0)).color, None, "none in a grey scene")
+    tap.equal((list(probe.shares[0].color.rgb), list(probe.shares[0].color.error)),
+              (told["lights"][0]["rgb"]["value"], told["lights"][0]["rgb"]["error"]), "each light has its own")
+    tap.equal(scene.changed({"channels": "grey"}).probe((0, 0)).shares[0].color, None, "but in a grey scene")
+
+
+def test_views(tap, tool):
+    """A picture's channels and colour temperatures are fields of their own."""
+    field = luxel.Scene.from_text(SCENE).render()
+    for channel, name in enumerate(("red", "green", "blue")):
+        tap.ok((field.view(name).values == field.values[..., channel]).all(), name)
+    warm = luxel.Scene.from_text(SCENE).changed({"surfaces[0].material.color": [1, 1, 1]}).render().view("cct")
+    tap.ok(warm.unit == "K" and abs(warm.values[warm.mask] - 2700).max() < 0.01, "colour temperatures")
+    tap.ok(not warm.values[~warm.mask].any() and warm.shape == (32, 40), "which dark pixels have not")
+    tap.ok(raises(ValueError, field.view, "yellow"), "no such view")
+    tap.ok(raises(luxel.LuxelError, warm.view, "red"), "nor one of a grey field")
 
 
 def test_albedo(tap, tool):
@@ -53,9 +69,10 @@ def test_albedo(tap, tool):
     told = tool.run("probe", "b.yaml", "-p", "0,0", "-p", "50,0", "-p", "90,0", "--json").json()["points"]
     found = scene.probe([(0, 0), (50, 0), (90, 0)])
     tap.equal([probe.albedo for probe in found], [point["albedo"] for point in told], "as told")
-    tap.ok(abs(found[0].albedo - 0.8 - 0.5 * 8 / 22 * (1 - 2 ** -11)) < 1e-10, "Blinn's, straight on")
+    white = sum(weight * factor for weight, factor in zip(WEIGHTS, (1, 0.5, 0.25)))
+    tap.ok(abs(found[0].albedo - 0.8 * white - 0.5 * 8 / 22 * (1 - 2 ** -11)) < 1e-10, "Blinn's, straight on")
     tap.equal(found[2].albedo, None, "none off every surface")
     tap.equal({probe.albedo for probe in scene.probe([(0, 0)] * 1001)}, {None}, "none of very many places")
 
 
-run_tests(Tap(), test_pictures, test_probes, test_albedo)
+run_tests(Tap(), test_pictures, test_probes, test_views, test_albedo)

@@ -338,6 +338,73 @@ static void bad_colors_are_refused(void **state)
     }
 }
 
+/* The table of black bodies has the temperatures that the search finds, and none where that finds none. */
+static void many_colors_have_temperatures(void **state)
+{
+    (void)state;
+    struct lx_black_bodies *bodies = lx_black_bodies_new();
+    uint32_t seed = 7;
+    size_t with = 0, without = 0;
+    assert_non_null(bodies);
+    for (int i = 0; i < 400; i++) {
+        double place[3], xy[2], rgb[3];
+        luxel_chromaticity seen;
+        for (int k = 0; k < 3; k++) {
+            seed = seed * 1664525 + 1013904223;
+            place[k] = seed / 4294967296.0;
+        }
+        luxel_planck_xy(1e6 / (38 + 970 * place[0] * place[0]), xy);
+        xy[0] += 0.08 * (place[1] - 0.5);
+        xy[1] += 0.12 * (place[2] - 0.5);
+        luxel_xy_to_rgb(xy, rgb);
+        luxel_find_chromaticity(rgb, &seen);
+        const double kelvin = lx_black_body_near(bodies, rgb);
+        with += seen.has_cct;
+        without += !seen.has_cct;
+        assert_int_equal(kelvin > 0, seen.has_cct);
+        if (seen.has_cct)
+            assert_true(fabs(kelvin - seen.cct_k) < 1e-6 * seen.cct_k);
+    }
+    assert_true(with > 100 && without > 10);
+    assert_true(lx_black_body_near(bodies, (const double[]){0, 0, 0}) == 0);
+    free(bodies);
+}
+
+/* A view of a channel has its values, that of the colour temperature leaves out what has none, and none is of grey. */
+static void fields_have_views(void **state)
+{
+    (void)state;
+    luxel_scene *scene =
+        scene_with(HEAD "channels: rgb\n" BALL "lights: [{type: point, position: [300, 200, 400], intensity: 2,"
+                        " color: {temperature: 2700}}]\n",
+                   "model: lambert");
+    luxel_field *field = render(scene), *shown = NULL;
+    for (luxel_color_view view = LUXEL_VIEW_LUMINANCE; view <= LUXEL_VIEW_CCT; view++) {
+        assert_int_equal(luxel_field_of_view(field, view, NULL, &shown), LUXEL_OK);
+        for (unsigned i = 0; i < 1600; i++) {
+            const float *rgb = luxel_field_rgb_single(field) + 3 * (size_t)i;
+            const double value = luxel_field_value(shown, i % 40, i / 40);
+            const bool is_lit = luxel_field_single(field)[i] > 0;
+            if (view == LUXEL_VIEW_LUMINANCE)
+                assert_true(value == (double)luxel_field_single(field)[i]);
+            else if (view < LUXEL_VIEW_CCT)
+                assert_true(value == (double)rgb[view - LUXEL_VIEW_RED]);
+            else
+                assert_true(is_lit ? fabs(value - 2700) < 0.01 && luxel_field_mask(shown)[i]
+                                   : !luxel_field_mask(shown)[i]);
+        }
+        assert_string_equal(luxel_field_unit(shown), view == LUXEL_VIEW_CCT ? "K" : luxel_field_unit(field));
+        assert_int_equal(luxel_field_channels(shown), 1);
+        luxel_field *again = NULL;
+        assert_int_equal(luxel_field_of_view(shown, LUXEL_VIEW_RED, NULL, &again), LUXEL_ERROR_ARGUMENT);
+        luxel_field_free(shown);
+    }
+    assert_int_equal(luxel_field_of_view(field, (luxel_color_view)5, NULL, &shown), LUXEL_ERROR_ARGUMENT);
+    assert_null(luxel_color_view_word((luxel_color_view)5));
+    luxel_field_free(field);
+    luxel_scene_free(scene);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -353,6 +420,8 @@ int main(void)
         cmocka_unit_test(furnace_has_channels),
         cmocka_unit_test(negative_blue_is_kept),
         cmocka_unit_test(bad_colors_are_refused),
+        cmocka_unit_test(many_colors_have_temperatures),
+        cmocka_unit_test(fields_have_views),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
