@@ -11,6 +11,7 @@
 #include <luxel/luxel.h>
 
 #include "cli.h"
+#include "grid_measure.h"
 #include "json.h"
 #include "limits.h"
 #include "load.h"
@@ -137,6 +138,8 @@ static void write_extremum(struct json *json, const char *key, const luxel_grid 
     json_number(json, "value", extremum->value);
     json_wholes(json, "cell", (const unsigned[]){extremum->column, extremum->row}, 2);
     json_numbers(json, "position", extremum->position_mm, 3);
+    if (grid->colors)
+        result_write_color(json, &grid->colors[(size_t)extremum->row * grid->columns + extremum->column]);
     json_close(json, '}');
 }
 
@@ -190,6 +193,8 @@ static void write_peak(struct json *json, const char *key, const luxel_grid_peak
     json_number(json, "value", peak->value);
     json_number(json, "error", peak->error);
     json_numbers(json, "position", peak->position_mm, 3);
+    if (peak->color.exists)
+        result_write_color(json, &peak->color);
     json_close(json, '}');
 }
 
@@ -233,6 +238,7 @@ static void write_grid(struct json *json, const luxel_grid *grid, const luxel_gr
     json_numbers(json, "axis", grid->axis, 3);
     json_numbers(json, "up", grid->up, 3);
     json_wholes(json, "n", (const unsigned[]){grid->columns, grid->rows}, 2);
+    grid_measure_write(json, grid);
     write_number_if(json, "average", measured, grid->average.value);
     write_extremum(json, "minimum", grid, &grid->minimum);
     write_extremum(json, "maximum", grid, &grid->maximum);
@@ -311,6 +317,7 @@ static void print_plane(const luxel_grid *grid)
            text_lengths(grid->center_mm, 3, center));
     printf(_("  normal (%.6g, %.6g, %.6g), up (%.6g, %.6g, %.6g)\n\n"), axis[0] + 0.0, axis[1] + 0.0, axis[2] + 0.0,
            up[0] + 0.0, up[1] + 0.0, up[2] + 0.0);
+    grid_measure_print(grid);
 }
 
 /* The values as the plane is seen from its front, with the numbers of the columns above and of the rows at the left. */
@@ -413,6 +420,7 @@ static void print_statistics(const luxel_grid *grid, const luxel_grid_extrema *e
                                      measured ? text_error(grid->error, error) : _("none"), "", ""));
     add_number(table, _("U0 = minimum / average of the values"), grid->has_evenness, grid->u0);
     add_number(table, _("Ud = minimum / maximum of the values"), grid->has_evenness, grid->ud);
+    grid_measure_add(table, grid);
     if (grid->has_mean)
         add_bounded(table, _("mean over the plane, whatever its cells"), grid->mean.value, grid->mean.error);
     if (grid->flux_unit) {
@@ -422,6 +430,18 @@ static void print_statistics(const luxel_grid *grid, const luxel_grid_extrema *e
     if (grid->has_sampling_error)
         add_sampling(table, grid);
     text_table_print(table, stdout, 2);
+}
+
+static void print_colors(const luxel_grid *grid, const luxel_grid_extrema *extrema)
+{
+    const luxel_color average = average_color(grid);
+    char words[TEXT_SIZE];
+
+    printf(_("  colour of the average: %s\n"), result_color_text(&average, words));
+    if (extrema->minimum.color.exists)
+        printf(_("  colour of the minimum: %s\n"), result_color_text(&extrema->minimum.color, words));
+    if (extrema->maximum.color.exists)
+        printf(_("  colour of the maximum: %s\n"), result_color_text(&extrema->maximum.color, words));
 }
 
 static void print_grid(const luxel_grid *grid, const luxel_grid_extrema *extrema, const struct judged *judged, size_t i)
@@ -434,12 +454,8 @@ static void print_grid(const luxel_grid *grid, const luxel_grid_extrema *extrema
         print_values(grid);
     print_statistics(grid, extrema);
     limits_print(judged, grid->unit);
-    if (grid->colors && grid->measured > 0) {
-        const luxel_color average = average_color(grid);
-        char words[TEXT_SIZE];
-
-        printf(_("  colour of the average: %s\n"), result_color_text(&average, words));
-    }
+    if (grid->colors && grid->measured > 0)
+        print_colors(grid, extrema);
     if (without > 0)
         printf(ngettext("  %zu cell lies on a source, lights[%zu], and has no value\n",
                         "  %zu cells lie on a source, the first of them on lights[%zu], and have no value\n", without),

@@ -44,6 +44,7 @@ struct option_analysis {
     unsigned wanted_levels;       /* about so many round ones */
     double levels[OPTION_LEVELS]; /* or just these */
     size_t level_count;
+    size_t view; /* of a picture in colour, a luxel_color_view */
 };
 
 /* What figures and reports look like; texts are NULL where none were given. */

@@ -25,6 +25,7 @@ static const char *const bits_words[] = {"8", "16", NULL};
 static const char *const format_words[] = {"png", "npy",  "pfm",      "csv",   "exr",  "svg", "pdf", "md",
                                            "tex", "text", "markdown", "latex", "html", "ies", "ldt", NULL};
 static const char *const section_words[] = {"center", "maximum", NULL};
+static const char *const view_words[] = {"luminance", "red", "green", "blue", "cct", NULL};
 static const char *const spacing_words[] = {"0.25", "1", NULL};
 static const char *const diagram_words[] = {"polar", "cartesian", "cone", NULL};
 const char *const option_formats[] = {"text", "markdown", "latex", "html", NULL};
@@ -130,6 +131,11 @@ static bool take_quantity(struct options *options, const char *argument)
 const char *options_quantity_name(luxel_quantity quantity)
 {
     return quantity == LUXEL_IRRADIANCE ? "irradiance" : "brightness";
+}
+
+static bool take_channel(struct options *options, const char *argument)
+{
+    return take_word("--channel", argument, view_words, &options->analysis.view);
 }
 
 static bool take_precision(struct options *options, const char *argument)
@@ -488,6 +494,10 @@ static const struct option_row rows[] = {
      .help = N_("the range of values of the histogram, the levels or the colours")},
     {"log", 0, NULL, COMMAND_STATS | COMMAND_ISOPHOTES | COMMAND_FIGURE, SETS(analysis.logarithmic),
      .help = N_("in steps of the logarithm")},
+    {"channel", 0, N_("NAME"), COMMAND_STATS | COMMAND_FIGURE, TAKES(take_channel), WORDS(view_words),
+     .help =
+         N_("of a picture in colour: its luminance (the default), a channel, red, green or blue, or cct, the colour "
+            "temperature in K")},
     {"label", 0, N_("TEXT"), COMMAND_FIGURE, KEEPS(drawing.label),
      .help = N_("the label of the colour bar, instead of the quantity with its unit")},
     {"contour", 0, NULL, COMMAND_FIGURE, SETS(drawing.contours),

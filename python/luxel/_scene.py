@@ -8,7 +8,7 @@ from _thread import allocate_lock
 from typing import (TYPE_CHECKING, Any, Dict, Iterable, Iterator, List, Mapping, Optional, Sequence, Tuple, Union,
                     overload)
 
-from . import _flow, _luxel
+from . import _flow, _jacobian, _luxel
 from ._arrays import floats, spacing
 from ._balance import Balance, balance
 from ._document import Document
@@ -34,6 +34,7 @@ Path = Union[str, "os.PathLike[str]"]
 Pair = Tuple[float, float]
 Edit = Tuple[str, str, int, int, Optional[str]]
 ARC_SAMPLES = 181
+_known_keys: List[str] = []
 
 
 def builtin_scenes() -> Dict[str, str]:
@@ -57,9 +58,6 @@ def _keys() -> List[str]:
     if not _known_keys:
         _known_keys.extend(schema()["properties"])
     return _known_keys
-
-
-_known_keys: List[str] = []
 
 
 def variant(number: int) -> "Scene":
@@ -96,6 +94,7 @@ class Scene(Rated):
     _path: Optional[str]
     _name: str
     _carried: Optional[Carried]
+    jacobian = _jacobian.jacobian
 
     def __init__(self, source: "Union[str, bytes, os.PathLike[str], Mapping[str, Any], Scene]" = "report") -> None:
         if isinstance(source, Scene):
@@ -388,7 +387,7 @@ class Scene(Rated):
 
     def _surface(self, surface: Union[str, int]) -> int:
         return index_of("surface", surface, [self["surfaces[%d].name" % i] if isinstance(surface, str) else None
-                                             for i in range(self.size("surfaces"))])
+                                             for i in range(max(self.size("surfaces"), 1))])
 
     def evaluate(self, places: "npt.ArrayLike", normals: "npt.ArrayLike", view: "Optional[npt.ArrayLike]" = None, *,
                  surface: Union[str, int] = 0, per_light: bool = False, quantity: Optional[str] = None,

@@ -22,6 +22,7 @@
 #include "../scene/observer.h"
 #include "../scene/scene.h"
 #include "../world/evaluate.h"
+#include "coloring.h"
 #include "glare_light.h"
 #include "reflecting.h"
 
@@ -265,6 +266,40 @@ static void take_reflected(void *data, size_t i, lx_bounded irradiance)
     ((struct rating *)data)->reflected = irradiance;
 }
 
+/* What surfaces reflect to the eye, in a session that may have shared what it knows. */
+static luxel_status reflect(struct rating *rating, luxel_diagnostics *diagnostics)
+{
+    const luxel_settings *settings = &rating->session->settings;
+    struct lx_control control = {.rows = 1, .progress = settings->progress, .data = settings->progress_data};
+    const struct lx_reflecting reflecting = {&control, 1, ask_eye, take_reflected, rating, NULL, NULL, NULL};
+    return lx_reflect_places(rating->session, &reflecting, false, diagnostics);
+}
+
+/* The luminance of that where it is a sum of parts. */
+static luxel_status reflect_parts(const luxel_scene *scene, struct rating *rating, luxel_diagnostics *diagnostics)
+{
+    luxel_settings settings = rating->session->settings;
+    struct lx_color_parts parts;
+    settings.quantity = LUXEL_IRRADIANCE;
+    luxel_status status = lx_color_parts_make(scene, &settings, diagnostics, &parts);
+    for (size_t p = 0; p < parts.count && status == LUXEL_OK; p++) {
+        const struct lx_color_part *part = &parts.list[p];
+        luxel_settings own = part->settings;
+        struct lx_part_progress progress;
+        struct lx_session session;
+        struct rating of_part = {.session = &session, .eye = rating->eye, .ambient = rating->ambient};
+        lx_part_progress_begin(&progress, p, parts.count, &settings, &own);
+        status = lx_session_open_world(part->scene, &own, diagnostics, &session);
+        if (status == LUXEL_OK)
+            status = reflect(&of_part, diagnostics);
+        rating->reflected =
+            lx_add_part(rating->reflected, part->luminance, of_part.reflected.value, of_part.reflected.error);
+        lx_session_clear(&session);
+    }
+    lx_color_parts_clear(&parts);
+    return status;
+}
+
 /* UGR and its bound: between the least sum over the greatest background and the other way round. */
 static void conclude(const struct rating *rating, lx_bounded background)
 {
@@ -283,19 +318,28 @@ static void conclude(const struct rating *rating, lx_bounded background)
         16 * DBL_EPSILON * (1 + fabs(glare->rating.value));
 }
 
-static luxel_status rate(struct rating *rating, luxel_diagnostics *diagnostics)
+static luxel_status rate(const luxel_scene *scene, struct rating *rating, luxel_diagnostics *diagnostics)
 {
     const luxel_settings *settings = &rating->session->settings;
-    struct lx_control control = {.rows = 1, .progress = settings->progress, .data = settings->progress_data};
-    const struct lx_reflecting reflecting = {&control, 1, ask_eye, take_reflected, rating, NULL, NULL};
     luxel_status status = rate_lights(rating);
     if (status == LUXEL_OK && lx_wants_reflections(rating->session->prepared.scene))
-        status = lx_reflect_places(rating->session, &reflecting, false, diagnostics);
+        status = lx_is_sum_of_channels(lx_scene_parameters(scene), LUXEL_IRRADIANCE)
+                     ? reflect_parts(scene, rating, diagnostics)
+                     : reflect(rating, diagnostics);
     const lx_bounded background = lx_add(rating->reflected, rating->ambient);
     rating->glare->reached = rating->reflected.error <= lx_reflected_error_of(settings) * fabs(background.value);
     if (status == LUXEL_OK)
         conclude(rating, lx_div(background, plain(M_PI)));
     return status == LUXEL_ERROR_MEMORY ? lx_out_of_memory(diagnostics) : status;
+}
+
+/* Images of lamps in mirrors would have places of their own in the field of view. */
+static luxel_status refuse_mirrors(const struct lx_prepared *prepared, luxel_diagnostics *diagnostics)
+{
+    if (prepared->mirrors.count == 0)
+        return LUXEL_OK;
+    lx_report(diagnostics, LUXEL_SEVERITY_ERROR, NULL, LX_MSG_GLARE_OF_MIRRORS, NULL);
+    return LUXEL_ERROR_SCENE;
 }
 
 luxel_status luxel_find_glare(const luxel_scene *scene, const luxel_settings *settings, const luxel_glare_sight *sight,
@@ -310,18 +354,18 @@ luxel_status luxel_find_glare(const luxel_scene *scene, const luxel_settings *se
         return status;
     status = lx_session_open_world(scene, settings, diagnostics, &session);
     if (status == LUXEL_OK)
-        status = lx_refuse_sum(scene, LUXEL_IRRADIANCE, LX_N("glare"), diagnostics);
+        status = refuse_mirrors(&session.prepared, diagnostics);
     if (status == LUXEL_OK && !open_eye(session.prepared.scene, sight, &rating.eye)) {
         lx_report(diagnostics, LUXEL_SEVERITY_ERROR, NULL, LX_MSG_MISSING_ARGUMENT, LX_ARGS("sight"));
         status = LUXEL_ERROR_ARGUMENT;
     }
-    if (status == LUXEL_OK)
+    if (status == LUXEL_OK && !lx_is_sum_of_channels(lx_scene_parameters(scene), LUXEL_IRRADIANCE))
         status = lx_reflect_shared(scene, &session, diagnostics);
     if (status == LUXEL_OK) {
         rating.open = session.prepared;
         rating.open.shadows_on_free = rating.open.shadows_extended = false;
         rating.glare = lx_new_array(1, sizeof *rating.glare);
-        status = rating.glare ? rate(&rating, diagnostics) : lx_out_of_memory(diagnostics);
+        status = rating.glare ? rate(scene, &rating, diagnostics) : lx_out_of_memory(diagnostics);
     }
     lx_session_clear(&session);
     free(rating.shares);

@@ -62,6 +62,7 @@ struct lx_grid {
     double axis[3], up[3]; /* as of a rectangle: the normal of the elements; along the rows' order */
     unsigned n[2];         /* columns, rows; as the spacing says where they are not given */
     int spacing;
+    int measure; /* enum lx_measure */
     struct lx_grid_limits limits;
 };
 
@@ -87,6 +88,7 @@ struct lx_scene_parameters {
     int channels;                          /* enum lx_channels */
     int shadows;                           /* enum lx_shadows */
     struct lx_choice_or_whole reflections; /* enum lx_reflections, or the number of bounces */
+    unsigned mirrors;                      /* how many in a row are counted */
     double maintenance;                    /* of all lights */
     struct lx_screen screen;
     struct lx_observer observer;

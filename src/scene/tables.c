@@ -4,6 +4,7 @@
 
 #include "../base/number.h"
 #include "../light/light.h"
+#include "../material/measure.h"
 #include "../parameter/check.h"
 #include "../surface/surface.h"
 #include "observer.h"
@@ -236,6 +237,16 @@ static const struct lx_parameter grid_parameters[] = {
                    "twice as long or more",
     },
     {
+        .name = "measure",
+        .label = "Measure",
+        .type = LX_CHOICE,
+        .offset = offsetof(struct lx_grid, measure),
+        .choices = lx_measure_names,
+        .meaning = "what is measured at the centre of each cell: the illuminance on the plane, or the mean of that on "
+                   "the surface of a small body there: on the side of a cylinder along the axis, on that half of "
+                   "it which faces along up, on a sphere, or on the half of a sphere that looks along the axis",
+    },
+    {
         .name = "limits",
         .label = "Limits",
         .type = LX_GROUP,
@@ -349,6 +360,16 @@ static const struct lx_parameter scene_parameters[] = {
             "how often the light that falls on surfaces is sent on to other surfaces, by Lambert's law with the "
             "reflectance diffuse: never, so many times, until nothing is left; needs over_pi, diffuse below 1 and "
             "physical laws of attenuation",
+    },
+    {
+        .name = "mirrors",
+        .label = "Mirrors in a row",
+        .type = LX_WHOLE,
+        .offset = offsetof(struct lx_scene_parameters, mirrors),
+        .initial = "4",
+        .legal = LX_BETWEEN(1, 64),
+        .advised = {LX_BETWEEN(1, 8)},
+        .meaning = "how many mirrors in a row light and sights are followed by; what more of them give is in the bound",
     },
     {
         .name = "maintenance_factor",

@@ -13,15 +13,16 @@
 /* Emitters between two questions whether to go on. */
 enum { BETWEEN_CHECKS = 64 };
 
-/* Whether a batch has the light of an emitter by vectors; of extended sources and luminaires it asks the reference. */
-static bool is_vectored(const struct lx_emitter *emitter)
+/* Whether a batch has the light of an emitter by vectors; of extended sources and luminaires, and where there are
+ * mirrors, it asks the reference. */
+static bool is_vectored(const struct lx_world *world, const struct lx_emitter *emitter)
 {
-    return !lx_is_extended(emitter) && !emitter->profile.luminaire;
+    return !lx_is_extended(emitter) && !emitter->profile.luminaire && world->prepared->mirrors.count == 0;
 }
 
 unsigned lx_world_batch(const struct lx_world *world)
 {
-    return world->prepared->emitters.extended > 0 ? 1 : LX_BATCH;
+    return world->prepared->emitters.extended > 0 || world->prepared->mirrors.count > 0 ? 1 : LX_BATCH;
 }
 
 /* ---- completing elements ---- */
@@ -295,7 +296,7 @@ static void add_emitter(const struct lx_world *world, const struct lx_elements *
                         struct lx_received *received)
 {
     struct lx_openness openness;
-    if (is_vectored(emitter)) {
+    if (is_vectored(world, emitter)) {
         const struct lx_column *open = find_open(world, elements, emitter, &openness);
         world->kernels->light(emitter, elements, open, wanted, received);
         return;
