@@ -18,6 +18,7 @@
 #include "text.h"
 
 static const char *const quantity_words[] = {"brightness", "irradiance", "luminance", "illuminance", NULL};
+static const char *const purpose_words[] = {"exercise", "lighting", NULL};
 static const char *const names_words[] = {"grids", "lights", NULL};
 static const char *const precision_words[] = {"single", "double", NULL};
 static const char *const csv_words[] = {"rfc4180", "excel-ru", NULL};
@@ -117,6 +118,11 @@ static bool take_word(const char *option, const char *argument, const char *cons
     message_error(_("%s %s: expected one of %s"), option, argument, list);
     message_did_you_mean(luxel_nearest_word(argument, words, *found));
     return false;
+}
+
+static bool take_purpose(struct options *options, const char *argument)
+{
+    return take_word("--for", argument, purpose_words, &options->drawing.purpose);
 }
 
 static bool take_quantity(struct options *options, const char *argument)
@@ -504,6 +510,8 @@ static const struct option_row rows[] = {
      .help = N_("dots per inch of a .png, 30 to 2400; the default is 200")},
     {"title", 0, N_("TEXT"), COMMAND_FIGURE | COMMAND_REPORT | COMMAND_PHOTOMETRY, KEEPS(drawing.title),
      .help = N_("the title")},
+    {"for", 0, N_("PURPOSE"), COMMAND_REPORT, TAKES(take_purpose), WORDS(purpose_words),
+     .help = N_("whom the report is for: exercise (the default), or lighting, who are to see that a design is good")},
     {"author", 0, N_("TEXT"), COMMAND_REPORT, KEEPS(drawing.author), .help = N_("who hands the report in")},
     {"group", 0, N_("TEXT"), COMMAND_REPORT, KEEPS(drawing.group), .help = N_("the author's group")},
     {"date", 0, N_("TEXT"), COMMAND_REPORT, KEEPS(drawing.date),
