@@ -54,6 +54,7 @@ struct option_drawing {
     bool palettes, contours, bands, lines, plain, no_extrema, no_points, stacked, dark;
     double width_mm, dots_per_inch; /* 0: the default */
     unsigned digits;                /* of the values of a report; 0: the default */
+    size_t purpose;                 /* of luxel report, a luxel_report_purpose */
     size_t diagram;                 /* of luxel photometry, a luxel_diagram */
     double spacing;                 /* of the luminaires of its UGR table; 0: the default */
     size_t room;                    /* of that table, to be rated with reflected light; 0: none, else 1 more */

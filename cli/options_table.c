@@ -14,9 +14,11 @@
 #include "options.h"
 #include "photometry_room.h"
 #include "room_options.h"
+#include "sweep_options.h"
 #include "text.h"
 
 static const char *const quantity_words[] = {"brightness", "irradiance", "luminance", "illuminance", NULL};
+static const char *const purpose_words[] = {"exercise", "lighting", NULL};
 static const char *const names_words[] = {"grids", "lights", NULL};
 static const char *const precision_words[] = {"single", "double", NULL};
 static const char *const csv_words[] = {"rfc4180", "excel-ru", NULL};
@@ -100,6 +102,11 @@ static bool take_free(struct options *options, const char *argument)
 {
     options->free_keys[options->free_key_count++] = argument;
     return true;
+}
+
+static bool take_purpose(struct options *options, const char *argument)
+{
+    return options_take_word("--for", argument, purpose_words, &options->drawing.purpose);
 }
 
 static bool take_quantity(struct options *options, const char *argument)
@@ -188,40 +195,6 @@ static bool take_light_error(struct options *options, const char *argument)
 static bool take_reflected_error(struct options *options, const char *argument)
 {
     return take_share("--reflected-error", argument, &options->settings.reflected_error);
-}
-
-static bool take_workers(struct options *options, const char *argument)
-{
-    return argument_whole("--workers", argument, 1, 1024, &options->sweep.workers);
-}
-
-static bool take_show(struct options *options, const char *argument)
-{
-    unsigned scene;
-    const bool good = argument_whole("--show", argument, 0, UINT32_MAX, &scene);
-
-    options->sweep.show = good ? scene : 0;
-    return good;
-}
-
-/* I/N: I of N, from 0 or from 1 on. */
-static bool take_shard(struct options *options, const char *argument)
-{
-    const char *slash = strchr(argument, '/');
-    char *part = slash ? strndup(argument, (size_t)(slash - argument)) : NULL;
-    bool good = part && argument_whole("--shard", part, 0, 65535, &options->sweep.part) &&
-                argument_whole("--shard", slash + 1, 1, 65535, &options->sweep.parts);
-
-    if (!slash)
-        message_error(_("--shard must be I/N, part I of N: \"%s\""), argument);
-    free(part);
-    if (good && options->sweep.part > options->sweep.parts) {
-        message_error(_("--shard %s: there is no part %u of %u"), argument, options->sweep.part, options->sweep.parts);
-        good = false;
-    }
-    if (good)
-        options->sweep.part %= options->sweep.parts;
-    return good;
 }
 
 static bool take_threads(struct options *options, const char *argument)
@@ -407,10 +380,10 @@ static const struct option_row rows[] = {
      .help = N_("bits of the grey levels of a .png: 8 (default) or 16, which show differences that 256 levels hide")},
     {"dry-run", 'n', NULL, COMMAND_SET | COMMAND_SWEEP, SETS(dry_run),
      .help = N_("write no file: print the changed scene, or how many scenes, bytes and seconds a sweep is")},
-    {"show", 0, N_("I"), COMMAND_SWEEP, TAKES(take_show), .help = N_("print scene I of the study, from 0 on")},
-    {"shard", 0, N_("I/N"), COMMAND_SWEEP, TAKES(take_shard),
+    {"show", 0, N_("I"), COMMAND_SWEEP, TAKES(sweep_take_show), .help = N_("print scene I of the study, from 0 on")},
+    {"shard", 0, N_("I/N"), COMMAND_SWEEP, TAKES(sweep_take_shard),
      .help = N_("compute part I of N, the shards whose number is I modulo N, as one of the N jobs of an array")},
-    {"workers", 0, N_("N"), COMMAND_SWEEP, TAKES(take_workers),
+    {"workers", 0, N_("N"), COMMAND_SWEEP, TAKES(sweep_take_workers),
      .help = N_("how many threads compute a shard each; the default is one per processor")},
     {"merge", 0, N_("FILE"), COMMAND_SWEEP, KEEPS(sweep.merge), .value = VALUE_FILE,
      .help =
@@ -521,6 +494,8 @@ static const struct option_row rows[] = {
      .help = N_("dots per inch of a .png, 30 to 2400; the default is 200")},
     {"title", 0, N_("TEXT"), COMMAND_FIGURE | COMMAND_REPORT | COMMAND_PHOTOMETRY, KEEPS(drawing.title),
      .help = N_("the title")},
+    {"for", 0, N_("PURPOSE"), COMMAND_REPORT, TAKES(take_purpose), WORDS(purpose_words),
+     .help = N_("whom the report is for: exercise (the default), or lighting, who are to see that a design is good")},
     {"author", 0, N_("TEXT"), COMMAND_REPORT, KEEPS(drawing.author), .help = N_("who hands the report in")},
     {"group", 0, N_("TEXT"), COMMAND_REPORT, KEEPS(drawing.group), .help = N_("the author's group")},
     {"date", 0, N_("TEXT"), COMMAND_REPORT, KEEPS(drawing.date),

@@ -32,6 +32,7 @@ static int report(const struct options *options, const struct loaded *loaded)
         .aim = options->drawing.aim,
         .palette = options->drawing.palette,
         .digits = options->drawing.digits,
+        .purpose = (luxel_report_purpose)options->drawing.purpose,
         .language = &language,
     };
 

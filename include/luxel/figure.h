@@ -67,8 +67,8 @@ typedef struct luxel_figure_settings {
     bool small_print;             /* the parameters under the picture; true */
     const luxel_language *language; /* NULL: English */
     luxel_color_view view; /* of a picture in colour; luminance.  Others have no sections, and lines of pixels alone */
-    size_t grid;       /* 0: the picture; else the plane of the scene's grid of this number, from 1 on; see below */
-    void *reserved[4]; /* for later versions: NULL */
+    size_t grid;           /* 0: the picture; else the plane of the scene's grid of this number, from 1 on; see below */
+    void *reserved[4];     /* for later versions: NULL */
 } luxel_figure_settings;
 
 /* Sets every member to its default, given above. */
@@ -149,6 +149,12 @@ LUXEL_API luxel_status luxel_diagram_write_memory(const luxel_photometry *photom
                                                   luxel_diagnostics *diagnostics, unsigned char **bytes,
                                                   size_t *length);
 
+/* What a report is for. */
+typedef enum luxel_report_purpose {
+    LUXEL_REPORT_EXERCISE, /* what students hand in */
+    LUXEL_REPORT_LIGHTING  /* what a lighting designer hands over */
+} luxel_report_purpose;
+
 /* Texts that a report says of itself; all may be NULL. */
 typedef struct luxel_report_settings {
     const char *title;              /* of the report; NULL: one that says what it is about */
@@ -164,12 +170,15 @@ typedef struct luxel_report_settings {
     const char *place;              /* the town, say */
     const char *aim;                /* of the work, a paragraph; NULL: to compute and show what is computed */
     unsigned digits;                /* significant digits of values, to 17; 0: 7, and 12 of the values of points */
+    luxel_report_purpose purpose;   /* what the report is to show */
     void *reserved[3];              /* for later versions: NULL */
 } luxel_report_settings;
 
 /*
  * Writes the report that the exercise asks for, by the extension of the name: .pdf (A4), .html (one file), .md, .tex:
  * aim, task, parameters, formulas, pictures, sections, points, extrema, conclusions, and the scene to reproduce them.
+ * With LUXEL_REPORT_LIGHTING: a summary of the limits with their verdicts, the plan, the luminaires with totals, each
+ * measuring grid as figure and table, the glare of observers, the light on surfaces, the conventions, and the scene.
  * `report` NULL: none of its texts.  Zero-initialise its settings, so that members that come later are NULL.
  * LUXEL_ERROR_ARGUMENT: another extension.  LUXEL_ERROR_FILE.  Errors as luxel_render() lists them, too.
  */

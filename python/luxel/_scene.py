@@ -559,9 +559,13 @@ class Scene(Rated):
                institution: Optional[str] = None, faculty: Optional[str] = None, course: Optional[str] = None,
                teacher: Optional[str] = None, place: Optional[str] = None, aim: Optional[str] = None,
                quantity: Optional[str] = None, precision: Optional[str] = None,
-               progress: Optional[Progress] = None) -> None:
-        """Writes the report that the exercise asks for, by the extension of the name: .pdf, .html, .md or .tex."""
-        texts = (title, author, group, date, palette, institution, faculty, course, teacher, place, aim)
+               progress: Optional[Progress] = None, purpose: str = "exercise") -> None:
+        """Writes the report that the exercise asks for, by the extension of the name: .pdf, .html, .md or .tex.
+
+        `purpose="lighting"`: what a lighting designer hands over, as `luxel report --for lighting`.
+        """
+        texts = (title, author, group, date, palette, institution, faculty, course, teacher, place, aim,
+                 choice("purpose", purpose, ("exercise", "lighting")))
         how = settings(self._carried, quantity, precision, progress=progress)
         drawing().write_report(_luxel.scene_capsule(self._handle), how, texts, os.fsencode(path))
 

@@ -169,17 +169,19 @@ static PyObject *write_report(PyObject *module, PyObject *arguments)
     const char *path;
     struct work work;
     luxel_report_settings report = {0};
+    int purpose;
     const luxel_scene *scene;
     luxel_diagnostics *diagnostics;
 
-    if (!PyArg_ParseTuple(arguments, "OO(zzzzzzzzzzz)y", &capsule, &settings, &report.title, &report.author,
+    if (!PyArg_ParseTuple(arguments, "OO(zzzzzzzzzzzi)y", &capsule, &settings, &report.title, &report.author,
                           &report.group, &report.date, &report.palette, &report.institution, &report.faculty,
-                          &report.course, &report.teacher, &report.place, &report.aim, &path) ||
+                          &report.course, &report.teacher, &report.place, &report.aim, &purpose, &path) ||
         !(scene = scene_in(capsule)) || !work_begin(&work, settings) || !(diagnostics = diagnostics_begin()))
         return NULL;
     const luxel_language language = language_of(language_here(module));
 
     report.language = &language;
+    report.purpose = (luxel_report_purpose)purpose;
     work_leave(&work);
     const luxel_status status = luxel_report_write(scene, &work.settings, &report, path, diagnostics);
 
@@ -211,7 +213,8 @@ static PyMethodDef functions[] = {
     FUNCTION("diagram_bytes", diagram_bytes, METH_VARARGS, "capsule: object, look: Tuple[Any, ...], name: str, /",
              "bytes"),
     FUNCTION("write_report", write_report, METH_VARARGS,
-             "capsule: object, settings: Tuple[Any, ...], texts: Tuple[Optional[str], ...], path: bytes, /", "None"),
+             "capsule: object, settings: Tuple[Any, ...], texts: Tuple[Union[str, int, None], ...], path: bytes, /",
+             "None"),
     FUNCTION("palettes", palettes, METH_NOARGS, "", "List[str]"),
     {NULL, NULL, 0, NULL},
 };

@@ -186,18 +186,6 @@ static lx_bounded rate_source(struct rating *rating, const struct lx_emitters *w
     return lx_exact(0);
 }
 
-/* The emitters of one of the places of a light. */
-static struct lx_emitters of_place(const struct lx_emitters *emitters, size_t places, size_t place)
-{
-    struct lx_emitters these = *emitters;
-    if (places == 1 || emitters->point_set_count > 0)
-        return these;
-    these.count = emitters->count / places;
-    these.items += place * these.count;
-    these.extended = emitters->extended / places;
-    return these;
-}
-
 /* Rates a light place by place; `next`, the first of its emitters, moves behind them. */
 static luxel_status rate_light(struct rating *rating, size_t light, size_t *next)
 {
@@ -214,7 +202,7 @@ static luxel_status rate_light(struct rating *rating, size_t light, size_t *next
         (*next)++;
     const size_t each = (*next - first) / places;
     for (size_t place = 0; place < places && status == LUXEL_OK; place++) {
-        const struct lx_emitters these = of_place(&whole, places, place);
+        const struct lx_emitters these = lx_emitters_of_place(&whole, places, place);
         luxel_glare_source *source = &glare->sources[glare->source_count];
         *source = (luxel_glare_source){.light = light, .type = item->variant->name, .place = place, .places = places};
         if (common->name && !(source->name = lx_copy_text(common->name, strlen(common->name))))

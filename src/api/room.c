@@ -87,7 +87,7 @@ static void add_view(struct lx_text *text, const double size_m[3])
     const double position[3] = {-0.45 * size_m[0], -0.45 * size_m[1], 0.6 * size_m[2]};
     const double target[3] = {0.1 * size_m[0], 0.1 * size_m[1], 0.4 * size_m[2]};
     const double away = sqrt(pow(target[0] - position[0], 2) + pow(target[1] - position[1], 2));
-    const double width = fmax(round(15 * away) / 10, 0.3);
+    const double width = 0.3 * fmax(round(5 * away), 1); /* so that pixels of 600 × 400 are square and round */
     const double screen[2] = {as_mm(width), as_mm(width / 1.5)};
     char first[LX_NUMBER_SIZE], second[LX_NUMBER_SIZE];
     lx_text_printf(text, "screen: {width: %s, height: %s, resolution: [600, 400]}\n", lx_write_number(screen[0], first),

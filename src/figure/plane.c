@@ -10,6 +10,7 @@
 #include "../base/memory.h"
 #include "../base/phrase.h"
 #include "../base/vector.h"
+#include "../light/array.h"
 #include "figure.h"
 
 /* The cells from which colours and isophotes are made: about so many, fewer where each takes integrals or a share of
@@ -55,23 +56,34 @@ static void set_axis(struct lx_figure *figure, int side)
 
 /* ---- lights ---- */
 
+/* A light, or a place of its array, where that stands in front of the plane. */
+static void add_lamp(struct lx_figure_plane *plane, size_t light, const double place[3])
+{
+    const luxel_grid *grid = plane->grid;
+    double away[3];
+    for (int k = 0; k < 3; k++)
+        away[k] = place[k] - grid->center_mm[k];
+    const struct lx_lamp lamp = {.place_mm = {lx_dot(away, grid->across), lx_dot(away, grid->up)}, .light = light};
+    if (lx_dot(away, grid->axis) > 0 && fabs(lamp.place_mm[0]) <= grid->size_mm[0] / 2 &&
+        fabs(lamp.place_mm[1]) <= grid->size_mm[1] / 2)
+        plane->lamps[plane->lamp_count++] = lamp;
+}
+
 /* The lights that stand in front of the plane, where they stand over it. */
 static int find_lamps(struct lx_figure *figure)
 {
     struct lx_figure_plane *plane = figure->plane;
-    const luxel_grid *grid = plane->grid;
-    const size_t count = luxel_scene_light_count(figure->copy);
-    plane->lamps = lx_new_array(count + 1, sizeof *plane->lamps);
-    for (size_t i = 0; plane->lamps && i < count; i++) {
-        double place[3], away[3];
-        if (!luxel_scene_light_enabled(figure->copy, i) || !luxel_scene_light_place(figure->copy, i, place))
-            continue;
-        for (int k = 0; k < 3; k++)
-            away[k] = place[k] - grid->center_mm[k];
-        const struct lx_lamp lamp = {.place_mm = {lx_dot(away, grid->across), lx_dot(away, grid->up)}, .light = i};
-        if (lx_dot(away, grid->axis) > 0 && fabs(lamp.place_mm[0]) <= grid->size_mm[0] / 2 &&
-            fabs(lamp.place_mm[1]) <= grid->size_mm[1] / 2)
-            plane->lamps[plane->lamp_count++] = lamp;
+    const struct lx_list *lights = &lx_scene_parameters(figure->copy)->lights;
+    size_t most = 1;
+    for (size_t i = 0; i < lights->count; i++)
+        most += lx_light_places(&lights->items[i]);
+    plane->lamps = lx_new_array(most, sizeof *plane->lamps);
+    for (size_t i = 0; plane->lamps && i < lights->count; i++) {
+        double(*places_mm)[3] =
+            luxel_scene_light_enabled(figure->copy, i) ? lx_light_find_places(&lights->items[i]) : NULL;
+        for (size_t k = 0; places_mm && k < lx_light_places(&lights->items[i]); k++)
+            add_lamp(plane, i, places_mm[k]);
+        free(places_mm);
     }
     return plane->lamps ? 0 : -1;
 }

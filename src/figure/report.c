@@ -13,6 +13,7 @@
 #include "../scene/lit.h"
 #include "../world/prepared.h"
 #include "figure.h"
+#include "lighting.h"
 #include "pages.h"
 
 static const char *const endings[] = {".pdf", ".html", ".md", ".tex"};
@@ -58,11 +59,18 @@ static void add_cover(struct luxel_document *document, const luxel_report_settin
         add_cover_line(document, LX_COVER_FOOT, "{0}", is_given(texts->place) ? texts->place : texts->date);
 }
 
+static bool is_for_lighting(const struct lx_report *report)
+{
+    return report->texts->purpose == LUXEL_REPORT_LIGHTING;
+}
+
 static void add_title(struct lx_report *report)
 {
     const luxel_report_settings *texts = report->texts;
     if (texts->title)
         lx_document_title(report->document, "{0}", LX_SPANS(LX_PLAIN(texts->title)));
+    else if (is_for_lighting(report))
+        lx_document_title(report->document, LX_N("Lighting design"), NULL);
     else
         lx_document_title(
             report->document,
@@ -154,8 +162,24 @@ luxel_status lx_report_pictures(struct lx_report *report)
     return status;
 }
 
+/* The report of a lighting designer. */
+static luxel_status build_lighting(struct lx_report *report)
+{
+    report->document = lx_document_new(report->texts->language);
+    if (!report->document)
+        return lx_out_of_memory(report->diagnostics);
+    add_title(report);
+    lx_document_number(report->document);
+    const luxel_status status = lx_lighting_build(report);
+    if (status != LUXEL_OK)
+        return status;
+    return lx_document_failed(report->document) ? lx_out_of_memory(report->diagnostics) : LUXEL_OK;
+}
+
 static luxel_status build(struct lx_report *report)
 {
+    if (is_for_lighting(report))
+        return build_lighting(report);
     luxel_status status = lx_report_compute(report);
     if (status != LUXEL_OK)
         return status;

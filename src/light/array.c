@@ -2,12 +2,16 @@
 /* The keys of arrays, and the emitters of a light at all places of its array. */
 #include "array.h"
 
+#include <stdlib.h>
+
+#include "../base/memory.h"
 #include "../base/pose.h"
 #include "../base/vector.h"
 #include "../format/cloud.h"
 #include "../parameter/check.h"
 #include "carry.h"
 #include "solid/facets.h"
+#include "totals.h"
 
 enum { MOST_IN_A_LINE = 1000, MOST_SPACING_MM = 1000000000 };
 
@@ -166,4 +170,32 @@ int lx_light_lower(const struct lx_item *light, double maintenance, struct lx_em
     const size_t items = lx_item_count(emitters), point_sets = emitters->point_set_count;
     const int failed = lower(light, emitters);
     return failed || maintenance == 1 ? failed : lx_emitters_scale(emitters, items, point_sets, maintenance);
+}
+
+struct lx_emitters lx_emitters_of_place(const struct lx_emitters *emitters, size_t places, size_t place)
+{
+    struct lx_emitters these = *emitters;
+    if (places <= 1 || emitters->point_set_count > 0)
+        return these;
+    these.count = emitters->count / places;
+    these.items += place * these.count;
+    these.extended = emitters->extended / places;
+    return these;
+}
+
+double (*lx_light_find_places(const struct lx_item *light))[3]
+{
+    const size_t count = lx_light_places(light);
+    struct lx_emitters whole = {.is_whole = true};
+    double(*places_mm)[3] = lx_new_array(count, sizeof *places_mm);
+    bool is_there = places_mm && lower(light, &whole) == 0;
+    for (size_t i = 0; i < count && is_there; i++) {
+        const struct lx_emitters these = lx_emitters_of_place(&whole, count, i);
+        is_there = lx_emitters_place(&these, places_mm[i]);
+    }
+    lx_emitters_clear(&whole);
+    if (is_there)
+        return places_mm;
+    free(places_mm);
+    return NULL;
 }

@@ -36,4 +36,11 @@ size_t lx_light_places(const struct lx_item *light);
  * memory or room ran out, or the work is to stop. */
 int lx_light_lower(const struct lx_item *light, double maintenance, struct lx_emitters *emitters);
 
+/* The emitters of one of so many places of a light, of those of all; they stay those of the list. */
+struct lx_emitters lx_emitters_of_place(const struct lx_emitters *emitters, size_t places, size_t place);
+
+/* The middle of a light at each of its places, of which there are lx_light_places(); NULL: it comes from everywhere or
+ * far away, or memory ran out.  The caller's. */
+double (*lx_light_find_places(const struct lx_item *light))[3];
+
 #endif
