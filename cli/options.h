@@ -58,6 +58,14 @@ struct option_drawing {
     size_t room;                    /* of that table, to be rated with reflected light; 0: none, else 1 more */
 };
 
+/* Options of luxel fit; texts are NULL and numbers 0 where none were given. */
+struct option_fit {
+    const char *picture, *values, *residual;
+    double noise, relative_noise, saturated;
+    luxel_loss loss;
+    bool is_relative;
+};
+
 /* Options of luxel sweep. */
 struct option_sweep {
     uint64_t show;
@@ -88,6 +96,7 @@ struct options {
     struct option_analysis analysis;
     struct option_drawing drawing;
     struct option_sweep sweep;
+    struct option_fit fit;
     enum option_csv csv;
     bool accepts_pixel, by_student;    /* of luxel grade */
     size_t format;                     /* index in option_formats */

@@ -13,6 +13,7 @@
 #include "message.h"
 #include "options.h"
 #include "photometry_room.h"
+#include "readings.h"
 #include "text.h"
 
 static const char *const quantity_words[] = {"brightness", "irradiance", "luminance", "illuminance", NULL};
@@ -24,6 +25,7 @@ static const char *const bits_words[] = {"8", "16", NULL};
 static const char *const format_words[] = {"png", "npy",  "pfm",      "csv",   "exr",  "svg", "pdf", "md",
                                            "tex", "text", "markdown", "latex", "html", "ies", "ldt", NULL};
 static const char *const section_words[] = {"center", "maximum", NULL};
+static const char *const loss_words[] = {"gaussian", "huber", "tukey", NULL};
 static const char *const spacing_words[] = {"0.25", "1", NULL};
 static const char *const diagram_words[] = {"polar", "cartesian", "cone", NULL};
 const char *const option_formats[] = {"text", "markdown", "latex", "html", NULL};
@@ -164,6 +166,16 @@ static bool take_bits(struct options *options, const char *argument)
     return true;
 }
 
+static bool take_loss(struct options *options, const char *argument)
+{
+    size_t found;
+
+    if (!take_word("--loss", argument, loss_words, &found))
+        return false;
+    options->fit.loss = (luxel_loss)found;
+    return true;
+}
+
 /* A number above 0 and below 1. */
 static bool take_share(const char *option, const char *argument, double *share)
 {
@@ -213,24 +225,9 @@ static bool take_show(struct options *options, const char *argument)
     return good;
 }
 
-/* I/N: I of N, from 0 or from 1 on. */
 static bool take_shard(struct options *options, const char *argument)
 {
-    const char *slash = strchr(argument, '/');
-    char *part = slash ? strndup(argument, (size_t)(slash - argument)) : NULL;
-    bool good = part && argument_whole("--shard", part, 0, 65535, &options->sweep.part) &&
-                argument_whole("--shard", slash + 1, 1, 65535, &options->sweep.parts);
-
-    if (!slash)
-        message_error(_("--shard must be I/N, part I of N: \"%s\""), argument);
-    free(part);
-    if (good && options->sweep.part > options->sweep.parts) {
-        message_error(_("--shard %s: there is no part %u of %u"), argument, options->sweep.part, options->sweep.parts);
-        good = false;
-    }
-    if (good)
-        options->sweep.part %= options->sweep.parts;
-    return good;
+    return argument_shard(argument, &options->sweep.part, &options->sweep.parts);
 }
 
 static bool take_threads(struct options *options, const char *argument)
@@ -300,29 +297,10 @@ static bool take_angle(struct options *options, const char *argument)
 static bool take_levels(struct options *options, const char *argument)
 {
     struct option_analysis *analysis = &options->analysis;
-    size_t count = 1;
 
     if (!strpbrk(argument, ",.eE"))
         return argument_whole("--levels", argument, 1, 50, &analysis->wanted_levels);
-    for (const char *at = argument; *at; at++)
-        count += *at == ',';
-    if (count > 1 && argument[strlen(argument) - 1] == ',')
-        count--; /* "5," is the one level 5 */
-    if (count > OPTION_LEVELS) {
-        message_error(_("--levels: %zu levels are too many, %d may be given"), count, OPTION_LEVELS);
-        return false;
-    }
-    analysis->level_count = count;
-    if (argument[strlen(argument) - 1] != ',')
-        return argument_numbers("--levels", "L1,L2,...", argument, analysis->levels, count);
-
-    char *shorter = message_allocate(strlen(argument) + 1, 1);
-    bool ok;
-
-    memcpy(shorter, argument, strlen(argument) - 1);
-    ok = argument_numbers("--levels", "L1,L2,...", shorter, analysis->levels, count);
-    free(shorter);
-    return ok;
+    return argument_levels(argument, analysis->levels, OPTION_LEVELS, &analysis->level_count);
 }
 
 static bool take_csv(struct options *options, const char *argument)
@@ -398,9 +376,9 @@ enum {
                COMMAND_COMPARE | COMMAND_FIGURE | COMMAND_REPORT | COMMAND_GRID,
     MEASURING = COMMAND_RENDER | COMMAND_PROBE | COMMAND_GRID | COMMAND_STATS | COMMAND_PROFILE | COMMAND_ISOPHOTES |
                 COMMAND_COMPARE,
-    COMPUTING = PICTURES | COMMAND_GRADE | COMMAND_GLARE | COMMAND_DERIVE,
+    COMPUTING = PICTURES | COMMAND_GRADE | COMMAND_GLARE | COMMAND_DERIVE | COMMAND_FIT,
     SCENES = PICTURES | COMMAND_CHECK | COMMAND_ADVISE | COMMAND_SCENE | COMMAND_SET | COMMAND_VARIANT | COMMAND_GLARE |
-             COMMAND_DERIVE,
+             COMMAND_DERIVE | COMMAND_FIT,
     WRITING = COMMAND_RENDER | COMMAND_PROBE | COMMAND_GRID | COMMAND_SET | COMMAND_PROFILE | COMMAND_ISOPHOTES |
               COMMAND_COMPARE | COMMAND_FIGURE | COMMAND_EXPLAIN | COMMAND_REPORT | COMMAND_VARIANT |
               COMMAND_PHOTOMETRY,
@@ -408,7 +386,7 @@ enum {
 };
 
 static const struct option_row rows[] = {
-    {"output", 'o', N_("FILE"), WRITING | COMMAND_SWEEP, TAKES(take_output), .value = VALUE_OUTPUT,
+    {"output", 'o', N_("FILE"), WRITING | COMMAND_SWEEP | COMMAND_FIT, TAKES(take_output), .value = VALUE_OUTPUT,
      .help =
          N_("write the result to FILE, in the format given by its extension; may be repeated (luxel sweep: the folder "
             "to fill)")},
@@ -429,8 +407,27 @@ static const struct option_row rows[] = {
      .help = N_("take this point of the screen, in mm, instead of the scene's own points; may be repeated")},
     {"at", 0, N_("X,Y,Z,NX,NY,NZ"), COMMAND_PROBE | COMMAND_DERIVE, TAKES(take_element),
      .help = N_("probe a free surface element: its position in mm and its normal; may be repeated")},
-    {"free", 0, N_("KEY"), COMMAND_DERIVE, TAKES(take_free),
-     .help = N_("a key of the scene to derive by, such as lights[0].position; may be repeated")},
+    {"free", 0, N_("KEY"), COMMAND_DERIVE | COMMAND_FIT, TAKES(take_free),
+     .help = N_("a key of the scene to derive by, or to find, such as lights[0].position; may be repeated")},
+    {"picture", 0, N_("FILE"), COMMAND_FIT, KEEPS(fit.picture), .value = VALUE_FILE,
+     .help = N_("fit to a picture of as many pixels as the scene's: .exr, .npy, .pfm, .csv, or the grey levels of a "
+                ".png, by the scene's picture.range and rounding")},
+    {"values", 0, N_("FILE"), COMMAND_FIT, KEEPS(fit.values), .value = VALUE_FILE,
+     .help = N_("fit to readings in a table with the columns x, y, value for points of the screen, or x, y, z, nx, ny, "
+                "nz, value for free elements")},
+    {"noise", 0, N_("SHARE%|SD"), COMMAND_FIT, TAKES(readings_take_noise),
+     .help = N_("the standard deviation of a reading: a share of it, such as 3%, a number in its unit, or 3%+0.01; "
+                "without it is told by how the readings scatter")},
+    {"saturated", 0, N_("V"), COMMAND_FIT, TAKES(readings_take_saturated),
+     .help = N_("readings from V on tell only that the truth is no less")},
+    {"relative", 0, NULL, COMMAND_FIT, SETS(fit.is_relative),
+     .help = N_("the readings are known only up to one factor, which is found, too; so are those of a .png whose "
+                "picture.range is max")},
+    {"loss", 0, N_("NAME"), COMMAND_FIT, TAKES(take_loss), WORDS(loss_words),
+     .help = N_("what readings that are off count for: gaussian (default), their squares; huber, which bears outliers; "
+                "tukey, for which they do not count at all")},
+    {"residual", 0, N_("FILE"), COMMAND_FIT, KEEPS(fit.residual), .value = VALUE_OUTPUT,
+     .help = N_("write the readings less what the fitted scene gives: a picture, or .csv of values at points")},
     {"eye", 0, N_("X,Y,Z,VX,VY,VZ"), COMMAND_GLARE, TAKES(take_eye),
      .help = N_("an observer: where the eye is, in mm, and the direction in which it looks; may be repeated")},
     {"up", 0, N_("X,Y,Z"), COMMAND_GLARE, TAKES(take_up),
@@ -444,7 +441,7 @@ static const struct option_row rows[] = {
     {"view", 0, N_("X,Y,Z"), COMMAND_PROBE | COMMAND_DERIVE, TAKES(take_view),
      .help = N_("the direction from which free elements are seen, of any length; the default is the scene's: (0, 0, 1) "
                 "where observer.view is parallel, else towards the observer")},
-    {"material", 0, N_("N"), COMMAND_PROBE | COMMAND_DERIVE, TAKES(take_material),
+    {"material", 0, N_("N"), COMMAND_PROBE | COMMAND_DERIVE | COMMAND_FIT, TAKES(take_material),
      .help =
          N_("give free elements that lie on no surface the material of surfaces[N], counted from 0 (the default) as "
             "in paths; an element that lies on a surface keeps the material of that surface")},
