@@ -11,6 +11,7 @@
 
 #include "cli.h"
 #include "message.h"
+#include "text.h"
 
 static size_t digits(const char *text)
 {
@@ -207,4 +208,19 @@ bool argument_levels(const char *text, double *levels, size_t most, size_t *coun
     good = shorter && argument_numbers("--levels", "L1,L2,...", shorter, levels, *count);
     free(shorter);
     return good;
+}
+
+bool argument_word(const char *option, const char *argument, const char *const *words, size_t *found)
+{
+    char list[TEXT_SIZE] = "";
+    size_t used = 0;
+
+    for (*found = 0; words[*found]; ++*found)
+        if (strcmp(argument, words[*found]) == 0)
+            return true;
+    for (size_t i = 0; i < *found && used < sizeof list; i++)
+        used += (size_t)snprintf(list + used, sizeof list - used, "%s%s", i > 0 ? ", " : "", words[i]);
+    message_error(_("%s %s: expected one of %s"), option, argument, list);
+    message_did_you_mean(luxel_nearest_word(argument, words, *found));
+    return false;
 }

@@ -14,6 +14,7 @@
 #include "options.h"
 #include "photometry_room.h"
 #include "readings.h"
+#include "room_options.h"
 #include "text.h"
 
 static const char *const quantity_words[] = {"brightness", "irradiance", "luminance", "illuminance", NULL};
@@ -26,6 +27,7 @@ static const char *const format_words[] = {"png", "npy",  "pfm",      "csv",   "
                                            "tex", "text", "markdown", "latex", "html", "ies", "ldt", NULL};
 static const char *const section_words[] = {"center", "maximum", NULL};
 static const char *const loss_words[] = {"gaussian", "huber", "tukey", NULL};
+static const char *const view_words[] = {"luminance", "red", "green", "blue", "cct", NULL};
 static const char *const spacing_words[] = {"0.25", "1", NULL};
 static const char *const diagram_words[] = {"polar", "cartesian", "cone", NULL};
 const char *const option_formats[] = {"text", "markdown", "latex", "html", NULL};
@@ -102,27 +104,11 @@ static bool take_free(struct options *options, const char *argument)
     return true;
 }
 
-/* Finds a word in a list; names them all, and the nearest, if it is none of them. */
-static bool take_word(const char *option, const char *argument, const char *const *words, size_t *found)
-{
-    char list[TEXT_SIZE] = "";
-    size_t used = 0;
-
-    for (*found = 0; words[*found]; ++*found)
-        if (strcmp(argument, words[*found]) == 0)
-            return true;
-    for (size_t i = 0; i < *found && used < sizeof list; i++)
-        used += (size_t)snprintf(list + used, sizeof list - used, "%s%s", i > 0 ? ", " : "", words[i]);
-    message_error(_("%s %s: expected one of %s"), option, argument, list);
-    message_did_you_mean(luxel_nearest_word(argument, words, *found));
-    return false;
-}
-
 static bool take_quantity(struct options *options, const char *argument)
 {
     size_t found;
 
-    if (!take_word("--quantity", argument, quantity_words, &found))
+    if (!argument_word("--quantity", argument, quantity_words, &found))
         return false;
     options->settings.quantity = found % 2 == 0 ? LUXEL_BRIGHTNESS : LUXEL_IRRADIANCE;
     return true;
@@ -133,11 +119,16 @@ const char *options_quantity_name(luxel_quantity quantity)
     return quantity == LUXEL_IRRADIANCE ? "irradiance" : "brightness";
 }
 
+static bool take_channel(struct options *options, const char *argument)
+{
+    return argument_word("--channel", argument, view_words, &options->analysis.view);
+}
+
 static bool take_precision(struct options *options, const char *argument)
 {
     size_t found;
 
-    if (!take_word("--precision", argument, precision_words, &found))
+    if (!argument_word("--precision", argument, precision_words, &found))
         return false;
     options->settings.precision = found == 0 ? LUXEL_SINGLE : LUXEL_DOUBLE;
     return true;
@@ -145,14 +136,14 @@ static bool take_precision(struct options *options, const char *argument)
 
 static bool take_names(struct options *options, const char *argument)
 {
-    return take_word("--names", argument, names_words, &options->names);
+    return argument_word("--names", argument, names_words, &options->names);
 }
 
 static bool take_accept(struct options *options, const char *argument)
 {
     size_t found;
 
-    options->accepts_pixel = take_word("--accept", argument, accept_words, &found);
+    options->accepts_pixel = argument_word("--accept", argument, accept_words, &found);
     return options->accepts_pixel;
 }
 
@@ -160,7 +151,7 @@ static bool take_bits(struct options *options, const char *argument)
 {
     size_t found;
 
-    if (!take_word("--bits", argument, bits_words, &found))
+    if (!argument_word("--bits", argument, bits_words, &found))
         return false;
     options->bits = found == 0 ? 8 : 16;
     return true;
@@ -170,7 +161,7 @@ static bool take_loss(struct options *options, const char *argument)
 {
     size_t found;
 
-    if (!take_word("--loss", argument, loss_words, &found))
+    if (!argument_word("--loss", argument, loss_words, &found))
         return false;
     options->fit.loss = (luxel_loss)found;
     return true;
@@ -307,7 +298,7 @@ static bool take_csv(struct options *options, const char *argument)
 {
     size_t found = 0;
 
-    if (argument && !take_word("--csv", argument, csv_words, &found))
+    if (argument && !argument_word("--csv", argument, csv_words, &found))
         return false;
     options->csv = found == 0 ? CSV_RFC4180 : CSV_EXCEL_RU;
     return true;
@@ -331,7 +322,7 @@ static bool take_format(struct options *options, const char *argument)
 
 bool options_take_document_format(struct options *options)
 {
-    return take_word("--format", options->format_word, option_formats, &options->format);
+    return argument_word("--format", options->format_word, option_formats, &options->format);
 }
 
 static bool take_width(struct options *options, const char *argument)
@@ -346,7 +337,7 @@ static bool take_dpi(struct options *options, const char *argument)
 
 static bool take_diagram(struct options *options, const char *argument)
 {
-    return take_word("--diagram", argument, diagram_words, &options->drawing.diagram);
+    return argument_word("--diagram", argument, diagram_words, &options->drawing.diagram);
 }
 
 static bool take_eye(struct options *options, const char *argument)
@@ -381,7 +372,7 @@ enum {
              COMMAND_DERIVE | COMMAND_FIT,
     WRITING = COMMAND_RENDER | COMMAND_PROBE | COMMAND_GRID | COMMAND_SET | COMMAND_PROFILE | COMMAND_ISOPHOTES |
               COMMAND_COMPARE | COMMAND_FIGURE | COMMAND_EXPLAIN | COMMAND_REPORT | COMMAND_VARIANT |
-              COMMAND_PHOTOMETRY,
+              COMMAND_PHOTOMETRY | COMMAND_ROOM,
     TABLES = COMMAND_STATS | COMMAND_PROFILE | COMMAND_ISOPHOTES | COMMAND_COMPARE | COMMAND_GRADE
 };
 
@@ -434,6 +425,16 @@ static const struct option_row rows[] = {
      .help = N_(
          "what is up for the observers; the default is the axis that a room names (up), else the scene's observer.up, "
          "or (0, 0, 1) where it has none")},
+    {"limits", 0, NULL, COMMAND_GRID, SETS(judges),
+     .help = N_("rate the glare of the scene's observers, too, and end with 1 unless all limits are kept for certain")},
+    {"file", 0, N_("LAMP"), COMMAND_ROOM, KEEPS(room.file), .value = VALUE_FILE,
+     .help = N_("the photometry file of the luminaires, .ies or .ldt")},
+    {"array", 0, N_("N,M"), COMMAND_ROOM, TAKES(room_take_array), .help = N_("N columns along x and M rows along y")},
+    {"target", 0, N_("E"), COMMAND_ROOM, TAKES(room_take_target), .help = N_("illuminance to reach, lx; usually 500")},
+    {"reflectances", 0, N_("C,W,F"), COMMAND_ROOM, TAKES(room_take_reflectances),
+     .help = N_("those of ceiling, walls and floor; usually 0.7,0.5,0.2")},
+    {"plane", 0, N_("H"), COMMAND_ROOM, TAKES(room_take_plane), .help = N_("height of the plane in m; usually 0.75")},
+    {"maintenance", 0, N_("F"), COMMAND_ROOM, TAKES(room_take_maintenance), .help = N_("its factor; usually 0.8")},
     {"points", 0, N_("FILE"), COMMAND_PROBE | COMMAND_DERIVE, TAKES(take_points), .value = VALUE_FILE,
      .help =
          N_("probe the places of a table, CSV or .pts: points x, y of the screen, or free elements x, y, z, nx, ny, "
@@ -474,6 +475,10 @@ static const struct option_row rows[] = {
      .help = N_("the range of values of the histogram, the levels or the colours")},
     {"log", 0, NULL, COMMAND_STATS | COMMAND_ISOPHOTES | COMMAND_FIGURE, SETS(analysis.logarithmic),
      .help = N_("in steps of the logarithm")},
+    {"channel", 0, N_("NAME"), COMMAND_STATS | COMMAND_FIGURE, TAKES(take_channel), WORDS(view_words),
+     .help =
+         N_("of a picture in colour: its luminance (the default), a channel, red, green or blue, or cct, the colour "
+            "temperature in K")},
     {"label", 0, N_("TEXT"), COMMAND_FIGURE, KEEPS(drawing.label),
      .help = N_("the label of the colour bar, instead of the quantity with its unit")},
     {"contour", 0, NULL, COMMAND_FIGURE, SETS(drawing.contours),
@@ -545,19 +550,19 @@ static const struct option_row rows[] = {
     {"quantity", 0, N_("NAME"), COMPUTING, SHARED, TAKES(take_quantity), WORDS(quantity_words),
      .help = N_(
          "what to compute: brightness (default) or irradiance; luminance and illuminance are their photometric names")},
-    {"tolerance", 0, N_("T"), COMPUTING, SHARED, TAKES(take_tolerance),
+    {"tolerance", 0, N_("T"), COMPUTING | COMMAND_ROOM, SHARED, TAKES(take_tolerance),
      .help =
          N_("relative error that the value of a probe or of a grid's cell may have, above 0 and below 1; exit code 5 "
             "where it is not reached")},
     {"precision", 0, N_("NAME"), COMPUTING, SHARED, TAKES(take_precision), WORDS(precision_words),
      .help = N_("numbers of the picture: single (default) or double")},
-    {"threads", 0, N_("N"), COMPUTING, SHARED, TAKES(take_threads),
+    {"threads", 0, N_("N"), COMPUTING | COMMAND_ROOM, SHARED, TAKES(take_threads),
      .help = N_("threads to compute with, 1 to 1024; the default is as many as pay, no more than one per processor; "
                 "results do not depend on it")},
     {"light-error", 0, N_("E"), COMPUTING, SHARED, TAKES(take_light_error),
      .help = N_("error of a pixel allowed for taking many points together, relative to its value or to a thousandth of "
                 "the maximum, from 0 (the default: each point is summed) to below 1")},
-    {"reflected-error", 0, N_("R"), COMPUTING, SHARED, TAKES(take_reflected_error),
+    {"reflected-error", 0, N_("R"), COMPUTING | COMMAND_ROOM, SHARED, TAKES(take_reflected_error),
      .help =
          N_("error that reflected light may have, above 0 and below 1: relative to the value of a probe or of a grid's "
             "cell, the default 0.001, or to the maximum of a picture, the default 0.01; exit code 5 where it is not "

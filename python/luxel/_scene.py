@@ -15,12 +15,12 @@ from ._document import Document
 from ._errors import Diagnostic, LuxelError, LuxelNotFoundError
 from ._field import Field, made, profile
 from ._geometry import Geometry, geometry
-from ._glare import Glare, glare, sight
 from ._grid import Grid
 from ._language import translate
 from ._pictures import Figure, drawing, look
 from ._probe import Probe, Probes, probes
 from ._results import Alternative, Judgement, Light, Mesh, Profile, Statistics, Vector, alternatives, statistics
+from ._room import Rated
 from ._settings import (QUANTITIES, Carried, Lights, Progress, choice, group, index_of, point as _point, real, reals,
                         settings)
 
@@ -76,7 +76,7 @@ def _missing(path: str) -> LuxelNotFoundError:
     return LuxelNotFoundError("file", [entry], 1)
 
 
-class Scene:
+class Scene(Rated):
     """A scene, always a right one: what would make it wrong raises LuxelError and changes nothing.
 
     `Scene(source)` takes the name of a built-in scene or a file ("report" without an argument), a path, the text of a
@@ -468,21 +468,6 @@ class Scene:
         how = settings(self._carried, None, None, threads, None, tolerance, progress=progress,
                        reflected_error=reflected_error)
         return balance(_luxel.find_balance(self._handle, how))
-
-    def glare(self, eye_mm: Sequence[float], view: Sequence[float], up: Optional[Sequence[float]] = None, *,
-              tolerance: Optional[float] = None, reflected_error: Optional[float] = None, threads: int = 0,
-              lights: Optional[Lights] = None, progress: Optional[Progress] = None) -> Glare:
-        """The unified glare rating (UGR) of an observer: where the eye is, and the way it looks.
-
-        The background is the light that surfaces reflect (the scene's key `reflections`) and ambient light; without
-        both there is no rating.  `up` is the observer's upward direction, else the scene's `observer.up`, else z.
-        ValueError: a direction is 0, `up` is along the view, or the scene is in radiometric units.
-        """
-        if self["units"] != "photometric":
-            raise ValueError("glare is rated by luminances, and the scene is in radiometric units: units: photometric")
-        how = settings(self._carried, None, None, threads, None, tolerance, progress=progress,
-                       reflected_error=reflected_error, lights=self._group(lights))
-        return glare(_luxel.rate_glare(self._handle, sight(eye_mm, view, up), how))
 
     def profile(self, start: Pair, end: Pair, samples: Optional[int] = None, *, arc: bool = False,
                 quantity: Optional[str] = None, tolerance: Optional[float] = None, threads: int = 0,

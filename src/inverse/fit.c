@@ -247,7 +247,7 @@ static bool make_answer(struct own_fit *own, size_t residuals)
 }
 
 /* Searches on all readings from the best start, and concludes. */
-static luxel_status finish(struct own_fit *own, const struct lx_starts *starts)
+static luxel_status finish(struct own_fit *own, struct lx_starts *starts)
 {
     struct lx_problem *problem = &own->problem;
     struct lx_found found;
@@ -264,9 +264,10 @@ static luxel_status finish(struct own_fit *own, const struct lx_starts *starts)
     if (status == LUXEL_OK)
         status =
             lx_conclude(problem, &found, own->scene, &own->fit, own->parameters, own->correlation, &own->conclusion);
+    if (status == LUXEL_OK)
+        status = lx_starts_compare(problem, starts, &found, &own->fit, &own->conclusion);
     if (status == LUXEL_OK) {
         own->fit.has_converged = found.has_ended;
-        lx_starts_compare(problem, starts, &found, &own->fit, &own->conclusion);
         for (size_t k = 0; k < problem->unknowns; k++)
             if (own->conclusion.several[k] > 0) {
                 luxel_fit_parameter *parameter = &own->parameters[k];

@@ -10,9 +10,9 @@
 #include "../base/memory.h"
 
 enum {
-    MOST_STEPS = 60,    /* of a search from the scene's own numbers, */
-    STEPS = 30,         /* and of one from another start; */
-    FEW_STEPS = 12,     /* fewer where there are many readings, which tell more, */
+    MOST_STEPS = 60, /* of a search from the scene's own numbers, */
+    STEPS = 30,      /* and of one from another start; */
+    FEW_STEPS = 12,  /* fewer where there are many readings, which tell more, */
     STARTS = 8,
     FEW_STARTS = 3,     /* and fewer starts then, */
     FEW_READINGS = 100, /* which look at so many of them, */
@@ -121,26 +121,56 @@ luxel_status lx_starts_try(struct lx_problem *problem, struct lx_starts *starts)
     return status == LUXEL_OK && !is_any ? LUXEL_ERROR_SCENE : status;
 }
 
-void lx_starts_compare(const struct lx_problem *problem, const struct lx_starts *starts, const struct lx_found *found,
-                       luxel_fit *fit, struct lx_conclusion *conclusion)
+/* Whether an end is another one that fits all readings as well as what was found; where it then is. */
+static luxel_status confirm(struct lx_problem *problem, const struct lx_found *found, struct lx_found *end,
+                            bool *is_other)
 {
+    struct lx_found full;
+    luxel_status status = LUXEL_ERROR_MEMORY;
+    *is_other = false;
+    if (lx_found_make(problem, problem->set.count, &full)) {
+        memcpy(full.unknowns, end->unknowns, problem->unknowns * sizeof *full.unknowns);
+        status = lx_search(problem, &problem->set, STEPS, &full);
+        *is_other = status == LUXEL_OK && full.has_ended && !is_same(problem, full.unknowns, found->unknowns) &&
+                    is_as_good(problem, problem->set.count, badness(problem, &full), badness(problem, found));
+        memcpy(end->unknowns, full.unknowns, problem->unknowns * sizeof *full.unknowns);
+    } else {
+        lx_out_of_memory(problem->diagnostics);
+    }
+    lx_found_clear(&full);
+    return status == LUXEL_ERROR_SCENE ? LUXEL_OK : status;
+}
+
+/* Takes down the values of another end beside those that were found. */
+static void note_end(const struct lx_problem *problem, const struct lx_found *found, const struct lx_found *end,
+                     struct lx_conclusion *conclusion)
+{
+    for (size_t k = 0; k < problem->unknowns; k++)
+        if (fabs(end->unknowns[k] - found->unknowns[k]) > 1e-3 * problem->scale[k]) {
+            if (conclusion->several[k] == 0)
+                conclusion->ends[k][conclusion->several[k]++] = found->unknowns[k];
+            if (conclusion->several[k] < LX_MOST_ENDS)
+                conclusion->ends[k][conclusion->several[k]++] = end->unknowns[k];
+        }
+}
+
+luxel_status lx_starts_compare(struct lx_problem *problem, struct lx_starts *starts, const struct lx_found *found,
+                               luxel_fit *fit, struct lx_conclusion *conclusion)
+{
+    luxel_status status = LUXEL_OK;
     const double best = badness(problem, &starts->ends[starts->best]);
     fit->starts = starts->count;
-    for (size_t i = 0; i < starts->count; i++) {
-        const struct lx_found *end = &starts->ends[i];
+    for (size_t i = 0; status == LUXEL_OK && i < starts->count; i++) {
+        struct lx_found *end = &starts->ends[i];
+        bool is_other = false;
         if (!starts->exists[i] || !is_as_good(problem, starts->some.count, badness(problem, end), best))
             continue;
-        if (is_same(problem, end->unknowns, starts->ends[starts->best].unknowns)) {
+        if (is_same(problem, end->unknowns, starts->ends[starts->best].unknowns))
             fit->agreed++;
-            continue;
-        }
-        /* along what is not determined there are many, and none of them is another one */
-        for (size_t k = 0; conclusion->blocks == 0 && end->has_ended && k < problem->unknowns; k++)
-            if (fabs(end->unknowns[k] - found->unknowns[k]) > 1e-3 * problem->scale[k]) {
-                if (conclusion->several[k] == 0)
-                    conclusion->ends[k][conclusion->several[k]++] = found->unknowns[k];
-                if (conclusion->several[k] < LX_MOST_ENDS)
-                    conclusion->ends[k][conclusion->several[k]++] = end->unknowns[k];
-            }
+        else if (conclusion->blocks == 0) /* along what is not determined there are many, and none is another one */
+            status = confirm(problem, found, end, &is_other);
+        if (is_other)
+            note_end(problem, found, end, conclusion);
     }
+    return status;
 }

@@ -18,9 +18,9 @@ struct lx_starts {
 /* Searches from every start; the scene's own is best where none is better by more than the noise tells. */
 luxel_status lx_starts_try(struct lx_problem *problem, struct lx_starts *starts);
 
-/* Which ends are as good as the one found on all readings: the same one, or others. */
-void lx_starts_compare(const struct lx_problem *problem, const struct lx_starts *starts, const struct lx_found *found,
-                       luxel_fit *fit, struct lx_conclusion *conclusion);
+/* Which ends are as good as the one found: the same one, or others that fit all readings as well. */
+luxel_status lx_starts_compare(struct lx_problem *problem, struct lx_starts *starts, const struct lx_found *found,
+                               luxel_fit *fit, struct lx_conclusion *conclusion);
 
 void lx_starts_clear(struct lx_starts *starts);
 

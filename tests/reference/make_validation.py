@@ -16,6 +16,7 @@ import model
 from cases import CASES
 from luxel import TOLERANCE, Luxel
 from tap import Tap
+from validation_inverse import inverse
 from validation_lamps import lamps
 from validation_page import STAGE, Page, figures, off_exact, off_printed, power_above
 
@@ -387,7 +388,7 @@ def highlights(page):
 
 def page_of(luxel):
     page = Page(luxel, HEAD)
-    for part in (cie, lamps, reflected, factors, sphere_means, highlights):
+    for part in (cie, lamps, reflected, factors, sphere_means, highlights, inverse):
         part(page)
     return page.text()
 
