@@ -98,7 +98,7 @@ def least_errors(places, lamp):
 def fits(page):
     page.heading('Fits', 'A lamp of 1000 cd at 2.1, 1.7, 2.6 m over a desk of 4 by 3 m at 0.75 m, from readings at the '
                  'middles of equal cells, without noise, from a start that is 20 % off; standard deviations for 3 % of '
-                 'noise. Exact: the truth, and the bounds of Cramer and Rao from the derivatives of the closed form. In '
+                 'noise. Exact: the truth, and the bounds of Cramer and Rao from derivatives of the closed form. In '
                  '4000 draws of nine such readings with noise the interval of one standard deviation held the truth in '
                  '69.0, 68.1, 69.5 and 69.2 % (x, y, z, intensity), that of 95 % in 95.3, 95.4, 95.7 and 95.5 %.')
     lamp = (2100, 1700, 1850, 1000)
@@ -108,19 +108,22 @@ def fits(page):
     with tempfile.TemporaryDirectory() as folder:
         path = os.path.join(folder, 'readings.csv')
         for columns, lines in ((3, 3), (4, 4), (6, 6), (10, 10)):
-            places = [((i + .5) * 4000 / columns, (j + .5) * 3000 / lines) for j in range(lines) for i in range(columns)]
+            places = [((i + .5) * 4000 / columns, (j + .5) * 3000 / lines) for j in range(lines)
+                      for i in range(columns)]
             with open(path, 'w', encoding='utf-8') as stream:
                 stream.write('x,y,z,nx,ny,nz,value\n' + ''.join(
                     f'{x!r},{y!r},750,0,0,1,{float(point_over_plane(lamp[0] - x, lamp[1] - y, *lamp[2:]))!r}\n'
                     for x, y in places))
             found = page.luxel.run(['fit', '-', '--free', 'lights[0].position', '--free', 'lights[0].intensity',
                                     '--values', path, '--quantity', 'irradiance', '--noise', '3%'], scene)
-            for parameter, truth, bound, name in zip(found['parameters'], (2100, 1700, 2600, 1000),
-                                                     least_errors(places, lamp), ('x (mm)', 'y (mm)', 'z (mm)', 'I (cd)')):
+            for parameter, truth, bound, name in zip(
+                    found['parameters'], (2100, 1700, 2600, 1000), least_errors(places, lamp),
+                    ('x (mm)', 'y (mm)', 'z (mm)', 'I (cd)')):
                 rows.append([str(columns * lines), name, figures(truth), figures(parameter['value']),
                              off_exact(parameter['value'], truth, -9), figures(bound, 8), figures(parameter['sd'], 8),
                              off_exact(parameter['sd'], bound, -6)])
-    page.table(['readings', 'number', 'exact', 'Luxel', 'off the exact', 'exact sd', 'Luxel, sd', 'off the exact'], rows)
+    page.table(['readings', 'number', 'exact', 'Luxel', 'off the exact', 'exact sd', 'Luxel, sd', 'off the exact'],
+               rows)
 
 
 def inverse(page):
