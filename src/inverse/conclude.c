@@ -81,7 +81,8 @@ struct ending {
 };
 
 /* Derivatives per scale of what the scene gives, NaN where there is none, and the squares of their errors by columns;
- * of many readings, of which each counts for little, from the differences that the search takes. */
+ * of many readings, of which each counts for little, and of reflected light, which is known to few digits, from the
+ * differences that the search takes. */
 static luxel_status find_slopes(struct ending *ending, const luxel_scene *fitted)
 {
     enum { MANY = 400 };
@@ -95,8 +96,8 @@ static luxel_status find_slopes(struct ending *ending, const luxel_scene *fitted
         paths[i] = problem->keys.list[i].path;
     luxel_status status =
         lx_problem_slopes(problem, &problem->set, ending->found->unknowns, ending->found->models, ending->rows);
-    ending->tolerance = 10.0 * least_direction;
-    if (status == LUXEL_OK && count <= MANY) {
+    ending->tolerance = fmax(10.0 * least_direction, problem->precision / problem->step);
+    if (status == LUXEL_OK && count <= MANY && !lx_prober_solves(problem->scene)) {
         ending->tolerance = least_direction;
         status = luxel_derive_places(fitted, &problem->settings, problem->set.places, NULL, count, paths,
                                      problem->keys.count, problem->diagnostics, &derivatives);

@@ -176,6 +176,7 @@ static luxel_status look_at_start(struct lx_problem *problem, bool may_miss)
         status = lx_prober_values(&prober, problem->set.places, problem->set.count, problem->diagnostics, probed);
     const bool is_drawn = status == LUXEL_OK && may_miss && prober.evaluator &&
                           !luxel_evaluator_integrates(prober.evaluator) && !luxel_scene_has_color(problem->scene);
+    problem->is_slow = status == LUXEL_OK && (!prober.evaluator || luxel_evaluator_integrates(prober.evaluator));
     lx_prober_close(&prober);
     if (!is_drawn) {
         free(problem->set.pixels);
@@ -211,7 +212,8 @@ static luxel_status look_at_start(struct lx_problem *problem, bool may_miss)
     if (status == LUXEL_OK && missing > 0)
         status = LUXEL_ERROR_ARGUMENT;
     problem->set.count = kept;
-    problem->step = fmin(fmax(cbrt(value > 0.0 ? error / value : 0.0), 1e-5), 0.05);
+    problem->precision = value > 0.0 ? error / value : 0.0;
+    problem->step = fmin(fmax(cbrt(problem->precision), 1e-5), 0.05);
     if (problem->unknowns > problem->numbers && above > 0.0)
         problem->scale[problem->numbers] = above / below;
     return status;
@@ -369,6 +371,8 @@ static struct own_fit *begin(const luxel_scene *scene, const luxel_settings *set
     problem->progress_data = problem->settings.progress_data;
     problem->settings.progress = NULL;
     problem->settings.skip_reflected_pixels = true;
+    if (problem->settings.reflected_error == 0.0)
+        problem->settings.reflected_error = 1e-2;
     *status = luxel_scene_is_committed(scene) ? check_how(readings, diagnostics)
                                               : lx_refuse(diagnostics, LX_MSG_NOT_COMMITTED, NULL);
     if (*status == LUXEL_OK)

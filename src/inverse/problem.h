@@ -30,7 +30,9 @@ struct lx_problem {
     size_t unknowns;    /* the factor, too */
     double *scale;      /* of each unknown: how large it is */
     double *low, *high; /* what is legal for it */
+    double precision;   /* of values: the greatest bound of their errors by the greatest of them */
     double step;        /* of differences, as a share of the scale */
+    bool is_slow;       /* values take integrals, or a solution of reflected light */
     double greatest;    /* the greatest absolute reading */
     luxel_diagnostics *diagnostics;
     luxel_progress progress;

@@ -11,6 +11,7 @@
 
 static const double least_direction = 1e-12; /* of the best one: along others no step is taken */
 static const double least_step = 3e-13;      /* of the scale: what is nearer has been found */
+static const double least_gain = 1e-15;      /* of the cost */
 
 enum { MOST_TRIES = 14 };
 
@@ -138,16 +139,18 @@ static luxel_status go_down(struct search *search)
 {
     struct lx_found *found = search->found;
     const size_t unknowns = search->problem->unknowns, count = search->set->count;
+    const double nearest = fmax(least_step, search->problem->precision);
+    const double gain = fmax(least_gain, search->problem->precision);
     for (unsigned i = 0; i < MOST_TRIES; i++) {
         const double length = take_step(search);
-        if (!(length > least_step))
+        if (!(length > nearest))
             break;
         luxel_status status = lx_problem_models(search->problem, search->set, search->tried, search->models);
         if (status != LUXEL_OK && status != LUXEL_ERROR_SCENE)
             return status;
         const double cost = status == LUXEL_OK ? cost_of(&search->counting, search->models, found->models) : HUGE_VAL;
         if (cost < found->cost) {
-            found->has_ended = length < least_step * 4.0 || found->cost - cost <= 1e-15 * found->cost;
+            found->has_ended = length < nearest * 4.0 || found->cost - cost <= gain * found->cost;
             memcpy(found->unknowns, search->tried, unknowns * sizeof *search->tried);
             memcpy(found->models, search->models, count * sizeof *search->models);
             search->damping = i == 0 ? search->damping * 0.02 : search->damping * 0.5;

@@ -12,7 +12,7 @@
 enum {
     MOST_STEPS = 60, /* of a search from the scene's own numbers, */
     STEPS = 30,      /* and of one from another start; */
-    FEW_STEPS = 12,  /* fewer where there are many readings, which tell more, */
+    FEW_STEPS = 12,  /* fewer where readings are many, or values slow, */
     STARTS = 8,
     FEW_STARTS = 3,     /* and fewer starts then, */
     FEW_READINGS = 100, /* which look at so many of them, */
@@ -94,7 +94,8 @@ void lx_starts_clear(struct lx_starts *starts)
 luxel_status lx_starts_try(struct lx_problem *problem, struct lx_starts *starts)
 {
     const bool are_many = problem->set.count > some_of(problem);
-    const unsigned usual = are_many ? FEW_STARTS : STARTS, steps = are_many ? FEW_STEPS : STEPS;
+    const bool are_few = are_many || problem->is_slow;
+    const unsigned usual = are_few ? FEW_STARTS : STARTS, steps = are_few ? FEW_STEPS : STEPS;
     const unsigned wanted = problem->readings->starts > 0 ? problem->readings->starts : usual;
     luxel_status status = choose_some(problem, &starts->some) ? LUXEL_OK : lx_out_of_memory(problem->diagnostics);
     bool is_any = false;

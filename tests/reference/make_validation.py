@@ -26,8 +26,8 @@ HEAD = """\
 # Validation
 
 What Luxel gives where the right answer is known: the tests of CIE 171:2006 (*Test cases to assess the accuracy of
-lighting computer programs*), luminaire files, reflected light, configuration factors of radiative heat transfer, and
-integrals of highlights.
+lighting computer programs*), luminaire files, reflected light, configuration factors of radiative heat transfer,
+integrals of highlights, derivatives, and fits of a lamp.
 This page is written by a program, `tests/reference/make_validation.py`, from what it measures with the built command.
 `make validation` writes it anew; a test of `make check` compares it with what the command gives.
 
