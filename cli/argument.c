@@ -11,6 +11,7 @@
 
 #include "cli.h"
 #include "message.h"
+#include "text.h"
 
 static size_t digits(const char *text)
 {
@@ -168,5 +169,58 @@ bool argument_region(const char *option, const char *argument, luxel_region *reg
     if (numbers[2] > 0.0 && (commas == 2 || numbers[3] > 0.0))
         return true;
     message_error(_("%s %s: width, height and radius must be above 0"), option, argument);
+    return false;
+}
+
+bool argument_shard(const char *text, unsigned *part, unsigned *parts)
+{
+    const char *slash = strchr(text, '/');
+    char *first = slash ? strndup(text, (size_t)(slash - text)) : NULL;
+    bool good = first && argument_whole("--shard", first, 0, 65535, part) &&
+                argument_whole("--shard", slash + 1, 1, 65535, parts);
+
+    if (!slash)
+        message_error(_("--shard must be I/N, part I of N: \"%s\""), text);
+    free(first);
+    if (good && *part > *parts) {
+        message_error(_("--shard %s: there is no part %u of %u"), text, *part, *parts);
+        good = false;
+    }
+    if (good)
+        *part %= *parts;
+    return good;
+}
+
+bool argument_levels(const char *text, double *levels, size_t most, size_t *count)
+{
+    const size_t length = strlen(text);
+    char *shorter = strndup(text, length > 0 && text[length - 1] == ',' ? length - 1 : length);
+    bool good;
+
+    *count = 1;
+    for (const char *at = shorter; at && *at; at++)
+        *count += *at == ',';
+    if (*count > most) {
+        message_error(_("--levels: %zu levels are too many, %d may be given"), *count, (int)most);
+        free(shorter);
+        return false;
+    }
+    good = shorter && argument_numbers("--levels", "L1,L2,...", shorter, levels, *count);
+    free(shorter);
+    return good;
+}
+
+bool argument_word(const char *option, const char *argument, const char *const *words, size_t *found)
+{
+    char list[TEXT_SIZE] = "";
+    size_t used = 0;
+
+    for (*found = 0; words[*found]; ++*found)
+        if (strcmp(argument, words[*found]) == 0)
+            return true;
+    for (size_t i = 0; i < *found && used < sizeof list; i++)
+        used += (size_t)snprintf(list + used, sizeof list - used, "%s%s", i > 0 ? ", " : "", words[i]);
+    message_error(_("%s %s: expected one of %s"), option, argument, list);
+    message_did_you_mean(luxel_nearest_word(argument, words, *found));
     return false;
 }

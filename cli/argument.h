@@ -17,6 +17,15 @@ bool argument_numbers(const char *option, const char *form, const char *text, do
 /* Reads a whole number from least to most. */
 bool argument_whole(const char *option, const char *text, unsigned least, unsigned most, unsigned *value);
 
+/* I/N: part I of N, from 0 or from 1 on; it becomes one from 0 on. */
+bool argument_shard(const char *text, unsigned *part, unsigned *parts);
+
+/* Numbers with commas between them, `most` at most; a comma behind the last is borne: "5," is the one level 5. */
+bool argument_levels(const char *text, double *levels, size_t most, size_t *count);
+
+/* Finds a word in a list that ends with NULL; names them all, and the nearest, if it is none of them. */
+bool argument_word(const char *option, const char *text, const char *const *words, size_t *found);
+
 /* X,Y,W,H is a rectangle around X,Y; X,Y,R a circle. */
 bool argument_region(const char *option, const char *argument, luxel_region *region);
 

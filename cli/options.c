@@ -100,18 +100,39 @@ static void report_bad_option(int answer, int value, const char *typed)
         message_error(_("unknown option %s"), typed);
 }
 
+/* The bit of the command that is meant, before options and operands are told apart: the first word that is one. */
+static unsigned meant_bit(int argc, char **argv)
+{
+    for (int i = 1; i < argc; i++)
+        if (find_command(argv[i]))
+            return find_command(argv[i])->bit;
+    return COMMAND_NONE;
+}
+
+/* Whether row i is the one of its name for this command; where none is, the first is. */
+static bool is_meant(size_t i, unsigned bit)
+{
+    const struct option_row *row = options_row(i), *other;
+
+    for (size_t k = 0; !(row->commands & bit) && (other = options_row(k)) != NULL; k++)
+        if (k != i && strcmp(other->name, row->name) == 0 && (k < i || (other->commands & bit)))
+            return false;
+    return true;
+}
+
 /* getopt_long's tables from ours. */
-static void build_tables(struct option longs[OPTIONS_MOST + 1], char letters[2 * OPTIONS_MOST + 2])
+static void build_tables(unsigned bit, struct option longs[OPTIONS_MOST + 1], char letters[2 * OPTIONS_MOST + 2])
 {
     const struct option_row *row;
-    size_t count;
+    size_t count = 0;
 
     *letters++ = ':'; /* tells a missing argument from an unknown option */
-    for (count = 0; (row = options_row(count)) != NULL; count++) {
+    for (size_t i = 0; (row = options_row(i)) != NULL; i++) {
         const int with = row->value == VALUE_OPTIONAL ? optional_argument : required_argument;
 
-        longs[count] = (struct option){
-            .name = row->name, .has_arg = row->argument ? with : no_argument, .val = LONG_BASE + (int)count};
+        if (is_meant(i, bit))
+            longs[count++] = (struct option){
+                .name = row->name, .has_arg = row->argument ? with : no_argument, .val = LONG_BASE + (int)i};
         if (row->letter == 0)
             continue;
         *letters++ = row->letter;
@@ -129,7 +150,7 @@ static bool read_dashed(int argc, char **argv, struct options *options)
     char letters[2 * OPTIONS_MOST + 2];
     int value;
 
-    build_tables(longs, letters);
+    build_tables(meant_bit(argc, argv), longs, letters);
     opterr = 0;
     while ((value = getopt_long(argc, argv, letters, longs, NULL)) != -1) {
         const struct option_row *row;
@@ -148,21 +169,6 @@ static bool read_dashed(int argc, char **argv, struct options *options)
             *(bool *)((char *)options + row->member) = true;
     }
     return true;
-}
-
-bool options_take_word(const char *option, const char *argument, const char *const *words, size_t *found)
-{
-    char list[TEXT_SIZE] = "";
-    size_t used = 0;
-
-    for (*found = 0; words[*found]; ++*found)
-        if (strcmp(argument, words[*found]) == 0)
-            return true;
-    for (size_t i = 0; i < *found && used < sizeof list; i++)
-        used += (size_t)snprintf(list + used, sizeof list - used, "%s%s", i > 0 ? ", " : "", words[i]);
-    message_error(_("%s %s: expected one of %s"), option, argument, list);
-    message_did_you_mean(luxel_nearest_word(argument, words, *found));
-    return false;
 }
 
 static bool report_unknown_command(const char *typed)

@@ -60,6 +60,14 @@ struct option_drawing {
     size_t room;                    /* of that table, to be rated with reflected light; 0: none, else 1 more */
 };
 
+/* Options of luxel fit; texts are NULL and numbers 0 where none were given. */
+struct option_fit {
+    const char *picture, *values, *residual;
+    double noise, relative_noise, saturated;
+    luxel_loss loss;
+    bool is_relative;
+};
+
 /* Options of luxel sweep. */
 struct option_sweep {
     uint64_t show;
@@ -92,6 +100,7 @@ struct options {
     struct option_analysis analysis;
     struct option_drawing drawing;
     struct option_sweep sweep;
+    struct option_fit fit;
     enum option_csv csv;
     bool accepts_pixel, by_student;    /* of luxel grade */
     size_t format;                     /* index in option_formats */
@@ -130,8 +139,6 @@ struct option_row {
     const char *help;
 };
 
-/* Finds which of some words an option's argument is; where it is none of them all are named, and the nearest. */
-bool options_take_word(const char *option, const char *argument, const char *const *words, size_t *found);
 
 /* Takes the word of --format as one of option_formats; reports another. */
 bool options_take_document_format(struct options *options);

@@ -13,6 +13,7 @@
 #include "message.h"
 #include "options.h"
 #include "photometry_room.h"
+#include "readings.h"
 #include "room_options.h"
 #include "sweep_options.h"
 #include "text.h"
@@ -27,6 +28,7 @@ static const char *const bits_words[] = {"8", "16", NULL};
 static const char *const format_words[] = {"png", "npy",  "pfm",      "csv",   "exr",  "svg", "pdf", "md",
                                            "tex", "text", "markdown", "latex", "html", "ies", "ldt", NULL};
 static const char *const section_words[] = {"center", "maximum", NULL};
+static const char *const loss_words[] = {"gaussian", "huber", "tukey", NULL};
 static const char *const view_words[] = {"luminance", "red", "green", "blue", "cct", NULL};
 static const char *const spacing_words[] = {"0.25", "1", NULL};
 static const char *const diagram_words[] = {"polar", "cartesian", "cone", NULL};
@@ -106,14 +108,14 @@ static bool take_free(struct options *options, const char *argument)
 
 static bool take_purpose(struct options *options, const char *argument)
 {
-    return options_take_word("--for", argument, purpose_words, &options->drawing.purpose);
+    return argument_word("--for", argument, purpose_words, &options->drawing.purpose);
 }
 
 static bool take_quantity(struct options *options, const char *argument)
 {
     size_t found;
 
-    if (!options_take_word("--quantity", argument, quantity_words, &found))
+    if (!argument_word("--quantity", argument, quantity_words, &found))
         return false;
     options->settings.quantity = found % 2 == 0 ? LUXEL_BRIGHTNESS : LUXEL_IRRADIANCE;
     return true;
@@ -126,14 +128,14 @@ const char *options_quantity_name(luxel_quantity quantity)
 
 static bool take_channel(struct options *options, const char *argument)
 {
-    return options_take_word("--channel", argument, view_words, &options->analysis.view);
+    return argument_word("--channel", argument, view_words, &options->analysis.view);
 }
 
 static bool take_precision(struct options *options, const char *argument)
 {
     size_t found;
 
-    if (!options_take_word("--precision", argument, precision_words, &found))
+    if (!argument_word("--precision", argument, precision_words, &found))
         return false;
     options->settings.precision = found == 0 ? LUXEL_SINGLE : LUXEL_DOUBLE;
     return true;
@@ -141,14 +143,14 @@ static bool take_precision(struct options *options, const char *argument)
 
 static bool take_names(struct options *options, const char *argument)
 {
-    return options_take_word("--names", argument, names_words, &options->names);
+    return argument_word("--names", argument, names_words, &options->names);
 }
 
 static bool take_accept(struct options *options, const char *argument)
 {
     size_t found;
 
-    options->accepts_pixel = options_take_word("--accept", argument, accept_words, &found);
+    options->accepts_pixel = argument_word("--accept", argument, accept_words, &found);
     return options->accepts_pixel;
 }
 
@@ -156,9 +158,19 @@ static bool take_bits(struct options *options, const char *argument)
 {
     size_t found;
 
-    if (!options_take_word("--bits", argument, bits_words, &found))
+    if (!argument_word("--bits", argument, bits_words, &found))
         return false;
     options->bits = found == 0 ? 8 : 16;
+    return true;
+}
+
+static bool take_loss(struct options *options, const char *argument)
+{
+    size_t found;
+
+    if (!argument_word("--loss", argument, loss_words, &found))
+        return false;
+    options->fit.loss = (luxel_loss)found;
     return true;
 }
 
@@ -264,36 +276,17 @@ static bool take_angle(struct options *options, const char *argument)
 static bool take_levels(struct options *options, const char *argument)
 {
     struct option_analysis *analysis = &options->analysis;
-    size_t count = 1;
 
     if (!strpbrk(argument, ",.eE"))
         return argument_whole("--levels", argument, 1, 50, &analysis->wanted_levels);
-    for (const char *at = argument; *at; at++)
-        count += *at == ',';
-    if (count > 1 && argument[strlen(argument) - 1] == ',')
-        count--; /* "5," is the one level 5 */
-    if (count > OPTION_LEVELS) {
-        message_error(_("--levels: %zu levels are too many, %d may be given"), count, OPTION_LEVELS);
-        return false;
-    }
-    analysis->level_count = count;
-    if (argument[strlen(argument) - 1] != ',')
-        return argument_numbers("--levels", "L1,L2,...", argument, analysis->levels, count);
-
-    char *shorter = message_allocate(strlen(argument) + 1, 1);
-    bool ok;
-
-    memcpy(shorter, argument, strlen(argument) - 1);
-    ok = argument_numbers("--levels", "L1,L2,...", shorter, analysis->levels, count);
-    free(shorter);
-    return ok;
+    return argument_levels(argument, analysis->levels, OPTION_LEVELS, &analysis->level_count);
 }
 
 static bool take_csv(struct options *options, const char *argument)
 {
     size_t found = 0;
 
-    if (argument && !options_take_word("--csv", argument, csv_words, &found))
+    if (argument && !argument_word("--csv", argument, csv_words, &found))
         return false;
     options->csv = found == 0 ? CSV_RFC4180 : CSV_EXCEL_RU;
     return true;
@@ -317,7 +310,7 @@ static bool take_format(struct options *options, const char *argument)
 
 bool options_take_document_format(struct options *options)
 {
-    return options_take_word("--format", options->format_word, option_formats, &options->format);
+    return argument_word("--format", options->format_word, option_formats, &options->format);
 }
 
 static bool take_width(struct options *options, const char *argument)
@@ -332,7 +325,7 @@ static bool take_dpi(struct options *options, const char *argument)
 
 static bool take_diagram(struct options *options, const char *argument)
 {
-    return options_take_word("--diagram", argument, diagram_words, &options->drawing.diagram);
+    return argument_word("--diagram", argument, diagram_words, &options->drawing.diagram);
 }
 
 static bool take_eye(struct options *options, const char *argument)
@@ -362,9 +355,9 @@ enum {
                COMMAND_COMPARE | COMMAND_FIGURE | COMMAND_REPORT | COMMAND_GRID,
     MEASURING = COMMAND_RENDER | COMMAND_PROBE | COMMAND_GRID | COMMAND_STATS | COMMAND_PROFILE | COMMAND_ISOPHOTES |
                 COMMAND_COMPARE,
-    COMPUTING = PICTURES | COMMAND_GRADE | COMMAND_GLARE | COMMAND_DERIVE,
+    COMPUTING = PICTURES | COMMAND_GRADE | COMMAND_GLARE | COMMAND_DERIVE | COMMAND_FIT,
     SCENES = PICTURES | COMMAND_CHECK | COMMAND_ADVISE | COMMAND_SCENE | COMMAND_SET | COMMAND_VARIANT | COMMAND_GLARE |
-             COMMAND_DERIVE,
+             COMMAND_DERIVE | COMMAND_FIT,
     WRITING = COMMAND_RENDER | COMMAND_PROBE | COMMAND_GRID | COMMAND_SET | COMMAND_PROFILE | COMMAND_ISOPHOTES |
               COMMAND_COMPARE | COMMAND_FIGURE | COMMAND_EXPLAIN | COMMAND_REPORT | COMMAND_VARIANT |
               COMMAND_PHOTOMETRY | COMMAND_ROOM,
@@ -372,7 +365,7 @@ enum {
 };
 
 static const struct option_row rows[] = {
-    {"output", 'o', N_("FILE"), WRITING | COMMAND_SWEEP, TAKES(take_output), .value = VALUE_OUTPUT,
+    {"output", 'o', N_("FILE"), WRITING | COMMAND_SWEEP | COMMAND_FIT, TAKES(take_output), .value = VALUE_OUTPUT,
      .help =
          N_("write the result to FILE, in the format given by its extension; may be repeated (luxel sweep: the folder "
             "to fill)")},
@@ -393,8 +386,27 @@ static const struct option_row rows[] = {
      .help = N_("take this point of the screen, in mm, instead of the scene's own points; may be repeated")},
     {"at", 0, N_("X,Y,Z,NX,NY,NZ"), COMMAND_PROBE | COMMAND_DERIVE, TAKES(take_element),
      .help = N_("probe a free surface element: its position in mm and its normal; may be repeated")},
-    {"free", 0, N_("KEY"), COMMAND_DERIVE, TAKES(take_free),
-     .help = N_("a key of the scene to derive by, such as lights[0].position; may be repeated")},
+    {"free", 0, N_("KEY"), COMMAND_DERIVE | COMMAND_FIT, TAKES(take_free),
+     .help = N_("a key of the scene to derive by, or to find, such as lights[0].position; may be repeated")},
+    {"picture", 0, N_("FILE"), COMMAND_FIT, KEEPS(fit.picture), .value = VALUE_FILE,
+     .help = N_("fit to a picture of as many pixels as the scene's: .exr, .npy, .pfm, .csv, or the grey levels of a "
+                ".png, by the scene's picture.range and rounding")},
+    {"values", 0, N_("FILE"), COMMAND_FIT, KEEPS(fit.values), .value = VALUE_FILE,
+     .help = N_("fit to readings in a table with the columns x, y, value for points of the screen, or x, y, z, nx, ny, "
+                "nz, value for free elements")},
+    {"noise", 0, N_("SHARE%|SD"), COMMAND_FIT, TAKES(readings_take_noise),
+     .help = N_("the standard deviation of a reading: a share of it, such as 3%, a number in its unit, or 3%+0.01; "
+                "without it is told by how the readings scatter")},
+    {"saturated", 0, N_("V"), COMMAND_FIT, TAKES(readings_take_saturated),
+     .help = N_("readings from V on tell only that the truth is no less")},
+    {"relative", 0, NULL, COMMAND_FIT, SETS(fit.is_relative),
+     .help = N_("the readings are known only up to one factor, which is found, too; so are those of a .png whose "
+                "picture.range is max")},
+    {"loss", 0, N_("NAME"), COMMAND_FIT, TAKES(take_loss), WORDS(loss_words),
+     .help = N_("what readings that are off count for: gaussian (default), their squares; huber, which bears outliers; "
+                "tukey, for which they do not count at all")},
+    {"residual", 0, N_("FILE"), COMMAND_FIT, KEEPS(fit.residual), .value = VALUE_OUTPUT,
+     .help = N_("write the readings less what the fitted scene gives: a picture, or .csv of values at points")},
     {"eye", 0, N_("X,Y,Z,VX,VY,VZ"), COMMAND_GLARE, TAKES(take_eye),
      .help = N_("an observer: where the eye is, in mm, and the direction in which it looks; may be repeated")},
     {"up", 0, N_("X,Y,Z"), COMMAND_GLARE, TAKES(take_up),
@@ -418,7 +430,7 @@ static const struct option_row rows[] = {
     {"view", 0, N_("X,Y,Z"), COMMAND_PROBE | COMMAND_DERIVE, TAKES(take_view),
      .help = N_("the direction from which free elements are seen, of any length; the default is the scene's: (0, 0, 1) "
                 "where observer.view is parallel, else towards the observer")},
-    {"material", 0, N_("N"), COMMAND_PROBE | COMMAND_DERIVE, TAKES(take_material),
+    {"material", 0, N_("N"), COMMAND_PROBE | COMMAND_DERIVE | COMMAND_FIT, TAKES(take_material),
      .help =
          N_("give free elements that lie on no surface the material of surfaces[N], counted from 0 (the default) as "
             "in paths; an element that lies on a surface keeps the material of that surface")},

@@ -49,6 +49,7 @@
 #include <luxel/exercise.h>
 #include <luxel/extrema.h>
 #include <luxel/field.h>
+#include <luxel/fit.h>
 #include <luxel/glare.h>
 #include <luxel/grid.h>
 #include <luxel/isophotes.h>

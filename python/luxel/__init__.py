@@ -17,6 +17,7 @@ from ._document import Document
 from ._errors import (Diagnostic, LuxelError, LuxelFileError, LuxelKeyError, LuxelMemoryError, LuxelNotFoundError,
                       LuxelValueError, LuxelWarning)
 from ._field import Field, compare, read
+from ._fit import Fit, FitParameter
 from ._geometry import Geometry
 from ._glare import Glare, GlareSource, UgrReflectances, UgrRoom, UgrTable
 from ._grid import Grid
@@ -35,9 +36,9 @@ __version__ = _version()
 
 __all__ = [
     "Alternative", "Amount", "Balance", "Color", "Comparison", "Diagnostic", "Diagram", "Document", "Extrema",
-    "Extremum", "Field", "Figure", "Geometry", "Glare", "GlareSource", "Greatest", "Grid", "GridExtrema",
-    "GridExtremum", "GridPeak", "Histogram", "Isophote", "Jacobian", "Judgement", "LampSet", "Light", "Limit",
-    "LitSide", "LuxelError", "LuxelFileError", "LuxelKeyError", "LuxelMemoryError", "LuxelNotFoundError",
+    "Extremum", "Field", "Figure", "Fit", "FitParameter", "Geometry", "Glare", "GlareSource", "Greatest", "Grid",
+    "GridExtrema", "GridExtremum", "GridPeak", "Histogram", "Isophote", "Jacobian", "Judgement", "LampSet", "Light",
+    "Limit", "LitSide", "LuxelError", "LuxelFileError", "LuxelKeyError", "LuxelMemoryError", "LuxelNotFoundError",
     "LuxelValueError", "LuxelWarning", "Mesh", "Observer", "Opening", "Peak", "Photometry", "PhotometryFigures",
     "Probe", "Probes", "Profile", "Room", "RoomArray", "STATES", "Scene", "Share", "Statistics", "Summary",
     "UgrReflectances", "UgrRoom", "UgrTable", "builtin_scenes", "compare", "instruction_sets", "palettes", "read",

@@ -8,7 +8,7 @@ from _thread import allocate_lock
 from typing import (TYPE_CHECKING, Any, Dict, Iterable, Iterator, List, Mapping, Optional, Sequence, Tuple, Union,
                     overload)
 
-from . import _flow, _jacobian, _luxel
+from . import _fit, _flow, _jacobian, _luxel
 from ._arrays import floats, spacing
 from ._balance import Balance, balance
 from ._document import Document
@@ -94,7 +94,7 @@ class Scene(Rated):
     _path: Optional[str]
     _name: str
     _carried: Optional[Carried]
-    jacobian = _jacobian.jacobian
+    jacobian, fit = _jacobian.jacobian, _fit.fit
 
     def __init__(self, source: "Union[str, bytes, os.PathLike[str], Mapping[str, Any], Scene]" = "report") -> None:
         if isinstance(source, Scene):

@@ -5,12 +5,12 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "../api/refuse.h"
 #include "../base/diagnostics.h"
 #include "../base/memory.h"
 #include "../base/number.h"
 #include "../base/text.h"
 #include "../parameter/words.h"
-#include "../scene/path.h"
 
 /* How many numbers stand at the end of a path, 0: no continuous ones do. */
 static size_t numbers_at(const struct lx_path *path)
@@ -162,4 +162,60 @@ luxel_status lx_keys_change(const luxel_scene *scene, const struct lx_keys *keys
     }
     *changed = made;
     return status;
+}
+
+/* Binds all keys in a scene that writes them. */
+static bool bind_all(struct lx_changer *changer)
+{
+    bool good = true;
+    for (size_t i = 0; good && i < changer->keys->count; i++) {
+        const char *key = changer->keys->list[i].path;
+        const struct lx_place place = {.source = "key", .text = key, .length = strlen(key)};
+        struct lx_path path;
+        good = lx_follow_path(changer->own, &place, place.length, NULL, &path) == LUXEL_OK &&
+               lx_bind(changer->own, &path, &changer->bindings[i]);
+    }
+    return good;
+}
+
+luxel_status lx_changer_make(const luxel_scene *scene, const struct lx_keys *keys, luxel_diagnostics *diagnostics,
+                             struct lx_changer *changer)
+{
+    luxel_status status = LUXEL_OK;
+    *changer = (struct lx_changer){.scene = scene, .keys = keys};
+    /* a solution of reflected light that a scene keeps knows nothing of bindings */
+    if (lx_wants_reflections(lx_scene_parameters(scene)))
+        return LUXEL_OK;
+    changer->own = luxel_scene_copy(scene);
+    changer->bindings = lx_new_array(keys->count + 1, sizeof *changer->bindings);
+    if (!changer->own || !changer->bindings)
+        return lx_out_of_memory(diagnostics);
+    for (size_t i = 0; status == LUXEL_OK && i < keys->count; i++)
+        status = set_key(changer->own, &keys->list[i], keys->list[i].numbers, diagnostics);
+    if (status == LUXEL_OK)
+        status = luxel_scene_commit(changer->own, diagnostics);
+    if (status == LUXEL_OK && !bind_all(changer)) {
+        free(changer->bindings);
+        changer->bindings = NULL;
+    }
+    return status;
+}
+
+void lx_changer_clear(struct lx_changer *changer)
+{
+    luxel_scene_free(changer->own);
+    free(changer->bindings);
+    *changer = (struct lx_changer){.own = NULL};
+}
+
+const luxel_scene *lx_changer_change(struct lx_changer *changer, const double *numbers)
+{
+    if (!changer->bindings) {
+        luxel_scene_free(changer->own);
+        lx_keys_change(changer->scene, changer->keys, numbers, NULL, &changer->own);
+        return changer->own;
+    }
+    for (size_t i = 0; i < changer->keys->count; i++)
+        lx_bound_put(changer->own, &changer->bindings[i], &numbers[changer->keys->list[i].offset]);
+    return lx_bound_check(changer->own, changer->bindings, changer->keys->count) ? changer->own : NULL;
 }

@@ -5,7 +5,7 @@
 
 #include <luxel/scene.h>
 
-#include "../parameter/table.h"
+#include "../scene/bind.h"
 
 enum { LX_MOST_NUMBERS = 8 }; /* that a key takes */
 
@@ -37,5 +37,23 @@ const struct lx_key *lx_keys_of(const struct lx_keys *keys, size_t number);
  * as it is written.  LUXEL_ERROR_SCENE: there is no such scene. */
 luxel_status lx_keys_change(const luxel_scene *scene, const struct lx_keys *keys, const double *numbers,
                             luxel_diagnostics *diagnostics, luxel_scene **changed);
+
+/*
+ * A scene whose keys are changed time and again: where their numbers can be bound (scene/bind.h) it takes microseconds.
+ */
+struct lx_changer {
+    const luxel_scene *scene;
+    const struct lx_keys *keys;
+    luxel_scene *own;            /* the scene with other numbers */
+    struct lx_binding *bindings; /* of each key in it; NULL: it is made anew each time */
+};
+
+/* Clear it in any case. */
+luxel_status lx_changer_make(const luxel_scene *scene, const struct lx_keys *keys, luxel_diagnostics *diagnostics,
+                             struct lx_changer *changer);
+void lx_changer_clear(struct lx_changer *changer);
+
+/* The scene with these numbers, the changer's until the next change; NULL: there is none, or no memory. */
+const luxel_scene *lx_changer_change(struct lx_changer *changer, const double *numbers);
 
 #endif

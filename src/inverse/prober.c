@@ -14,7 +14,7 @@ bool lx_prober_solves(const luxel_scene *scene)
     return lx_wants_reflections(lx_scene_parameters(scene));
 }
 
-luxel_status lx_prober_open(luxel_scene *scene, const luxel_settings *settings, luxel_diagnostics *diagnostics,
+luxel_status lx_prober_look(const luxel_scene *scene, const luxel_settings *settings, luxel_diagnostics *diagnostics,
                             struct lx_prober *prober)
 {
     luxel_status status = LUXEL_OK;
@@ -26,10 +26,21 @@ luxel_status lx_prober_open(luxel_scene *scene, const luxel_settings *settings, 
     return status;
 }
 
+luxel_status lx_prober_open(luxel_scene *scene, const luxel_settings *settings, luxel_diagnostics *diagnostics,
+                            struct lx_prober *prober)
+{
+    const luxel_status status = lx_prober_look(scene, settings, diagnostics, prober);
+    if (status == LUXEL_OK)
+        prober->own = scene;
+    else
+        luxel_scene_free(scene);
+    return status;
+}
+
 void lx_prober_close(struct lx_prober *prober)
 {
     luxel_evaluator_free(prober->evaluator);
-    luxel_scene_free(prober->scene);
+    luxel_scene_free(prober->own);
     *prober = (struct lx_prober){.scene = NULL};
 }
 

@@ -12,7 +12,8 @@ struct lx_probed {
 };
 
 struct lx_prober {
-    luxel_scene *scene;         /* NULL: not open */
+    const luxel_scene *scene;   /* NULL: not open */
+    luxel_scene *own;           /* the same where it goes with the prober; else NULL */
     luxel_settings settings;    /* without the lists of the caller's */
     luxel_evaluator *evaluator; /* NULL: places share a solution of reflected light, which is made for them */
 };
@@ -20,6 +21,9 @@ struct lx_prober {
 /* Whether the values of a committed scene take a solution of reflected light, which all places had better share. */
 bool lx_prober_solves(const luxel_scene *scene);
 
+/* Looks at a committed scene, which must outlive it and not be changed meanwhile. */
+luxel_status lx_prober_look(const luxel_scene *scene, const luxel_settings *settings, luxel_diagnostics *diagnostics,
+                            struct lx_prober *prober);
 /* Takes over a committed scene, which goes with it, and in case of an error at once. */
 luxel_status lx_prober_open(luxel_scene *scene, const luxel_settings *settings, luxel_diagnostics *diagnostics,
                             struct lx_prober *prober);

@@ -149,6 +149,5 @@ bool lx_bound_check(luxel_scene *scene, const struct lx_binding *bindings, size_
         }
     }
     lx_validate_reflections(&walk, scene);
-    lx_validate_view(&walk, scene);
     return !walk.failed && !walk.out_of_memory;
 }

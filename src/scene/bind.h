@@ -40,7 +40,8 @@ size_t lx_bound_size(const struct lx_parameter *parameter);
 /* Puts a value as the parameter's type holds it: all of it, or the number of a component. */
 void lx_bound_put(luxel_scene *scene, const struct lx_binding *binding, const void *value);
 
-/* Whether the scene is still good as far as these bindings can have changed that; says nothing about what is wrong. */
+/* Whether the scene is still good as far as these bindings can have changed that, its view aside; says nothing about
+ * what is wrong. */
 bool lx_bound_check(luxel_scene *scene, const struct lx_binding *bindings, size_t count);
 
 #endif

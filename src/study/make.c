@@ -132,7 +132,8 @@ luxel_status luxel_study_make(luxel_study_maker *maker, uint64_t i, luxel_diagno
     if (maker->bindings) {
         for (size_t k = 0; k < maker->study->axis_count; k++)
             put(maker, k, i);
-        if (lx_bound_check(maker->scene, maker->bindings, maker->study->axis_count)) {
+        if (lx_bound_check(maker->scene, maker->bindings, maker->study->axis_count) &&
+            luxel_scene_check_view(maker->scene, NULL) == LUXEL_OK) {
             *scene = maker->scene;
             return LUXEL_OK;
         }

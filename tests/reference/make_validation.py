@@ -16,6 +16,7 @@ import model
 from cases import CASES
 from luxel import TOLERANCE, Luxel
 from tap import Tap
+from validation_inverse import inverse
 from validation_lamps import lamps
 from validation_page import STAGE, Page, figures, off_exact, off_printed, power_above
 
@@ -25,8 +26,8 @@ HEAD = """\
 # Validation
 
 What Luxel gives where the right answer is known: the tests of CIE 171:2006 (*Test cases to assess the accuracy of
-lighting computer programs*), luminaire files, reflected light, configuration factors of radiative heat transfer, and
-integrals of highlights.
+lighting computer programs*), luminaire files, reflected light, configuration factors of radiative heat transfer,
+integrals of highlights, derivatives, and fits of a lamp.
 This page is written by a program, `tests/reference/make_validation.py`, from what it measures with the built command.
 `make validation` writes it anew; a test of `make check` compares it with what the command gives.
 
@@ -387,7 +388,7 @@ def highlights(page):
 
 def page_of(luxel):
     page = Page(luxel, HEAD)
-    for part in (cie, lamps, reflected, factors, sphere_means, highlights):
+    for part in (cie, lamps, reflected, factors, sphere_means, highlights, inverse):
         part(page)
     return page.text()
 
