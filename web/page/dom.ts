@@ -77,9 +77,16 @@ export function fitted(canvas: HTMLCanvasElement): [number, number, CanvasRender
     return [width, height, context];
 }
 
+const colours = new Map<string, string>(); // of the style, as asking for one takes longer than to draw with it
+matchMedia('(prefers-color-scheme: dark)').addEventListener('change', () => colours.clear());
+
 /** A colour of the page's style. */
 export function styleColour(name: string): string {
-    return getComputedStyle(document.documentElement).getPropertyValue(name).trim();
+    const known = colours.get(name);
+    if (known) return known;
+    const colour = getComputedStyle(document.documentElement).getPropertyValue(name).trim();
+    if (colour) colours.set(name, colour);
+    return colour;
 }
 
 const LAMP_COLOURS = 10; // told apart by people with deficient colour vision, too; the style has them
