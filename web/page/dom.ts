@@ -117,8 +117,27 @@ export function chip(index: number, isOn = true): HTMLElement {
 
 const RADIUS = 10.5; // of the marks of lights, pixels
 
+const marks = new Map<string, HTMLCanvasElement>(); // of lights, as they were drawn first
+
 /** The same on a canvas; what is chosen has a double ring. */
 export function numberMark(context: CanvasRenderingContext2D, x: number, y: number, index: number, chosen: boolean) {
+    const ratio = window.devicePixelRatio || 1;
+    const key = [index, chosen, ratio, lightColour(index)].join();
+    let mark = marks.get(key);
+    if (!mark) {
+        mark = h('canvas', { width: Math.ceil(2 * REACH * ratio), height: Math.ceil(2 * REACH * ratio) });
+        const on = mark.getContext('2d')!;
+        on.setTransform(ratio, 0, 0, ratio, 0, 0);
+        drawMark(on, REACH, REACH, index, chosen);
+        marks.set(key, mark);
+    }
+    const whole = (place: number) => Math.round((place - REACH) * ratio) / ratio; // pixels stay sharp
+    context.drawImage(mark, whole(x), whole(y), mark.width / ratio, mark.height / ratio);
+}
+
+const REACH = 20; // pixels from the middle of a mark to where nothing of it is
+
+function drawMark(context: CanvasRenderingContext2D, x: number, y: number, index: number, chosen: boolean) {
     const radius = chosen ? RADIUS + 1.5 : RADIUS;
     const outline = (r: number) => {
         context.beginPath();

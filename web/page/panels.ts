@@ -20,7 +20,7 @@ function wholePercent(part: number): string {
 }
 
 const NOUGHT = 1e-9; // of the screen: what is nearer to its middle is in it
-const MOST_SHARES = 40; // that are told one by one
+const MOST_SHARES = 12; // that are told one by one
 
 /** The indices of the greatest of some numbers, in their order. */
 function greatest(numbers: number[], most: number): number[] {
