@@ -35,9 +35,9 @@ struct lx_radiosity {
     struct lx_prepared open;            /* and without shadows */
     struct lx_sampling_direct sampling;
     struct lx_near *near; /* the places that are asked */
-    double error;     /* the bound that is wanted */
-    unsigned bounces; /* 0: all */
-    double size_mm;   /* of the scene */
+    double error;         /* the bound that is wanted */
+    unsigned bounces;     /* 0: all */
+    double size_mm;       /* of the scene */
     struct lx_matte_face *faces;
     size_t face_count;
     bool has_round_faces; /* balls or tubes */
@@ -66,6 +66,10 @@ struct lx_radiosity {
     unsigned threads;
     struct lx_control *control;
 };
+
+/* A solution of which there is nothing but its faces and tiles, and how fine integrals are; freed by
+ * lx_reflected_free() in any case.  LUXEL_OK or LUXEL_ERROR_MEMORY. */
+luxel_status lx_reflected_begin(const struct lx_reflected_request *request, struct lx_radiosity **made);
 
 /* Faces and tiles of the scene at first, without light; 0, or -1 when memory ran out. */
 int lx_tiling_make(struct lx_radiosity *reflected);
