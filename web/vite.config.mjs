@@ -7,6 +7,9 @@ import { defineConfig } from 'vite';
 
 const folder = path.resolve(process.env.LUXEL_WEB_FOLDER ?? '../build-web');
 
+// Where the page will be found, "https://example.org/luxel/": those who show links want the whole address of its picture.
+const address = process.env.LUXEL_WEB_ADDRESS ?? '';
+
 // The licences of what the page and its core are made of, in this order.
 function licences() {
     const sources = path.join(folder, 'libraries/sources');
@@ -45,11 +48,12 @@ const element = {
 
 const core = {
     name: 'luxel-core',
-    transformIndexHtml: (html) => html.replace('<!-- licences -->', licences),
+    transformIndexHtml: (html) =>
+        html.replace('<!-- licences -->', licences).replace('content="card.png"', `content="${address}card.png"`),
     generateBundle() {
         const take = (fileName) =>
             this.emitFile({ type: 'asset', fileName, source: fs.readFileSync(path.join(folder, fileName)) });
-        for (const name of ['luxel-core.wasm', 'luxel-core-2.wasm', 'ru.json']) take(name);
+        for (const name of ['luxel-core.wasm', 'luxel-core-2.wasm', 'ru.json', 'card.png']) take(name);
     },
 };
 

@@ -77,9 +77,16 @@ export function fitted(canvas: HTMLCanvasElement): [number, number, CanvasRender
     return [width, height, context];
 }
 
+const colours = new Map<string, string>(); // of the style, as asking for one takes longer than to draw with it
+matchMedia('(prefers-color-scheme: dark)').addEventListener('change', () => colours.clear());
+
 /** A colour of the page's style. */
 export function styleColour(name: string): string {
-    return getComputedStyle(document.documentElement).getPropertyValue(name).trim();
+    const known = colours.get(name);
+    if (known) return known;
+    const colour = getComputedStyle(document.documentElement).getPropertyValue(name).trim();
+    if (colour) colours.set(name, colour);
+    return colour;
 }
 
 const LAMP_COLOURS = 10; // told apart by people with deficient colour vision, too; the style has them
@@ -110,8 +117,27 @@ export function chip(index: number, isOn = true): HTMLElement {
 
 const RADIUS = 10.5; // of the marks of lights, pixels
 
+const marks = new Map<string, HTMLCanvasElement>(); // of lights, as they were drawn first
+
 /** The same on a canvas; what is chosen has a double ring. */
 export function numberMark(context: CanvasRenderingContext2D, x: number, y: number, index: number, chosen: boolean) {
+    const ratio = window.devicePixelRatio || 1;
+    const key = [index, chosen, ratio, lightColour(index)].join();
+    let mark = marks.get(key);
+    if (!mark) {
+        mark = h('canvas', { width: Math.ceil(2 * REACH * ratio), height: Math.ceil(2 * REACH * ratio) });
+        const on = mark.getContext('2d')!;
+        on.setTransform(ratio, 0, 0, ratio, 0, 0);
+        drawMark(on, REACH, REACH, index, chosen);
+        marks.set(key, mark);
+    }
+    const whole = (place: number) => Math.round((place - REACH) * ratio) / ratio; // pixels stay sharp
+    context.drawImage(mark, whole(x), whole(y), mark.width / ratio, mark.height / ratio);
+}
+
+const REACH = 20; // pixels from the middle of a mark to where nothing of it is
+
+function drawMark(context: CanvasRenderingContext2D, x: number, y: number, index: number, chosen: boolean) {
     const radius = chosen ? RADIUS + 1.5 : RADIUS;
     const outline = (r: number) => {
         context.beginPath();

@@ -33,6 +33,9 @@ interface Row {
 const CONVENTIONS =
     /\.(over_pi|highlight|normalized|falloff|rounding|range|tolerance|parts|pixels|view|opening|interpolation|units)$|^(tolerance|parts|units)$/;
 
+const MANY = 60; // lights whose irradiance is told seldom while the probe moves
+const SELDOM = 250; // milliseconds
+
 /** A key of a thing, and whether the thing has a value of it. */
 interface Entry {
     path: string;
@@ -84,6 +87,8 @@ export class Form {
     private showsMore = false; // whether "more" was opened last
     private sharesOf: Version | null = null; // which the rows of the lights show
     private shares: number[] = [];
+    private sharesTimer = 0;
+    private refreshTimer = 0;
     private chosen = ''; // the base of the light or body that is chosen
     /** Chooses a light or a body whose row was pressed. */
     onChoose: (list: string, index: number) => void = () => undefined;
@@ -107,7 +112,11 @@ export class Form {
     /** Tells in the rows of the lights the irradiance that each gives at the probe. */
     tellLit(shares: number[], of: Version | null) {
         [this.shares, this.sharesOf] = [shares, of];
-        this.showShares();
+        if (shares.length <= MANY) return this.showShares();
+        this.sharesTimer ||= window.setTimeout(() => {
+            this.sharesTimer = 0;
+            this.showShares();
+        }, SELDOM);
     }
 
     private showShares() {
@@ -117,8 +126,11 @@ export class Form {
             if (list !== 'lights') continue;
             const share = shares[index];
             const unit = this.model.scene?.irradiance_unit ?? '';
-            const told = share === undefined ? [] : [number(share, 4), h('span', { class: 'unit' }, ` ${unit === 'relative' ? '' : unit}`)];
-            amount.replaceChildren(...told);
+            const told = share === undefined ? '' : number(share, 4);
+            const [value, ofValue] = [amount.firstChild as Text, amount.lastChild as HTMLElement];
+            if (value.data !== told) value.data = told;
+            const shown = told && unit !== 'relative' ? ` ${unit}` : '';
+            if (ofValue.textContent !== shown) ofValue.textContent = shown;
             bar.style.inlineSize = share && all > 0 ? `${Math.max(0, (100 * share) / all)}%` : '0';
         }
         this.model.dim();
@@ -149,11 +161,21 @@ export class Form {
     async reload() {
         ({ keys: this.keys, kinds: this.kinds } = await this.model.client.ask('parameters'));
         this.generation++;
-        await this.refresh();
+        await this.refreshNow();
     }
 
-    /** Shows the present values; the form is built anew only where other keys are to be seen. */
+    /** Shows the present values, seldom while a hand changes a scene of very many lights. */
     async refresh() {
+        const isMany = this.rows.length > MANY && this.of?.scene === this.model.version.scene;
+        if (!isMany) return this.refreshNow();
+        this.refreshTimer ||= window.setTimeout(() => {
+            this.refreshTimer = 0;
+            void this.refreshNow().catch(() => undefined);
+        }, SELDOM);
+    }
+
+    // The form is built anew only where other keys are to be seen.
+    private async refreshNow() {
         const of = this.model.asWhole();
         const { generation } = this;
         if (!of || !this.keys.length) return;
@@ -226,6 +248,7 @@ export class Form {
         const name = h('span', { class: 'name' });
         const flux = h('span', { class: 'flux dim' });
         const amount = h('span', { class: 'of-probe' });
+        amount.append(document.createTextNode(''), h('span', { class: 'unit' }));
         const bar = h('span', { class: 'bar' });
         if (isLights) bar.style.background = lightStyle(index);
         const mark = isLights ? chip(index) : h('span', { class: 'dim' }, String(index + 1));

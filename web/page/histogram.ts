@@ -10,6 +10,7 @@ import { number, t } from './words';
 
 const MARGIN = { left: 44, right: 8, bottom: 18, top: 8 };
 const BIN = 6; // pixels across
+const CUT = 3; // as high as the next one a bar is cut
 
 export class Histogram {
     private readonly canvas = h('canvas', { class: 'bars', role: 'img' });
@@ -91,18 +92,28 @@ export class Histogram {
             all++;
         }
         if (!all) return;
-        const highest = bins.reduce((a, b) => Math.max(a, b), 0) / all;
+        // A value that very many pixels have, as darkness, would leave no height to all others: its bar is cut, and told.
+        const sorted = [...bins].sort((a, b) => b - a);
+        const highest = (sorted[0] > CUT * sorted[1] && sorted[1] ? 1.25 * sorted[1] : sorted[0]) / all;
         const [left, low] = [MARGIN.left, height - MARGIN.bottom];
         const across = (width - left - MARGIN.right) / count;
         const rise = (low - MARGIN.top) / highest;
         context.fillStyle = styleColour('--dim');
-        bins.forEach((bin, i) => bin && context.fillRect(left + i * across + 0.5, low - (bin / all) * rise, across - 1, (bin / all) * rise));
+        context.font = '11px system-ui, sans-serif';
+        context.textAlign = 'left';
+        context.textBaseline = 'top';
+        bins.forEach((bin, i) => {
+            if (!bin) return;
+            const share = bin / all;
+            const high = Math.min(share, highest) * rise;
+            context.fillRect(left + i * across + 0.5, low - high, across - 1, high);
+            if (share > highest) context.fillText(`${number(100 * share, 2)} %`, left + (i + 1) * across + 2, MARGIN.top);
+        });
         context.strokeStyle = styleColour('--line');
         context.beginPath();
         context.moveTo(left, low + 0.5);
         context.lineTo(width - MARGIN.right, low + 0.5);
         context.stroke();
-        context.font = '11px system-ui, sans-serif';
         context.textBaseline = 'middle';
         context.textAlign = 'right';
         context.fillText(`${number(100 * highest, 2)} %`, left - 4, MARGIN.top + 4);

@@ -7,7 +7,7 @@ import { t } from './words';
 /** Which of the two views fills the stage; the other one is a small picture on it. */
 export type Camera = 'space' | 'picture';
 
-export type Tab = 'light' | 'matter' | 'place' | 'view' | 'text';
+export type Tab = 'light' | 'matter' | 'place' | 'view' | 'text' | 'charts';
 
 const TABS: [Tab, string][] = [
     ['light', 'Light'],
@@ -15,6 +15,7 @@ const TABS: [Tab, string][] = [
     ['place', 'Place'],
     ['view', 'View'],
     ['text', 'Text'],
+    ['charts', 'Charts'], // on phones
 ];
 
 export type Chart = 'section' | 'points' | 'histogram' | 'grids' | 'balance';
@@ -28,6 +29,9 @@ const CHARTS: [Chart, string][] = [
 ];
 
 type Sheet = 'half' | 'full' | 'tabs';
+
+// Where the strip has no room below the stage, and stands in the sheet.
+const PHONE = matchMedia('(max-width: 700px)');
 
 const SWIPE = 24; // pixels that move the sheet
 
@@ -87,6 +91,8 @@ export class Layout {
     private strip: Chart = 'section';
     private sheet: Sheet = 'half';
     private main = h('main');
+    private body = h('div');
+    private below = h('section');
     private stage = h('section');
     private edit = h('aside');
     private partial = h('p');
@@ -144,23 +150,26 @@ export class Layout {
         );
         const handle = h('button', { type: 'button', class: 'handle', 'aria-label': t('More or less room for the drawer') });
         this.moveSheet(handle);
+        this.body = h('div', { class: 'drawer-body' }, parts.form, h('div', { class: 'look' }, ...parts.look), parts.text);
         this.edit = h(
             'aside',
             { class: 'edit', 'aria-label': t('Drawer') },
             handle,
             parts.task,
             this.tabs.element,
-            h('div', { class: 'drawer-body' }, parts.form, h('div', { class: 'look' }, ...parts.look), parts.text),
+            this.body,
             h('div', { class: 'below' }, ...parts.below),
         );
-        const strip = h(
+        this.below = h(
             'section',
             { class: 'strip', 'aria-label': t('Below the stage') },
             this.charts.element,
             h('div', { class: 'panels' }, ...Object.values(parts.charts)),
         );
-        this.main = h('main', {}, this.stage, parts.values, this.edit, strip);
-        const offered = TABS.map(([name]) => name).filter((name) => !parts.hidden(name));
+        this.main = h('main', {}, this.stage, parts.values, this.edit);
+        PHONE.onchange = () => this.show();
+        const isOffered = (name: Tab) => name !== 'charts' && !parts.hidden(name);
+        const offered = TABS.map(([name]) => name).filter(isOffered);
         for (const [name] of TABS) this.tabs.hide(name, parts.hidden(name));
         if (parts.hidden(this.tab) && offered.length) this.tab = offered[0];
         this.edit.classList.toggle('bare', !offered.length);
@@ -169,13 +178,18 @@ export class Layout {
     }
 
     private show() {
+        if (this.tab === 'charts' && !PHONE.matches) this.tab = 'light';
+        const room = PHONE.matches ? this.body : this.main;
+        if (this.below.parentElement !== room) room.append(this.below);
+        this.tabs.hide('charts', !PHONE.matches || this.parts.hidden('charts'));
+        this.below.hidden = PHONE.matches && this.tab !== 'charts';
         this.stage.dataset.camera = this.camera;
         this.edit.dataset.tab = this.tab;
         this.main.dataset.sheet = this.sheet;
         this.cameras.show(this.camera);
         this.tabs.show(this.tab);
         this.charts.show(this.strip);
-        this.parts.form.hidden = this.tab === 'text' || this.tab === 'view';
+        this.parts.form.hidden = this.tab === 'text' || this.tab === 'view' || this.tab === 'charts';
         this.parts.text.hidden = this.tab !== 'text';
         for (const [chart, element] of Object.entries(this.parts.charts))
             element.classList.toggle('unchosen', this.strip !== chart);
@@ -202,7 +216,7 @@ export class Layout {
 
     /** Shows the form of what was chosen on the stage, where a form is shown. */
     follow(tab: 'light' | 'matter' | 'place') {
-        if (this.tab === 'view' || this.tab === 'text' || this.tab === tab || this.parts.hidden(tab)) return;
+        if (this.parts.form.hidden || this.tab === tab || this.parts.hidden(tab)) return;
         this.tab = tab;
         this.show();
     }

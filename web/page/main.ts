@@ -347,7 +347,7 @@ class Page {
                 balance: this.balance.element,
             },
             task: this.task.data && this.task.element,
-            hidden: (tab) => this.task.hides(tab),
+            hidden: (tab) => this.task.hides(tab === 'charts' ? 'values' : tab),
         });
         const parts = [
             this.header(),

@@ -19,7 +19,8 @@ function wholePercent(part: number): string {
     return part > 0 && part < 0.01 ? '< 1' : String(Math.round(100 * part));
 }
 
-const MOST_SHARES = 40; // that are told one by one
+const NOUGHT = 1e-9; // of the screen: what is nearer to its middle is in it
+const MOST_SHARES = 12; // that are told one by one
 
 /** The indices of the greatest of some numbers, in their order. */
 function greatest(numbers: number[], most: number): number[] {
@@ -96,7 +97,8 @@ export class ProbePanel {
         this.of = of;
         const unit = scene.unit === 'relative' ? t('relative') : scene.unit;
         const value = probe?.value ?? null;
-        const place = `x = ${number(x, 4)}, y = ${number(y, 4)} ${t('mm')}`;
+        const at = (c: number) => number(Math.abs(c) < NOUGHT * Math.max(...this.model.screen) ? 0 : c, 4);
+        const place = `x = ${at(x)}, y = ${at(y)} ${t('mm')}`;
         const shares = probe?.shares ?? [];
         const told = greatest(shares, MOST_SHARES);
         const bars = told.map((i) => {

@@ -50,6 +50,7 @@ export class SpaceView {
     private reach = 1000; // mm from the centre that must be seen
     private flight: View | null = null; // on the way to the observer
     private isFitted = false;
+    private isOwn = false; // somebody has turned, moved or zoomed the view
     private isDrawn = true;
 
     /** `scale` tells what the colours of values mean. */
@@ -58,7 +59,7 @@ export class SpaceView {
         scale: () => Scale,
     ) {
         this.stage = new Stage(model, scale, () => this.draw());
-        new ResizeObserver(() => this.draw()).observe(this.canvas);
+        new ResizeObserver(() => this.resized()).observe(this.canvas);
         model.follow(this.canvas, () => this.stage.made?.of ?? model.whole);
         followPointer(
             this.canvas,
@@ -95,15 +96,22 @@ export class SpaceView {
         this.draw();
     }
 
+    // As long as nobody has chosen another view, the scene fills whatever room there is.
+    private resized() {
+        if (!this.isOwn && !this.turned && sizeOf(this.canvas).width) this.isFitted = false;
+        this.geometryChanged();
+        this.draw();
+    }
+
     /** Takes all of the scene into view anew. */
     fit() {
-        this.isFitted = false;
+        this.isFitted = this.isOwn = false;
         this.geometryChanged();
     }
 
     /** Shows nothing: another scene was opened. */
     clear() {
-        this.isFitted = false;
+        this.isFitted = this.isOwn = false;
         this.flight = null;
         this.stage.clear();
         this.probe = null;
@@ -655,6 +663,7 @@ export class SpaceView {
 
     // Zooms around a point, and moves it.
     private pinch(factor: number, x: number, y: number, dx: number, dy: number) {
+        this.isOwn = true;
         const { width, height } = sizeOf(this.canvas);
         const [right, up] = this.axes();
         const before = this.factor();
@@ -670,6 +679,7 @@ export class SpaceView {
 
     zoomBy(factor: number) {
         if (!factor) return this.fit();
+        this.isOwn = true;
         this.zoom = Math.max(0.2, Math.min(40, this.zoom * factor));
         this.draw();
     }

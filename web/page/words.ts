@@ -52,6 +52,7 @@ const RUSSIAN: Record<string, string> = {
     Duplicate: 'Дублировать',
     lm: 'лм',
     W: 'Вт',
+    Charts: 'Графики',
     Histogram: 'Гистограмма',
     pixels: 'пикселов',
     'true maximum': 'истинный максимум',

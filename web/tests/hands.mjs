@@ -93,6 +93,7 @@ export async function boxOf(locator) {
 
 export async function lampIn(page, view) {
     if (await page.locator('.cameras').isVisible()) await look(page, view);
+    await until(page, 'space.flight === null');
     const box = await boxOf(page.locator(`canvas.${view}`));
     const [x, y] =
         view === 'space'

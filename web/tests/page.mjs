@@ -7,6 +7,7 @@ import path from 'node:path';
 import axe from 'axe-core';
 import { controls } from './controls.mjs';
 import { FIREFOX, inFirefox } from './firefox.mjs';
+import { frames } from './frames.mjs';
 import { joining } from './joining.mjs';
 import { lessons } from './lessons.mjs';
 import { loading } from './loading.mjs';
@@ -591,6 +592,7 @@ export async function page(folder, tool) {
     await test('small screens', () => onSmallScreens(browser, url));
     await test('dark', () => inDark(browser, url));
     await stage(browser, url, tool);
+    await frames(browser, url);
     await controls(browser, url, tool);
     await tasks(browser, url, tool);
     await typed(browser, folder, url);

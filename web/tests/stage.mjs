@@ -208,6 +208,11 @@ async function onPhones(browser, url) {
                 .map(([html]) => html),
         );
         equal(small, [], 'what is too small for a finger');
+        await page.locator('.edit > .tabs').getByRole('button', { name: 'Charts' }).click();
+        await until(page, 'section.last !== null');
+        check(inWindow(await page.locator('canvas.section').boundingBox()), 'the section in the sheet');
+        await shot(page, 'stage-phone-chart');
+        await page.locator('.edit > .tabs').getByRole('button', { name: 'Light' }).click();
         const handle = page.locator('.handle');
         const before = (await page.locator('.edit').boundingBox()).height;
         await handle.click();

@@ -164,8 +164,10 @@ async function touches(browser, url) {
     await until(page, 'space.stage.made && model.isCurrent(space.stage.made.of) && !space.stage.awaitedSince');
     const [bx, by] = await page.evaluate(() => {
         const { space } = window.luxel.inside;
-        for (let y = 300; y > 0; y -= 4)
-            for (let x = 40; x < 300; x += 4) if (space.placeAt(x, y) && space.placeAt(x + 8, y + 4) && !space.thingAt(x, y)) return [x, y];
+        const found = [];
+        for (let y = 0; y < 300; y += 4)
+            for (let x = 40; x < 300; x += 4) if (space.placeAt(x, y) && space.placeAt(x + 8, y + 4) && !space.thingAt(x, y)) found.push([x, y]);
+        return found[found.length >> 1];
     });
     const probe = await inside(page, 'picture.probe');
     const still = await inside(page, 'space.turn');

@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: MIT
+// What a hand costs in Chromium, in time of the processor, whatever else the machine does: the main thread for a frame of the
+// stage, and that with the workers for a picture.
+import fs from 'node:fs';
+import { boxOf, inside, opened, openScene, until } from './hands.mjs';
+import { check, test } from './tap.mjs';
+
+const SIMPLE = [
+    'sphere', 'report', 'two-spheres', 'three-lights', 'spot', 'distant', 'ambient', 'desk', 'tin', 'sundial', 'warm-and-cold',
+    'ball-lamp', 'box-lamp', 'window', 'tube',
+];
+const MOST_OF_FRAME = 16; // milliseconds of the main thread
+const MOST_OF_PICTURE = 33; // milliseconds of a frame and the workers' picture
+const STEPS = 40;
+const TRIES = 3; // of which the best counts: caches and the other half of a core are not ours
+
+/** Milliseconds that the threads of a process have had, by their names; null: this system does not tell. */
+function timeOf(process) {
+    const times = {};
+    for (const thread of fs.readdirSync(`/proc/${process}/task`)) {
+        try {
+            const of = (name) => fs.readFileSync(`/proc/${process}/task/${thread}/${name}`, 'utf8');
+            const name = thread === String(process) ? 'main' : of('comm').trim();
+            times[name] = (times[name] ?? 0) + Number(of('schedstat').split(' ')[0]) / 1e6;
+        } catch {
+            // The thread has ended.
+        }
+    }
+    return times;
+}
+
+/** The process of the page: that which works when it does. */
+async function processOf(browser, page) {
+    const session = await browser.newBrowserCDPSession();
+    const all = async () => (await session.send('SystemInfo.getProcessInfo')).processInfo.filter(({ type }) => type === 'renderer');
+    const before = new Map((await all()).map(({ id, cpuTime }) => [id, cpuTime]));
+    await page.evaluate(() => {
+        for (const end = performance.now() + 300; performance.now() < end; );
+    });
+    const grown = (await all()).map(({ id, cpuTime }) => [id, cpuTime - (before.get(id) ?? 0)]);
+    return grown.sort(([, a], [, b]) => b - a)[0][0];
+}
+
+async function dragged(page, process) {
+    const [x, y] = await inside(
+        page,
+        "(() => { const thing = ['light', 'direction', 'aim'].map((kind) => model.things.find((each) => each.kind === kind)).find(Boolean); return thing ? (thing.kind === 'light' ? space.markPlace(thing) : space.seen(thing.at)) : [200, 120]; })()",
+    );
+    const box = await boxOf(page.locator('canvas.space'));
+    const move = (i) => page.mouse.move(box.x + x + 8 + 1.5 * Math.min(i, STEPS - i), box.y + y + 8);
+    await page.mouse.move(box.x + x, box.y + y);
+    await page.mouse.down();
+    await move(0);
+    await page.waitForTimeout(200);
+    await page.evaluate(() => {
+        const { model, space } = window.luxel.inside;
+        const count = (window.counted = { frames: 0, pictures: 0 });
+        space.drawNow = function () {
+            count.frames++;
+            return Object.getPrototypeOf(this).drawNow.call(this);
+        };
+        model.take = function (picture) {
+            count.pictures++;
+            return Object.getPrototypeOf(this).take.call(this, picture);
+        };
+    });
+    const before = timeOf(process);
+    for (let i = 0; i < STEPS; i++) {
+        await move(i);
+        await page.waitForTimeout(16);
+    }
+    const after = timeOf(process);
+    await page.mouse.up();
+    const { frames, pictures } = await page.evaluate(() => window.counted);
+    const spent = (name) => (after[name] ?? 0) - (before[name] ?? 0);
+    const frame = spent('main') / Math.max(frames, 1);
+    return { frame, picture: frame + Math.max(0, spent('DedicatedWorker')) / Math.max(pictures, 1), pictures };
+}
+
+async function isQuick(browser, page) {
+    const process = await processOf(browser, page);
+    const told = [];
+    for (const scene of SIMPLE) {
+        await openScene(page, scene);
+        await until(page, 'space.stage.made && model.isCurrent(space.stage.made.of)');
+        let best = { frame: Infinity, picture: Infinity };
+        for (let i = 0; i < TRIES && !(best.frame <= MOST_OF_FRAME && best.picture <= MOST_OF_PICTURE); i++) {
+            await page.waitForTimeout(400);
+            const found = await dragged(page, process);
+            if (found.picture < best.picture) best = found;
+        }
+        told.push(`${scene} ${best.frame.toFixed(0)} + ${(best.picture - best.frame).toFixed(0)}`);
+        if (best.frame > MOST_OF_FRAME || best.picture > MOST_OF_PICTURE) told.push('!');
+    }
+    check(!told.includes('!'), told.join(', '));
+    return `milliseconds of main thread for a frame + workers for a picture: ${told.join(', ')}`;
+}
+
+/** No task of the main thread is long while 300 lamps are shown and one is dragged. */
+async function bearsLamps(page) {
+    const lamps = Array.from({ length: 300 }, (_, i) => `  - {type: point, position: [${(i % 20) * 60 - 600}, ${Math.floor(i / 20) * 60 - 450}, 1900], intensity: 0.05}`);
+    const text = `luxel: 1\nscreen: {width: 700, height: 700, resolution: [300, 300]}\nobserver: {z: 2500}\nsurfaces:\n  - {type: sphere, center: [0, 0, 900], radius: 300}\nlights:\n${lamps.join('\n')}\n`;
+    await page.evaluate((text) => window.luxel.inside.open(text), text);
+    await until(page, 'model.isSettled && space.stage.made && model.isCurrent(space.stage.made.of)');
+    await page.waitForTimeout(500);
+    const process = await processOf(page.context().browser(), page);
+    const text0 = await inside(page, 'model.text');
+    const { frame } = await dragged(page, process);
+    await until(page, `model.isSettled && model.text !== ${JSON.stringify(text0)}`);
+    return `${frame.toFixed(0)} ms of the main thread for a frame of 300 lamps`;
+}
+
+export async function frames(browser, url) {
+    const page = await opened(browser, url, { viewport: { width: 1280, height: 720 } });
+    if (!Object.keys(timeOf('self')).length) return console.log('this system does not tell the time of threads: frames are not counted');
+    await test('frames and pictures keep up with the hand', () => isQuick(browser, page));
+    await test('300 lamps', () => bearsLamps(page));
+    await page.context().close();
+}
