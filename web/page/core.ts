@@ -397,6 +397,12 @@ export class Core {
         }
     }
 
+    /** A light of a kind, or one in YAML, that fits a text and is like a chosen one, or stands in its place; null: it does not go. */
+    newLight(text: string, wanted: string, like: number, replaces: boolean): { index: number; light: string } | null {
+        if (this.edit(text, []) === null) return null;
+        return this.json(this.withTexts([wanted], (kind) => this.call.page_new_light(kind, like, replaces ? 1 : 0)));
+    }
+
     private change(change: Change): boolean {
         if ('set' in change) return this.withTexts([change.set], (at) => this.call.page_set(at)) === 0;
         if ('remove' in change) return this.withTexts([change.remove], (at) => this.call.page_remove(at)) === 0;
@@ -406,11 +412,6 @@ export class Core {
 
     get(key: string): string | null {
         return this.text(this.withTexts([key], (at) => this.call.page_get(at)));
-    }
-
-    /** Whether the scene's text has the key, rather than its default. */
-    isWritten(key: string): boolean {
-        return this.withTexts([key], (at) => this.call.page_written(at)) !== 0;
     }
 
     render(stride: number): boolean {

@@ -335,7 +335,7 @@ export class Form {
             (name) => {
                 const kind = kinds.find((each) => each.name === name);
                 select.value = '';
-                if (kind && list === 'lights') this.model.addLight(kind.example!, this.chosenLight());
+                if (kind && list === 'lights') this.model.addLight(kind.name, this.chosenLight());
                 else if (kind) this.model.change(newSurface(this.model, kind.example!));
             },
         );
@@ -346,12 +346,13 @@ export class Form {
         return this.model.change([{ set: `${path}=${value}` }], mark);
     }
 
-    // Another kind of light or surface has other keys: it begins as the example of its kind.
+    // Another kind of light or surface has other keys: a light is fitted, a surface begins as the example of its kind.
     private choose(path: string, word: string) {
         const found = /^(lights|surfaces)\[(\d+)\]\.type$/.exec(path);
         const kind = found && this.kinds.find(({ list, name }) => list === found[1] && name === word);
         if (!found || !kind?.example) return this.set(path, word);
         const [, list, index] = found;
+        if (list === 'lights') return this.model.changeLight(word, Number(index));
         return this.model.change([
             { remove: `${list}[${index}]` },
             { list, index: Number(index), insert: kind.example },

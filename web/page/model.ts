@@ -274,11 +274,22 @@ export class Model {
         return true;
     }
 
-    /** Adds a light made from the example of its kind, which fits the scene and is like a chosen one. */
-    async addLight(example: string, chosen: number) {
+    /** Adds a light of a kind, which fits the scene and is like a chosen one. */
+    addLight(kind: string, chosen: number) {
+        return this.takeLight(kind, chosen, false);
+    }
+
+    /** Makes a light one of another kind, which stands where it stood and is as strong. */
+    changeLight(kind: string, index: number) {
+        return this.takeLight(kind, index, true);
+    }
+
+    private async takeLight(kind: string, like: number, replaces: boolean) {
         const { version } = this;
-        const changes = await this.client.ask('newLight', version.text, example, chosen);
-        if (this.version === version) await this.change(changes, '', version);
+        const made = await this.client.ask('newLight', version.text, kind, like, replaces);
+        if (this.version !== version || !made) return false;
+        const insert = { list: 'lights', index: replaces ? like : made.index, insert: made.light };
+        return this.change(replaces ? [{ remove: `lights[${like}]` }, insert] : [insert], '', version);
     }
 
     async judge() {

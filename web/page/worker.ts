@@ -6,7 +6,6 @@
 import { Core, CoreFailure, PartMissing, type Change, type Probe } from './core';
 import { lastPart } from './folder';
 import { geometryOf } from './geometry';
-import { newLight } from './new_light';
 import { Outdated, type Of } from './version';
 
 const SLICE = 25; // milliseconds of values after which what is more urgent has its turn
@@ -140,12 +139,8 @@ const questions = {
         const changed = core.edit(text, changes);
         return { text: changed, messages: changed === null ? core.messages() : [] };
     },
-    newLight: (text: string, example: string, chosen: number) => {
-        const changes = newLight(core, text, example, chosen);
-        openText = null;
-        drawn = '';
-        return changes;
-    },
+    newLight: (text: string, wanted: string, like: number, replaces: boolean) =>
+        core.newLight(text, wanted, like, replaces),
     judge,
     render,
     probe: (of: Of, x: number, y: number) => opened(of).probe(x, y),
