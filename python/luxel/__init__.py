@@ -16,6 +16,7 @@ from ._balance import Amount, Balance, LitSide
 from ._document import Document
 from ._errors import (Diagnostic, LuxelError, LuxelFileError, LuxelKeyError, LuxelMemoryError, LuxelNotFoundError,
                       LuxelValueError, LuxelWarning)
+from ._exchange import Exchange, ExchangeSide
 from ._field import Field, compare, read
 from ._geometry import Geometry
 from ._glare import Glare, GlareSource, UgrReflectances, UgrRoom, UgrTable
@@ -32,11 +33,11 @@ from ._luxel import version as _version
 __version__ = _version()
 
 __all__ = [
-    "Alternative", "Amount", "Balance", "Color", "Comparison", "Diagnostic", "Diagram", "Document", "Extrema",
-    "Extremum", "Field", "Figure", "Geometry", "Glare", "GlareSource", "Greatest", "Grid", "GridExtrema",
-    "GridExtremum", "GridPeak", "Histogram", "Isophote", "Judgement", "LampSet", "Light", "LitSide", "LuxelError",
-    "LuxelFileError", "LuxelKeyError", "LuxelMemoryError", "LuxelNotFoundError", "LuxelValueError", "LuxelWarning",
-    "Mesh", "Opening", "Peak", "Photometry", "PhotometryFigures", "Probe", "Probes", "Profile", "Scene", "Share",
-    "Statistics", "Summary", "UgrReflectances", "UgrRoom", "UgrTable", "builtin_scenes", "compare",
+    "Alternative", "Amount", "Balance", "Color", "Comparison", "Diagnostic", "Diagram", "Document", "Exchange",
+    "ExchangeSide", "Extrema", "Extremum", "Field", "Figure", "Geometry", "Glare", "GlareSource", "Greatest", "Grid",
+    "GridExtrema", "GridExtremum", "GridPeak", "Histogram", "Isophote", "Judgement", "LampSet", "Light", "LitSide",
+    "LuxelError", "LuxelFileError", "LuxelKeyError", "LuxelMemoryError", "LuxelNotFoundError", "LuxelValueError",
+    "LuxelWarning", "Mesh", "Opening", "Peak", "Photometry", "PhotometryFigures", "Probe", "Probes", "Profile", "Scene",
+    "Share", "Statistics", "Summary", "UgrReflectances", "UgrRoom", "UgrTable", "builtin_scenes", "compare",
     "instruction_sets", "palettes", "read", "schema", "set_language", "variant", "__version__",
 ]
