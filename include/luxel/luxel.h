@@ -38,6 +38,7 @@
 
 #include <luxel/alternatives.h>
 #include <luxel/balance.h>
+#include <luxel/exchange.h>
 #include <luxel/bounded.h>
 #include <luxel/colour.h>
 #include <luxel/compare.h>

@@ -16,6 +16,7 @@ from ._balance import Amount, Balance, LitSide
 from ._document import Document
 from ._errors import (Diagnostic, LuxelError, LuxelFileError, LuxelKeyError, LuxelMemoryError, LuxelNotFoundError,
                       LuxelValueError, LuxelWarning)
+from ._exchange import Exchange, ExchangeSide
 from ._field import Field, compare, read
 from ._fit import Fit, FitParameter
 from ._geometry import Geometry
@@ -35,12 +36,12 @@ from ._luxel import version as _version
 __version__ = _version()
 
 __all__ = [
-    "Alternative", "Amount", "Balance", "Color", "Comparison", "Diagnostic", "Diagram", "Document", "Extrema",
-    "Extremum", "Field", "Figure", "Fit", "FitParameter", "Geometry", "Glare", "GlareSource", "Greatest", "Grid",
-    "GridExtrema", "GridExtremum", "GridPeak", "Histogram", "Isophote", "Jacobian", "Judgement", "LampSet", "Light",
-    "Limit", "LitSide", "LuxelError", "LuxelFileError", "LuxelKeyError", "LuxelMemoryError", "LuxelNotFoundError",
-    "LuxelValueError", "LuxelWarning", "Mesh", "Observer", "Opening", "Peak", "Photometry", "PhotometryFigures",
-    "Probe", "Probes", "Profile", "Room", "RoomArray", "STATES", "Scene", "Share", "Statistics", "Summary",
-    "UgrReflectances", "UgrRoom", "UgrTable", "builtin_scenes", "compare", "instruction_sets", "palettes", "read",
-    "room", "schema", "set_language", "variant", "__version__",
+    "Alternative", "Amount", "Balance", "Color", "Comparison", "Diagnostic", "Diagram", "Document", "Exchange",
+    "ExchangeSide", "Extrema", "Extremum", "Field", "Figure", "Fit", "FitParameter", "Geometry", "Glare",
+    "GlareSource", "Greatest", "Grid", "GridExtrema", "GridExtremum", "GridPeak", "Histogram", "Isophote", "Jacobian",
+    "Judgement", "LampSet", "Light", "Limit", "LitSide", "LuxelError", "LuxelFileError", "LuxelKeyError",
+    "LuxelMemoryError", "LuxelNotFoundError", "LuxelValueError", "LuxelWarning", "Mesh", "Observer", "Opening",
+    "Peak", "Photometry", "PhotometryFigures", "Probe", "Probes", "Profile", "Room", "RoomArray", "STATES", "Scene",
+    "Share", "Statistics", "Summary", "UgrReflectances", "UgrRoom", "UgrTable", "builtin_scenes", "compare",
+    "instruction_sets", "palettes", "read", "room", "schema", "set_language", "variant", "__version__",
 ]

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any, Optional, Tuple, Union
 
 from . import _html, _luxel
 from ._arrays import shared
+from ._balance import Amount
 from ._language import translate
 from ._results import GridExtrema, GridExtremum, GridPeak, Vector
 from ._room import Limit, limits
@@ -60,13 +61,17 @@ class Grid:
     enclosing_surface: Optional[int]  #: a surface inside whose body some cells are
     enclosed: int  #: how many are
     tolerance_reached: bool
+    measure: str  #: "plane", or "cylindrical" and so on: what the values are
+    #: of a cylindrical grid the ratio of its average to that on its plane, its least and its greatest at a cell
+    modelling: Optional[Tuple[Amount, Amount, Amount]]
 
     def __init__(self, scene: "Scene", index: int, how: Settings) -> None:
         found: Any = _luxel.measure(scene._handle, index, how)
         self._again = (scene.copy(), index, how[:-1] + (None,))
         (self._holder, self.name, place, self.unit, values, errors, mask, inside, self.measured, self.blocking_light,
          self.error, self.average, self.average_error, minimum, maximum, self.u0, self.ud, plane, sampling,
-         self.enclosing_surface, self.tolerance_reached, self.enclosed) = found
+         self.enclosing_surface, self.tolerance_reached, self.enclosed, self.measure, modelling) = found
+        self.modelling = modelling and tuple(Amount(*ratio) for ratio in modelling)
         self.center_mm, self.size_mm, self.axis, self.up, self.across = place
         self._views = (values, errors, mask, inside)
         self.minimum, self.maximum = _extremum(minimum), _extremum(maximum)

@@ -8,7 +8,7 @@ from _thread import allocate_lock
 from typing import (TYPE_CHECKING, Any, Dict, Iterable, Iterator, List, Mapping, Optional, Sequence, Tuple, Union,
                     overload)
 
-from . import _fit, _flow, _jacobian, _luxel
+from . import _exchange, _fit, _flow, _jacobian, _luxel
 from ._arrays import floats, spacing
 from ._balance import Balance, balance
 from ._document import Document
@@ -76,7 +76,7 @@ def _missing(path: str) -> LuxelNotFoundError:
     return LuxelNotFoundError("file", [entry], 1)
 
 
-class Scene(Rated):
+class Scene(Rated, _exchange.Exchanging):
     """A scene, always a right one: what would make it wrong raises LuxelError and changes nothing.
 
     `Scene(source)` takes the name of a built-in scene or a file ("report" without an argument), a path, the text of a

@@ -46,6 +46,14 @@ static PyObject *sampling(const luxel_grid *grid)
                          grid->is_coarse ? Py_True : Py_False);
 }
 
+static PyObject *modelling(const luxel_grid *grid)
+{
+    if (!grid->has_modelling)
+        return none();
+    return Py_BuildValue("((dd)(dd)(dd))", grid->modelling.value, grid->modelling.error, grid->least_modelling.value,
+                         grid->least_modelling.error, grid->greatest_modelling.value, grid->greatest_modelling.error);
+}
+
 /* Takes the grid. */
 static PyObject *grid_tuple(PyObject *module, luxel_grid *grid)
 {
@@ -55,7 +63,7 @@ static PyObject *grid_tuple(PyObject *module, luxel_grid *grid)
         return NULL;
     const bool is_blocked = grid->measured + grid->enclosed < (size_t)grid->rows * grid->columns;
     PyObject *tuple = Py_BuildValue(
-        "(NNNsNNNNnNdNNNNNNNNNOn)", Py_NewRef(holder), text_or_none(grid->name), place(grid), grid->unit,
+        "(NNNsNNNNnNdNNNNNNNNNOnsN)", Py_NewRef(holder), text_or_none(grid->name), place(grid), grid->unit,
         cells(module, holder, grid, grid->values, "d"), cells(module, holder, grid, grid->errors, "d"),
         cells(module, holder, grid, grid->mask, "?"), cells(module, holder, grid, grid->inside, "?"),
         (Py_ssize_t)grid->measured, is_blocked ? PyLong_FromSize_t(grid->blocking_light) : none(), grid->error,
@@ -64,7 +72,8 @@ static PyObject *grid_tuple(PyObject *module, luxel_grid *grid)
         extremum(grid, &grid->maximum), number_or_none(grid->has_evenness, grid->u0),
         number_or_none(grid->has_evenness, grid->ud), plane(grid), sampling(grid),
         grid->enclosed > 0 ? PyLong_FromSize_t(grid->enclosing_surface) : none(),
-        grid->tolerance_reached && grid->reflected_reached ? Py_True : Py_False, (Py_ssize_t)grid->enclosed);
+        grid->tolerance_reached && grid->reflected_reached ? Py_True : Py_False, (Py_ssize_t)grid->enclosed,
+        grid->measure, modelling(grid));
 
     Py_DECREF(holder);
     return tuple;

@@ -15,22 +15,12 @@
 #include "../world/evaluate.h"
 #include "coloring.h"
 #include "reflecting.h"
+#include "sides.h"
 
 /* More threads than these are not worth their while. */
 enum { MOST_WORTH = 64 };
 /* How well the flux of emitters is known. */
 static const double FLUX = 1e-12;
-
-const char *luxel_surface_side_name(luxel_surface_side side)
-{
-    static const char *const names[] = {
-        [LUXEL_SIDE_FRONT] = LX_N("front"),
-        [LUXEL_SIDE_BACK] = LX_N("back"),
-        [LUXEL_SIDE_OUTSIDE] = LX_N("outside"),
-        [LUXEL_SIDE_INSIDE] = LX_N("inside"),
-    };
-    return side <= LUXEL_SIDE_INSIDE ? names[side] : NULL;
-}
 
 void luxel_balance_free(luxel_balance *balance)
 {
@@ -53,16 +43,9 @@ static void weigh_sources(const struct lx_prepared *prepared, luxel_balance *bal
     balance->missed = (lx_bounded){flux - balance->arrives.value, balance->emitted.error + balance->arrives.error};
 }
 
-static luxel_surface_side name_side(const struct lx_lit_side *side)
-{
-    return side->is_flat ? (side->is_back ? LUXEL_SIDE_BACK : LUXEL_SIDE_FRONT)
-                         : (side->is_back ? LUXEL_SIDE_INSIDE : LUXEL_SIDE_OUTSIDE);
-}
-
 /* 0, or -1 when memory ran out. */
 static int tell_sides(const struct lx_prepared *prepared, const struct lx_radiosity *reflected, luxel_balance *balance)
 {
-    const struct lx_list *surfaces = &prepared->scene->surfaces;
     const size_t most = lx_reflected_most_sides(reflected);
     bool failed;
     struct lx_lit_side *found = lx_new_array(most + 1, sizeof *found);
@@ -72,20 +55,17 @@ static int tell_sides(const struct lx_prepared *prepared, const struct lx_radios
     if (!failed)
         balance->side_count = lx_reflected_sides(reflected, found);
     for (size_t i = 0; i < balance->side_count; i++) {
-        const struct lx_prepared_surface *surface = &prepared->surfaces[found[i].surface];
-        const struct lx_item *item = &surfaces->items[surface->authored];
-        const char *name = ((const struct lx_surface_common *)item->common)->name;
-        sides[i] = (luxel_balance_side){.surface = surface->authored,
-                                        .surface_name = name ? lx_copy_text(name, strlen(name)) : NULL,
-                                        .part = surface->part,
-                                        .part_name =
-                                            lx_part_name((const struct lx_surface_kind *)item->variant, surface->part),
-                                        .side = name_side(&found[i]),
+        struct lx_named_side named;
+        failed = lx_side_name(prepared, found[i].surface, found[i].is_flat, found[i].is_back, &named) || failed;
+        sides[i] = (luxel_balance_side){.surface = named.surface,
+                                        .surface_name = named.surface_name,
+                                        .part = named.part,
+                                        .part_name = named.part_name,
+                                        .side = named.side,
                                         .area_m2 = found[i].area_m2,
                                         .reflectance = found[i].reflectance,
                                         .direct = lx_reported(found[i].direct),
                                         .irradiance = lx_reported(found[i].irradiance)};
-        failed = failed || (name && !sides[i].surface_name);
     }
     free(found);
     return failed ? -1 : 0;

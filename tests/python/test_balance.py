@@ -23,6 +23,8 @@ surfaces: [{type: sphere, name: "<ball>", center: [0, 0, 0], radius: 500, inside
             material: {model: lambert, diffuse: 0.8, over_pi: true}}]
 lights: [{type: point, position: [0, 0, 0], power: 1000, attenuation: inverse-square}]
 """
+DARK = {"luxel": 1, "screen": {"width": 100, "height": 100, "resolution": [8, 8]}, "observer": {"z": 9000},
+        "surfaces": [], "lights": [{"type": "point", "position": [500, 300, 2500], "intensity": 3}]}
 QUICK = {"reflections": 1, "lights[0]": {"type": "ambient", "irradiance": 1}}
 FLUXES = ("emitted", "missed", "arrives", "absorbed", "escaped", "pending", "difference")
 
@@ -33,6 +35,25 @@ def within(amount, truth, most):
 
 def told_amount(told):
     return told and (told["value"], told["error"])
+
+
+def test_exchange(tap, tool):
+    scene = luxel.Scene(ROOM)
+    found, told = scene.exchange(threads=1), tool.run("exchange", "-", "--json", stdin=ROOM).json()
+    tap.equal([side.area_m2 for side in found.sides], [side["area"] for side in told["sides"]], "areas")
+    tap.equal(found.factors.tolist(), [[factor["value"] for factor in row] for row in told["factors"]], "factors")
+    tap.equal(found.errors.tolist(), [[factor["error"] for factor in row] for row in told["factors"]], "errors")
+    tap.equal((found[0, 1].value, len(found), found.sides[2].wall), (found.factors[0, 1], 6, "floor"), "one of them")
+    tap.ok(found.reached and "<table" in found._repr_html_() and "6 sides" in repr(found), "words", found)
+
+
+def test_measures(tap, tool):
+    grid = {"center": [0, 0, 1000], "size": [100, 100], "n": [2, 2], "measure": "cylindrical"}
+    plane = luxel.Scene({**DARK, "grids": [grid, {**grid, "measure": "plane"}]})
+    found, flat = plane.grid(0), plane.grid(1)
+    tap.equal((found.measure, flat.measure, flat.modelling), ("cylindrical", "plane", None), "measures")
+    tap.ok(abs(found.modelling[0].value - found.average / flat.average) <= found.modelling[0].error + 1e-15,
+           "modelling", found.modelling)
 
 
 def test_skipped_pixels(tap, tool):
@@ -118,4 +139,4 @@ def test_ways(tap, tool):
         luxel.set_language("en")
 
 
-run_tests(Tap(), test_tool, test_truth, test_ways, test_skipped_pixels)
+run_tests(Tap(), test_exchange, test_measures, test_tool, test_truth, test_ways, test_skipped_pixels)
