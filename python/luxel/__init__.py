@@ -13,6 +13,7 @@ when arrays are asked for.  Everything may be used by several threads at once: a
 thread computes with it goes on there as it was.
 """
 from ._balance import Amount, Balance, LitSide
+from ._daylight import Daylight, DaylightFactor, DaylightGrid
 from ._document import Document
 from ._errors import (Diagnostic, LuxelError, LuxelFileError, LuxelKeyError, LuxelMemoryError, LuxelNotFoundError,
                       LuxelValueError, LuxelWarning)
@@ -32,7 +33,8 @@ from ._luxel import version as _version
 __version__ = _version()
 
 __all__ = [
-    "Alternative", "Amount", "Balance", "Color", "Comparison", "Diagnostic", "Diagram", "Document", "Extrema",
+    "Alternative", "Amount", "Balance", "Color", "Comparison", "Daylight", "DaylightFactor", "DaylightGrid", "Diagnostic",
+    "Diagram", "Document", "Extrema",
     "Extremum", "Field", "Figure", "Geometry", "Glare", "GlareSource", "Greatest", "Grid", "GridExtrema",
     "GridExtremum", "GridPeak", "Histogram", "Isophote", "Judgement", "LampSet", "Light", "LitSide", "LuxelError",
     "LuxelFileError", "LuxelKeyError", "LuxelMemoryError", "LuxelNotFoundError", "LuxelValueError", "LuxelWarning",

@@ -153,6 +153,41 @@ static void check_sides(struct lx_walk *walk, const luxel_scene *scene)
     }
 }
 
+/* The first surface that is not all within another one; the number of surfaces where there is none. */
+static size_t find_outside(const luxel_scene *scene, size_t around)
+{
+    const struct lx_list *surfaces = &scene->parameters.surfaces;
+    double low[3], high[3], least[3], most[3];
+    kind_of(scene, around)->extent(surfaces->items[around].parameters, least, most);
+    for (size_t i = 0; i < surfaces->count; i++) {
+        kind_of(scene, i)->extent(surfaces->items[i].parameters, low, high);
+        for (int k = 0; k < 3; k++) {
+            const double room = 1e-9 * (most[k] - least[k]);
+            if (low[k] < least[k] - room || high[k] > most[k] + room)
+                return i;
+        }
+    }
+    return surfaces->count;
+}
+
+/* Light that surfaces send to each other through glass, of which nobody knows how much comes through. */
+static void check_glass(struct lx_walk *walk, const luxel_scene *scene)
+{
+    const struct lx_list *surfaces = &scene->parameters.surfaces;
+    for (size_t i = 0; i < surfaces->count; i++) {
+        const struct lx_surface_kind *kind = kind_of(scene, i);
+        struct lx_glass_pane pane;
+        char number[LX_NUMBER_SIZE];
+        if (!kind->panes || kind->panes(surfaces->items[i].parameters, 0, &pane) == 0)
+            continue;
+        const size_t outside = find_outside(scene, i);
+        if (outside == surfaces->count)
+            continue;
+        report_surface(walk, i, "openings", LX_MSG_GLASS_REFLECTIONS, lx_write_number((double)outside, number), NULL);
+        lx_hint(walk->diagnostics, LX_MSG_HINT_REFLECTIONS_NONE, NULL);
+    }
+}
+
 /* Meshes of more triangles than reflected light can be calculated of. */
 static void check_meshes(struct lx_walk *walk, const luxel_scene *scene)
 {
@@ -181,6 +216,7 @@ void lx_validate_reflections(struct lx_walk *walk, const luxel_scene *scene)
     if (is_sound(&scene->parameters)) {
         check_materials(walk, scene);
         check_sides(walk, scene);
+        check_glass(walk, scene);
         check_meshes(walk, scene);
     }
     check_laws(walk, scene);

@@ -13,6 +13,7 @@
 #include "../format/mesh/mesh_survey.h"
 #include "../parameter/table.h"
 #include "obstacle.h"
+#include "pane.h"
 #include "shape.h"
 
 struct lx_part;
@@ -141,6 +142,11 @@ struct lx_surface_kind {
     const char *const *part_names;
     unsigned part_count;
     void (*part)(const void *parameters, unsigned i, struct lx_part *part);
+    /* How many pieces openings leave of its parts; makes one, and returns which part it is of.  NULL: the parts. */
+    size_t (*piece_count)(const void *parameters);
+    unsigned (*piece)(const void *parameters, size_t i, struct lx_part *piece);
+    /* Makes pane i in its openings where there are so many; returns how many there are.  NULL: there are none. */
+    size_t (*panes)(const void *parameters, size_t i, struct lx_glass_pane *pane);
 
     /* Whether it takes light from its own elements, as what is hollow or folded does: then `blocks` and `takes` are
      * asked for these, too, and have to leave out where the way begins.  Only for shapes without kernels of their own,

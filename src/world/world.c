@@ -13,10 +13,12 @@
 /* Emitters between two questions whether to go on. */
 enum { BETWEEN_CHECKS = 64 };
 
-/* Whether a batch has the light of an emitter by vectors; of extended sources and luminaires it asks the reference. */
-static bool is_vectored(const struct lx_emitter *emitter)
+/* Whether a batch has the light of an emitter by vectors; of extended sources, luminaires and what comes through glass
+ * it asks the reference. */
+static bool is_vectored(const struct lx_world *world, const struct lx_emitter *emitter)
 {
-    return !lx_is_extended(emitter) && !emitter->profile.luminaire;
+    const bool is_glazed = world->prepared->pane_count > 0;
+    return !is_glazed && !lx_is_extended(emitter) && !lx_is_dome(emitter) && !emitter->profile.luminaire;
 }
 
 unsigned lx_world_batch(const struct lx_world *world)
@@ -295,7 +297,7 @@ static void add_emitter(const struct lx_world *world, const struct lx_elements *
                         struct lx_received *received)
 {
     struct lx_openness openness;
-    if (is_vectored(emitter)) {
+    if (is_vectored(world, emitter)) {
         const struct lx_column *open = find_open(world, elements, emitter, &openness);
         world->kernels->light(emitter, elements, open, wanted, received);
         return;
