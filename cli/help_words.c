@@ -91,10 +91,9 @@ static const struct entry entries[] = {
         "photometry prints the table of ratings that catalogues quote."),
      "luxel glare office --eye 0,1200,5300,0,0,-1|luxel help glare|luxel help photometry"},
     {"daylight|daylight factor|sky|skylight|sunlight|кео|естественное освещение|коэффициент естественной освещённости",
-     N_("Daylight is not computed: there is no sky, and there are no daylight factors. A distant light may stand for "
-        "the "
-        "sun."),
-     "luxel help distant|luxel help ambient"},
+     N_("Daylight comes from lights of the types sky and sun, through the openings of rooms. luxel daylight gives "
+        "daylight factors."),
+     "luxel help sky|luxel help sun|luxel help openings|luxel help daylight"},
     {"en12464|en 12464|en 12464-1|en12464-1|workplane|work plane|working plane|task area|measuring grid|"
      "calculation grid|рабочая плоскость|расчётная плоскость|расчётная сетка",
      N_("A work plane is an entry of the key grids: its centre, its size, and either the number of its cells or "

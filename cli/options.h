@@ -92,6 +92,7 @@ struct options {
     double view[3];          /* of free elements; 0 where none was given */
     double up[3];            /* of observers; 0 where none was given */
     luxel_room room;         /* of luxel room; its defaults */
+    double outdoor;          /* lx under the open sky; 0 where none was given */
     unsigned material;       /* the surface whose material they have that lie on none; 0 where none was given */
     luxel_settings settings; /* its tolerance is 0 unless one was asked for */
     const char *lights;      /* of --lights, names and numbers; NULL: it was not given */

@@ -89,6 +89,13 @@ static bool take_up(struct options *options, const char *argument)
            is_direction(argument, options->up, _("--up %s: the direction must not be zero"));
 }
 
+static bool take_outdoor(struct options *options, const char *argument)
+{
+    if (argument_number("--outdoor", argument, &options->outdoor) && !(options->outdoor > 0.0))
+        message_error(_("--outdoor must be above 0, not \"%s\""), argument);
+    return options->outdoor > 0.0;
+}
+
 static bool take_material(struct options *options, const char *argument)
 {
     return argument_whole("--material", argument, 0, 999999999, &options->material);
@@ -355,12 +362,14 @@ enum {
                COMMAND_COMPARE | COMMAND_FIGURE | COMMAND_REPORT | COMMAND_GRID,
     MEASURING = COMMAND_RENDER | COMMAND_PROBE | COMMAND_GRID | COMMAND_STATS | COMMAND_PROFILE | COMMAND_ISOPHOTES |
                 COMMAND_COMPARE,
-    COMPUTING = PICTURES | COMMAND_GRADE | COMMAND_GLARE | COMMAND_DERIVE | COMMAND_FIT | COMMAND_EXCHANGE,
+    COMPUTING =
+        PICTURES | COMMAND_GRADE | COMMAND_GLARE | COMMAND_DERIVE | COMMAND_FIT | COMMAND_EXCHANGE | COMMAND_DAYLIGHT,
     SCENES = PICTURES | COMMAND_CHECK | COMMAND_ADVISE | COMMAND_SCENE | COMMAND_SET | COMMAND_VARIANT | COMMAND_GLARE |
-             COMMAND_DERIVE | COMMAND_FIT | COMMAND_EXCHANGE,
+             COMMAND_DERIVE | COMMAND_FIT | COMMAND_EXCHANGE | COMMAND_DAYLIGHT,
     WRITING = COMMAND_RENDER | COMMAND_PROBE | COMMAND_GRID | COMMAND_SET | COMMAND_PROFILE | COMMAND_ISOPHOTES |
               COMMAND_COMPARE | COMMAND_FIGURE | COMMAND_EXPLAIN | COMMAND_REPORT | COMMAND_VARIANT |
               COMMAND_PHOTOMETRY | COMMAND_ROOM,
+    ELEMENTS = COMMAND_PROBE | COMMAND_DERIVE | COMMAND_DAYLIGHT,
     TABLES = COMMAND_STATS | COMMAND_PROFILE | COMMAND_ISOPHOTES | COMMAND_COMPARE | COMMAND_GRADE
 };
 
@@ -384,8 +393,10 @@ static const struct option_row rows[] = {
             "called as")},
     {"point", 'p', N_("X,Y"), COMMAND_PROBE | COMMAND_DERIVE | COMMAND_EXPLAIN, TAKES(take_point),
      .help = N_("take this point of the screen, in mm, instead of the scene's own points; may be repeated")},
-    {"at", 0, N_("X,Y,Z,NX,NY,NZ"), COMMAND_PROBE | COMMAND_DERIVE, TAKES(take_element),
+    {"at", 0, N_("X,Y,Z,NX,NY,NZ"), ELEMENTS, TAKES(take_element),
      .help = N_("probe a free surface element: its position in mm and its normal; may be repeated")},
+    {"outdoor", 0, N_("LX"), COMMAND_DAYLIGHT, TAKES(take_outdoor),
+     .help = N_("lx under the open sky for EN 17037, 13900 in Berlin; the default is what the scene's sky gives")},
     {"free", 0, N_("KEY"), COMMAND_DERIVE | COMMAND_FIT, TAKES(take_free),
      .help = N_("a key of the scene to derive by, or to find, such as lights[0].position; may be repeated")},
     {"picture", 0, N_("FILE"), COMMAND_FIT, KEEPS(fit.picture), .value = VALUE_FILE,
@@ -423,7 +434,7 @@ static const struct option_row rows[] = {
      .help = N_("those of ceiling, walls and floor; usually 0.7,0.5,0.2")},
     {"plane", 0, N_("H"), COMMAND_ROOM, TAKES(room_take_plane), .help = N_("height of the plane in m; usually 0.75")},
     {"maintenance", 0, N_("F"), COMMAND_ROOM, TAKES(room_take_maintenance), .help = N_("its factor; usually 0.8")},
-    {"points", 0, N_("FILE"), COMMAND_PROBE | COMMAND_DERIVE, TAKES(take_points), .value = VALUE_FILE,
+    {"points", 0, N_("FILE"), ELEMENTS, TAKES(take_points), .value = VALUE_FILE,
      .help =
          N_("probe the places of a table, CSV or .pts: points x, y of the screen, or free elements x, y, z, nx, ny, "
             "nz; may be repeated")},

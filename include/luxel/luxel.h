@@ -43,6 +43,7 @@
 #include <luxel/colour.h>
 #include <luxel/compare.h>
 #include <luxel/conventions.h>
+#include <luxel/daylight.h>
 #include <luxel/derive.h>
 #include <luxel/diagnostics.h>
 #include <luxel/document.h>

@@ -13,6 +13,7 @@ when arrays are asked for.  Everything may be used by several threads at once: a
 thread computes with it goes on there as it was.
 """
 from ._balance import Amount, Balance, LitSide
+from ._daylight import Daylight, DaylightFactor, DaylightGrid
 from ._document import Document
 from ._errors import (Diagnostic, LuxelError, LuxelFileError, LuxelKeyError, LuxelMemoryError, LuxelNotFoundError,
                       LuxelValueError, LuxelWarning)
@@ -36,12 +37,13 @@ from ._luxel import version as _version
 __version__ = _version()
 
 __all__ = [
-    "Alternative", "Amount", "Balance", "Color", "Comparison", "Diagnostic", "Diagram", "Document", "Exchange",
-    "ExchangeSide", "Extrema", "Extremum", "Field", "Figure", "Fit", "FitParameter", "Geometry", "Glare",
-    "GlareSource", "Greatest", "Grid", "GridExtrema", "GridExtremum", "GridPeak", "Histogram", "Isophote", "Jacobian",
-    "Judgement", "LampSet", "Light", "Limit", "LitSide", "LuxelError", "LuxelFileError", "LuxelKeyError",
-    "LuxelMemoryError", "LuxelNotFoundError", "LuxelValueError", "LuxelWarning", "Mesh", "Observer", "Opening",
-    "Peak", "Photometry", "PhotometryFigures", "Probe", "Probes", "Profile", "Room", "RoomArray", "STATES", "Scene",
-    "Share", "Statistics", "Summary", "UgrReflectances", "UgrRoom", "UgrTable", "builtin_scenes", "compare",
-    "instruction_sets", "palettes", "read", "room", "schema", "set_language", "variant", "__version__",
+    "Alternative", "Amount", "Balance", "Color", "Comparison", "Daylight", "DaylightFactor", "DaylightGrid",
+    "Diagnostic", "Diagram", "Document", "Exchange", "ExchangeSide", "Extrema", "Extremum", "Field", "Figure", "Fit",
+    "FitParameter", "Geometry", "Glare", "GlareSource", "Greatest", "Grid", "GridExtrema", "GridExtremum", "GridPeak",
+    "Histogram", "Isophote", "Jacobian", "Judgement", "LampSet", "Light", "Limit", "LitSide", "LuxelError",
+    "LuxelFileError", "LuxelKeyError", "LuxelMemoryError", "LuxelNotFoundError", "LuxelValueError", "LuxelWarning",
+    "Mesh", "Observer", "Opening", "Peak", "Photometry", "PhotometryFigures", "Probe", "Probes", "Profile", "Room",
+    "RoomArray", "STATES", "Scene", "Share", "Statistics", "Summary", "UgrReflectances", "UgrRoom", "UgrTable",
+    "builtin_scenes", "compare", "instruction_sets", "palettes", "read", "room", "schema", "set_language", "variant",
+    "__version__",
 ]

@@ -184,7 +184,8 @@ static void gather(const struct lx_measuring *measuring)
 static bool integrates(const struct lx_emitters *emitters)
 {
     for (size_t i = 0; i < lx_item_count(emitters); i++)
-        if (lx_is_extended(&emitters->items[i]) && !lx_has_closed_form(&emitters->items[i]))
+        if (lx_is_dome(&emitters->items[i]) ||
+            (lx_is_extended(&emitters->items[i]) && !lx_has_closed_form(&emitters->items[i])))
             return true;
     return false;
 }

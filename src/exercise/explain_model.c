@@ -13,7 +13,7 @@
 
 /* What of the kinds of lights there is in a scene. */
 struct used {
-    bool ambient, distant, point, spot, extended, opening, parts, laws[LX_LAWS], isotropic, lambertian, cosine,
+    bool ambient, distant, dome, point, spot, extended, opening, parts, laws[LX_LAWS], isotropic, lambertian, cosine,
         falloffs[5];
     bool by_angle, by_cosine; /* luminaires */
 };
@@ -34,6 +34,7 @@ static struct used find_used(const struct lx_prepared *prepared)
         const struct lx_emitter *emitter = lx_emitter_at(&prepared->emitters, i, &room);
         const struct lx_profile *profile = &emitter->profile;
         used.ambient |= lx_is_uniform(emitter);
+        used.dome |= lx_is_dome(emitter);
         used.distant |= lx_is_endless(emitter);
         used.extended |= lx_is_extended(emitter) && !lx_is_opening(emitter);
         used.opening |= lx_is_opening(emitter);
@@ -242,6 +243,15 @@ static void explain_lights(struct luxel_document *document, const struct used *u
                                          "faces the point, each part of it with its own direction and distance:"),
                               LX_SPANS(LX_MATH("L_e")));
         lx_document_formula(document, "dE_{\\perp} = L_e\\, \\max(0, \\cos \\theta')\\, a(r)\\, dA'");
+    }
+    if (used->dome) {
+        lx_document_paragraph(document,
+                              photometric ? LX_N("The sky and the sun have a luminance {0} by the direction {1}; they "
+                                                 "are so far away that it is the same everywhere:")
+                                          : LX_N("The sky and the sun have a radiance {0} by the direction {1}; they "
+                                                 "are so far away that it is the same everywhere:"),
+                              LX_SPANS(LX_MATH("L_s"), LX_MATH("\\mathbf{L}")));
+        lx_document_formula(document, "dE_{\\perp} = L_s(\\mathbf{L})\\, d\\omega");
     }
     if (used->opening) {
         lx_document_paragraph(document,

@@ -416,7 +416,12 @@ static void explain_sum(const struct lx_steps *steps, const luxel_light_share *s
         lx_document_paragraph(steps->document,
                               are_parts ? LX_N("It is the sum of {0} parts.") : LX_N("It is the sum of {0} sources."),
                               LX_SPANS(LX_PLAIN(lx_write_number((double)emitters, parts))));
-    if (share->parts > 0 && lx_is_opening(first))
+    if (share->parts > 0 && lx_is_dome(first))
+        lx_document_paragraph(steps->document,
+                              LX_N("The integral over what of it is seen was computed from {0} of its directions, "
+                                   "until its error was small enough; what is uniform of it is a closed form."),
+                              LX_SPANS(LX_PLAIN(lx_write_number((double)share->parts, parts))));
+    else if (share->parts > 0 && lx_is_opening(first))
         lx_document_paragraph(steps->document,
                               LX_N("The integral over the luminous opening was computed from {0} of its points, until "
                                    "its error was small enough."),
@@ -541,7 +546,7 @@ static void explain_direct_light(const struct lx_steps *steps, const luxel_light
         explain_ambient(steps, share);
         return;
     }
-    if (lx_is_extended(first) || first->is_part || count > 1) {
+    if (lx_is_extended(first) || lx_is_dome(first) || first->is_part || count > 1) {
         explain_sum(steps, share, count, first);
         sum_parts(steps, share);
         lx_explain_shadows(steps, share, count);

@@ -347,7 +347,7 @@ static void judge_lights(struct lx_extremum_search *search)
         const struct lx_emitter *emitter = lx_emitter_at(emitters, i, &room);
         const bool is_hidden = search->prepared->shadows && search->prepared->shadows_extended;
         bool closed = lx_has_closed_form(emitter) && (is_irradiance || !shines) && !is_hidden;
-        search->costly = search->costly || (lx_is_extended(emitter) && !closed);
+        search->costly = search->costly || lx_is_dome(emitter) || (lx_is_extended(emitter) && !closed);
         narrow += lx_has_one_way(emitter);
     }
     search->knows_lights = narrow <= MOST_EDGE_LIGHTS && narrow * search->prepared->surface_count <= MOST_EDGES;

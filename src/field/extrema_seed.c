@@ -292,7 +292,7 @@ static void add_lights(struct lx_gathering *gathering)
     for (size_t i = 0; i < emitters->count && lx_search_goes_on(search); i += stride) {
         struct lx_emitter room;
         const struct lx_emitter *emitter = lx_emitter_at(emitters, i, &room);
-        if (lx_is_uniform(emitter))
+        if (lx_is_uniform(emitter) || lx_is_dome(emitter))
             continue;
         for (size_t k = 0; k < search->prepared->surface_count; k++)
             add_light(gathering, k, i);

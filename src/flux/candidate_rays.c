@@ -144,7 +144,7 @@ int lx_candidate_rays_make(const struct lx_prepared *prepared, const double down
     for (size_t i = 0; i < emitters && !gathering.is_short; i += stride) {
         struct lx_emitter room;
         const struct lx_emitter *emitter = lx_emitter_at(&prepared->emitters, i, &room);
-        if (lx_is_uniform(emitter))
+        if (lx_is_uniform(emitter) || lx_is_dome(emitter))
             continue;
         if (lx_has_place(emitter))
             append_own(&gathering, emitter, downward);

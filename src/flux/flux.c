@@ -24,7 +24,8 @@ static const double PLACES = 1e-11;
 
 /* The work that may be done, in shares of a point source at an element that has to ask surfaces; a polygon takes so
  * many of them, a round source and a polyhedron more, and those of which surfaces may hide a part most. */
-static const double MOST_WORK = 4e5, POINT_WORK = 0.25, POLYGON_WORK = 10, ROUND_WORK = 20, HIDDEN_WORK = 100;
+static const double MOST_WORK = 4e5, POINT_WORK = 0.25, POLYGON_WORK = 10, ROUND_WORK = 20, HIDDEN_WORK = 100,
+                    DOME_WORK = 1000;
 /* Behind penumbrae the share of an emitter's work that goes into rules, and what lattices differ by is taken for. */
 static const double RULES_SHARE = 0.5, LATTICE_CAUTION = 2;
 enum { LEAST_LATTICE = 9 };
@@ -92,7 +93,12 @@ static bool may_be_hidden(const struct search *search, const struct lx_emitter *
     struct lx_ball towards = {.radius = 0};
     const bool is_extended = lx_is_extended(emitter);
     if (lx_is_uniform(emitter) || !search->prepared->shadows_on_free ||
-        (is_extended && !search->prepared->shadows_extended))
+        ((is_extended || lx_is_dome(emitter)) && !search->prepared->shadows_extended))
+        return false;
+    for (size_t s = 0; lx_is_dome(emitter) && s < search->prepared->surface_count; s++)
+        if (!search->aside[s])
+            return true;
+    if (lx_is_dome(emitter))
         return false;
     towards.radius = lx_emitter_radius(emitter);
     lx_emitter_origin(emitter, towards.center);
@@ -397,6 +403,8 @@ static bool integrate_penumbrae(struct task *task, size_t emitters, lx_bounded *
 
 static double work_of(const struct lx_emitter *emitter, bool asks_surfaces)
 {
+    if (lx_is_dome(emitter))
+        return DOME_WORK;
     if (!lx_is_extended(emitter))
         return asks_surfaces ? 1 : POINT_WORK;
     if (asks_surfaces)
@@ -427,7 +435,7 @@ static lx_bounded integral_of(struct search *search, const struct lx_emitter *em
             task.asked.shadows_on_free = task.asked.shadows_extended = false;
         note_feet(&task, emitter);
         search->limit = MOST_WORK;
-        const bool is_whole = asks_surfaces && lx_is_extended(emitter) ? integrate_penumbrae(&task, emitters, &mean)
+        const bool is_whole = asks_surfaces && !lx_has_one_way(emitter) ? integrate_penumbrae(&task, emitters, &mean)
                                                                        : integrate(&task, &mean);
         search->stopped = !is_whole || search->stopped;
     } else
@@ -439,9 +447,26 @@ static lx_bounded integral_of(struct search *search, const struct lx_emitter *em
 
 /* ---- the whole ---- */
 
+/* The light of a dome that nothing hides is the same all over the plane. */
+static lx_bounded flux_of_dome(const struct search *search, const struct lx_emitter *emitter)
+{
+    struct lx_prepared open = *search->prepared;
+    open.shadows = open.shadows_extended = open.shadows_on_free = false;
+    const struct lx_element element = {
+        .place_mm = lx_exact3(search->plane.cells->center_mm),
+        .normal = search->plane.normal,
+        .view = search->plane.normal,
+        .lobe = &search->lobe,
+        .is_free = true,
+    };
+    return lx_mul(lx_light_element(&open, &element, emitter).irradiance, area_m2(search->plane.cells));
+}
+
 static lx_bounded open_flux(struct search *search, const struct lx_emitter *emitter, size_t emitters)
 {
     lx_bounded flux;
+    if (lx_is_dome(emitter))
+        return flux_of_dome(search, emitter);
     return in_closed_form(&search->plane, emitter, &flux) ? flux : integral_of(search, emitter, false, emitters);
 }
 

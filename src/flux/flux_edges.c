@@ -221,7 +221,7 @@ int lx_edges_make(const struct lx_prepared *prepared, const struct lx_cells *pla
                                .emitter = emitter,
                                .across = lx_mul3(lx_wide3_direction(plane->pose.across), size[0]),
                                .upward = lx_mul3(lx_wide3_direction(plane->pose.upward), size[1]),
-                               .knows_shadows = !casts || !lx_is_extended(emitter)};
+                               .knows_shadows = !casts || lx_has_one_way(emitter)};
     bool is_whole = (!lx_is_point(emitter) || add_point(edges, emitter)) && add_faces(edges, emitter);
     /* sources of some size have no edges, but a penumbra */
     for (size_t s = 0; casts && edges->knows_shadows && is_whole && s < prepared->surface_count; s++) {

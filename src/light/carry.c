@@ -9,6 +9,7 @@
 #include "../base/rows.h"
 #include "../format/cloud.h"
 #include "distribution.h"
+#include "sky/dome.h"
 #include "solid/facets_make.h"
 
 /* Emitters, corners or rows of clouds between two questions whether to go on. */
@@ -116,6 +117,11 @@ static int carry_one(struct carrying *carrying, struct lx_emitter *emitter)
     if (lx_is_endless(emitter)) {
         emitter->towards = lx_frame_turn_bounded(frame, emitter->towards);
         return 0;
+    }
+    if (lx_is_dome(emitter)) {
+        emitter->towards = lx_frame_turn_bounded(frame, emitter->towards);
+        emitter->dome = lx_dome_carry(emitter->dome, frame);
+        return emitter->dome ? 0 : -1;
     }
     if (lx_is_point(emitter)) {
         lx_frame_carry(frame, emitter->position_mm, emitter->position_mm);

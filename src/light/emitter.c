@@ -9,6 +9,7 @@
 #include "../base/rows.h"
 #include "../format/cloud.h"
 #include "emitter.h"
+#include "sky/dome.h"
 #include "solid/area_light_facets.h"
 
 /* Emitters that are appended between two questions whether to go on. */
@@ -80,12 +81,13 @@ int lx_emitters_append(struct lx_emitters *emitters, const struct lx_emitter *em
     if (!lx_asking_at_step(emitters->asking, items, BETWEEN_CHECKS) || !fits(emitters, 1, 0, 0) ||
         lx_reserve(&emitters->items, &emitters->capacity, items + 1, sizeof *emitter)) {
         lx_facets_free(emitter->facets);
+        lx_dome_free(emitter->dome);
         return -1;
     }
     emitters->items[items] = *emitter;
     emitters->items[items].light = emitters->light;
     emitters->count++;
-    emitters->extended += lx_is_extended(emitter);
+    emitters->extended += lx_is_extended(emitter) || lx_is_dome(emitter);
     count_law(emitters, emitter, 1);
     return 0;
 }
@@ -233,8 +235,9 @@ void lx_emitters_clear(struct lx_emitters *emitters)
 {
     size_t left = emitters->extended; /* of these alone there is more to free: a million others are not looked at */
     for (size_t i = 0; left > 0 && i < lx_item_count(emitters); i++)
-        if (lx_is_extended(&emitters->items[i])) {
+        if (lx_is_extended(&emitters->items[i]) || lx_is_dome(&emitters->items[i])) {
             lx_facets_free(emitters->items[i].facets);
+            lx_dome_free(emitters->items[i].dome);
             left--;
         }
     for (size_t i = 0; i < emitters->point_set_count; i++)

@@ -6,6 +6,7 @@
  * direction  parallel light: one direction L and one irradiance E_perp
  * point      a point with radiant intensity I, an attenuation law a(r) and an angular profile g (profile.h):
  *            E_perp = I g a(r), r in metres
+ * dome       light from directions of the sphere, at no finite distance, with a radiance by direction (sky/dome.h)
  * facets, disk, ball, cylinder
  * area lights of uniform radiance; extended.h says more.  With the profile of a luminaire they are its luminous
  *            opening: each part of them is a point with all of the distribution, and `radiance` says how much
@@ -27,6 +28,7 @@
     ROW(LX_UNIFORM, lx_uniform_emitter)                                                                                \
     ROW(LX_DIRECTION, lx_direction_emitter)                                                                            \
     ROW(LX_POINT, lx_point_emitter)                                                                                    \
+    ROW(LX_DOME, lx_dome_emitter)                                                                                      \
     ROW(LX_FACETS, lx_facets_emitter)                                                                                  \
     ROW(LX_DISK, lx_disk_emitter)                                                                                      \
     ROW(LX_BALL, lx_ball_emitter)                                                                                      \
@@ -38,6 +40,9 @@ enum lx_emitter_type { LX_EMITTER_KINDS(LX_EMITTER_TYPE) LX_EMITTER_TYPES };
 
 struct lx_facets;
 struct lx_asking;
+struct lx_dome;
+struct lx_sky;
+struct lx_glass_pane;
 
 /* The attenuation laws a(r): 1/r^2, 1/(k + r), 1, 1/(kc + kl r + kq r^2). */
 enum lx_attenuation { LX_INVERSE_SQUARE, LX_PRACTICAL, LX_NO_ATTENUATION, LX_POLYNOMIAL };
@@ -63,6 +68,10 @@ struct lx_emitter {
     double radius_mm, height_mm;
     double radii_mm[3]; /* all 0 but of one that is not round (elliptic.h) */
     lx_bounded3 axis;   /* unit: the way a disk shines; along a cylinder */
+    const struct lx_sky *sky; /* of a patch of it: its radiance is that times the sky's luminance by direction */
+    struct lx_dome *dome;     /* a dome; the list is one of its users */
+    const struct lx_glass_pane *panes; /* of glass, that its light may come through */
+    size_t pane_count;
 };
 
 /* Irradiance or intensity with its bound. */
@@ -95,6 +104,12 @@ static inline bool lx_is_point(const struct lx_emitter *emitter)
     return emitter->type == LX_POINT;
 }
 
+/* Whether its light comes from directions of the sphere, at no distance and by no one way. */
+static inline bool lx_is_dome(const struct lx_emitter *emitter)
+{
+    return emitter->type == LX_DOME;
+}
+
 /* Whether it has an area. */
 static inline bool lx_is_extended(const struct lx_emitter *emitter)
 {
@@ -122,7 +137,8 @@ static inline bool lx_is_opening(const struct lx_emitter *emitter)
 /* Whether the irradiance of an extended emitter has a closed form. */
 static inline bool lx_has_closed_form(const struct lx_emitter *emitter)
 {
-    return emitter->attenuation == LX_INVERSE_SQUARE && !emitter->profile.luminaire;
+    return emitter->attenuation == LX_INVERSE_SQUARE && !emitter->profile.luminaire && !emitter->sky &&
+           emitter->pane_count == 0;
 }
 
 struct lx_cloud;
@@ -157,7 +173,7 @@ struct lx_emitters {
     double each,
         each_in_point_sets;         /* bytes; above 0: beyond `most` it may take as many as the memory holds of these */
     size_t light;                   /* which light those belong to that are appended from now on */
-    size_t extended;                /* how many are */
+    size_t extended;                /* how many are, or are domes */
     size_t by_square, unattenuated; /* how many shine by the law 1/r^2 or are distant or uniform; by none */
     const struct lx_asking *asking; /* whether to go on making them; NULL: nobody asks */
     struct lx_pointed **turned;     /* luminaires that were carried into another frame (carry.h); theirs alone */

@@ -122,7 +122,7 @@ static bool direction_of(const struct lx_emitter *emitter, double direction[3])
     }
     if (lx_is_extended(emitter))
         return lx_emitter_plane(emitter, place, direction);
-    if (lx_is_uniform(emitter) || is_isotropic(emitter))
+    if (lx_is_uniform(emitter) || is_isotropic(emitter) || lx_is_dome(emitter))
         return false;
     axis = lx_is_endless(emitter) ? lx_negate3(emitter->towards) : emitter->profile.axis;
     memcpy(direction, (double[]){axis.x.value, axis.y.value, axis.z.value}, 3 * sizeof *direction);
@@ -167,10 +167,12 @@ double lx_emitters_intensity(const struct lx_emitters *emitters)
     if (emitters->count == 0)
         return (double)NAN;
     const struct lx_emitter *first = lx_emitter_at(emitters, 0, &room);
+    if (!lx_has_place(first))
+        return (double)NAN;
     if (!lx_has_axis(first) && emitters->count == 1 && !lx_is_opening(first))
         return M_PI * first->radiance.value * (first->radius_mm / 1e3) * (first->radius_mm / 1e3);
     const bool is_even = is_isotropic(first), is_flat = lx_is_extended(first);
-    if (!lx_has_place(first) || (!is_even && !lx_emitters_direction(emitters, along)))
+    if (!is_even && !lx_emitters_direction(emitters, along))
         return (double)NAN;
     for (size_t i = 0; i < emitters->count; i++) {
         const struct lx_emitter *emitter = lx_emitter_at(emitters, i, &room);

@@ -24,7 +24,7 @@ static void make_plain(struct lx_emitter *emitter)
 /* Whether an emitter shines that was made plain. */
 static bool shines(const struct lx_emitter *emitter)
 {
-    return lx_is_extended(emitter) ? emitter->radiance.value > 0 : emitter->strength > 0;
+    return lx_is_dome(emitter) || (lx_is_extended(emitter) ? emitter->radiance.value > 0 : emitter->strength > 0);
 }
 
 static bool has_ambient_light(const struct lx_emitters *emitters)

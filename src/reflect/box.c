@@ -266,11 +266,11 @@ static bool is_outer(const struct lx_closed_box *box, const struct lx_matte_face
 static bool reaches_into(const struct lx_emitter *emitter, const struct lx_prepared *prepared,
                          const struct lx_closed_box *box)
 {
-    const bool is_extended = lx_is_extended(emitter);
+    const bool is_extended = !lx_has_one_way(emitter);
     double at[3];
     if (lx_is_uniform(emitter) || !(is_extended ? prepared->shadows_extended : prepared->shadows_on_free))
         return true;
-    if (lx_is_endless(emitter))
+    if (lx_is_endless(emitter) || lx_is_dome(emitter))
         return false;
     locate(box, lx_emitter_center(emitter), at);
     for (int way = 0; way < 3; way++)

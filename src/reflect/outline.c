@@ -7,6 +7,7 @@
 
 #include "../base/memory.h"
 #include "../base/vector.h"
+#include "../light/sky/dome.h"
 #include "../light/solid/extended.h"
 #include "../surface/mesh_faces.h"
 #include "../surface/sheet.h"
@@ -46,7 +47,7 @@ static void set_light(const struct lx_emitter *emitter, struct lx_outline_light 
 {
     const double axis[3] = {emitter->axis.x.value, emitter->axis.y.value, emitter->axis.z.value};
     double across[3], upward[3];
-    *light = (struct lx_outline_light){.emitter = emitter, .at.endless = lx_is_endless(emitter)};
+    *light = (struct lx_outline_light){.emitter = emitter, .at.endless = lx_is_endless(emitter) || lx_is_dome(emitter)};
     lx_emitter_origin(emitter, light->at.at);
     if (emitter->facets)
         reach_of_facets(emitter->facets, light);
@@ -136,8 +137,9 @@ static void add_surface(struct drawing *drawing, const struct lx_shape *shape)
 
 static bool casts(const struct lx_prepared *prepared, const struct lx_emitter *emitter)
 {
-    return !lx_is_uniform(emitter) && !emitter->is_back &&
-           (lx_is_extended(emitter) ? prepared->shadows_extended : prepared->shadows);
+    if (lx_is_uniform(emitter) || emitter->is_back || (lx_is_dome(emitter) && !lx_is_sun(emitter->dome)))
+        return false;
+    return lx_has_one_way(emitter) ? prepared->shadows : prepared->shadows_extended;
 }
 
 int lx_outlines_make(const struct lx_prepared *prepared, struct lx_outlines *outlines)

@@ -154,6 +154,41 @@ static void check_sides(struct lx_walk *walk, const luxel_scene *scene)
     }
 }
 
+/* The first surface that is not all within another one; the number of surfaces where there is none. */
+static size_t find_outside(const luxel_scene *scene, size_t around)
+{
+    const struct lx_list *surfaces = &scene->parameters.surfaces;
+    double low[3], high[3], least[3], most[3];
+    kind_of(scene, around)->extent(surfaces->items[around].parameters, least, most);
+    for (size_t i = 0; i < surfaces->count; i++) {
+        kind_of(scene, i)->extent(surfaces->items[i].parameters, low, high);
+        for (int k = 0; k < 3; k++) {
+            const double room = 1e-9 * (most[k] - least[k]);
+            if (low[k] < least[k] - room || high[k] > most[k] + room)
+                return i;
+        }
+    }
+    return surfaces->count;
+}
+
+/* Light that surfaces send to each other through glass, of which nobody knows how much comes through. */
+static void check_glass(struct lx_walk *walk, const luxel_scene *scene)
+{
+    const struct lx_list *surfaces = &scene->parameters.surfaces;
+    for (size_t i = 0; i < surfaces->count; i++) {
+        const struct lx_surface_kind *kind = kind_of(scene, i);
+        struct lx_glass_pane pane;
+        char number[LX_NUMBER_SIZE];
+        if (!kind->panes || kind->panes(surfaces->items[i].parameters, 0, &pane) == 0)
+            continue;
+        const size_t outside = find_outside(scene, i);
+        if (outside == surfaces->count)
+            continue;
+        report_surface(walk, i, "openings", LX_MSG_GLASS_REFLECTIONS, lx_write_number((double)outside, number), NULL);
+        lx_hint(walk->diagnostics, LX_MSG_HINT_REFLECTIONS_NONE, NULL);
+    }
+}
+
 /* Meshes of more triangles than reflected light can be calculated of. */
 static void check_meshes(struct lx_walk *walk, const luxel_scene *scene)
 {
@@ -175,26 +210,54 @@ static void check_meshes(struct lx_walk *walk, const luxel_scene *scene)
     }
 }
 
-/* Mirrors: on what is no mirror, and with reflected light. */
+/* Whether light may come from the sky or through openings, which images in mirrors know nothing of. */
+static bool has_daylight(const struct lx_scene_parameters *parameters)
+{
+    for (size_t i = 0; i < parameters->lights.count; i++) {
+        const struct lx_variant *kind = parameters->lights.items[i].variant;
+        if (kind && (strcmp(kind->name, "sky") == 0 || strcmp(kind->name, "sun") == 0))
+            return true;
+    }
+    for (size_t i = 0; i < parameters->surfaces.count; i++) {
+        const struct lx_item *surface = &parameters->surfaces.items[i];
+        const struct lx_table *table = surface->variant->table;
+        if (lx_find_parameter(table, "openings") && lx_is_given(table, surface->parameters, "openings"))
+            return true;
+    }
+    return false;
+}
+
+/* Reports a mirror that light cannot be followed over: of a material, or of a surface where there is none. */
+static void report_mirror(struct lx_walk *walk, const struct lx_scene_material *at, size_t surface, bool reflects)
+{
+    const enum lx_message message = reflects ? LX_MSG_MIRROR_REFLECTS : LX_MSG_MIRROR_DAYLIGHT;
+    if (at)
+        report_material(walk, at, "mirror", message, NULL);
+    else
+        report_surface(walk, surface, "mirror", message, NULL, NULL);
+    lx_hint(walk->diagnostics, reflects ? LX_MSG_HINT_NO_MIRROR : LX_MSG_HINT_NO_DAYLIGHT, NULL);
+}
+
+/* Mirrors: on what is no mirror, with reflected light, and with daylight. */
 static void check_mirrors(struct lx_walk *walk, const luxel_scene *scene)
 {
     const struct lx_scene_parameters *parameters = &scene->parameters;
-    const bool reflects = parameters->reflections.choice != LX_REFLECTIONS_NONE;
+    const bool reflects = parameters->reflections.choice != LX_REFLECTIONS_NONE,
+               is_refused = reflects || has_daylight(parameters);
     struct lx_scene_material at = {.material = NULL};
     while (lx_next_material(parameters, &at)) {
         const struct lx_surface_kind *kind = kind_of(scene, at.surface);
-        if (!at.material->mirror || (!reflects && (kind->is_mirror || kind->part_names)))
-            continue;
-        report_material(walk, &at, "mirror", reflects ? LX_MSG_MIRROR_REFLECTS : LX_MSG_MIRROR_NOT_FLAT,
-                        reflects ? NULL : kind->variant.name);
-        lx_hint(walk->diagnostics, reflects ? LX_MSG_HINT_NO_MIRROR : LX_MSG_HINT_FLAT_MIRROR, NULL);
+        if (at.material->mirror && !kind->is_mirror && !kind->part_names) {
+            report_material(walk, &at, "mirror", LX_MSG_MIRROR_NOT_FLAT, kind->variant.name);
+            lx_hint(walk->diagnostics, LX_MSG_HINT_FLAT_MIRROR, NULL);
+        } else if (at.material->mirror && is_refused) {
+            report_mirror(walk, &at, at.surface, reflects);
+        }
     }
-    for (size_t i = 0; i < parameters->surfaces.count && reflects; i++) {
+    for (size_t i = 0; i < parameters->surfaces.count && is_refused; i++) {
         const struct lx_surface_kind *kind = kind_of(scene, i);
-        if (!kind->is_mirror || !kind->is_mirror(parameters->surfaces.items[i].parameters))
-            continue;
-        report_surface(walk, i, "mirror", LX_MSG_MIRROR_REFLECTS, NULL, NULL);
-        lx_hint(walk->diagnostics, LX_MSG_HINT_NO_MIRROR, NULL);
+        if (kind->is_mirror && kind->is_mirror(parameters->surfaces.items[i].parameters))
+            report_mirror(walk, NULL, i, reflects);
     }
 }
 
@@ -207,6 +270,7 @@ void lx_validate_reflections(struct lx_walk *walk, const luxel_scene *scene)
     if (is_sound(&scene->parameters)) {
         check_materials(walk, scene);
         check_sides(walk, scene);
+        check_glass(walk, scene);
         check_meshes(walk, scene);
     }
     check_laws(walk, scene);

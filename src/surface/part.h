@@ -29,6 +29,11 @@ unsigned lx_part_count(const struct lx_surface_kind *kind);
 /* Part i of a surface.  It must not be moved, as it may point into itself. */
 void lx_part_make(const struct lx_surface_kind *kind, const void *parameters, unsigned i, struct lx_part *part);
 
+/* Pieces of parts: what openings leave of them, all of them where there are none.  Piece i, as of part `*number`. */
+size_t lx_piece_count(const struct lx_surface_kind *kind, const void *parameters);
+void lx_piece_make(const struct lx_surface_kind *kind, const void *parameters, size_t i, struct lx_part *piece,
+                   unsigned *number);
+
 /* What part i is called ("floor"); NULL: the surface is one by itself. */
 const char *lx_part_name(const struct lx_surface_kind *kind, unsigned i);
 

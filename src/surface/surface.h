@@ -13,6 +13,7 @@
 #include "../format/mesh/mesh_survey.h"
 #include "../parameter/table.h"
 #include "obstacle.h"
+#include "pane.h"
 #include "shape.h"
 
 struct lx_part;
@@ -141,6 +142,11 @@ struct lx_surface_kind {
     const char *const *part_names;
     unsigned part_count;
     void (*part)(const void *parameters, unsigned i, struct lx_part *part);
+    /* How many pieces openings leave of its parts; makes one, and returns which part it is of.  NULL: the parts. */
+    size_t (*piece_count)(const void *parameters);
+    unsigned (*piece)(const void *parameters, size_t i, struct lx_part *piece);
+    /* Makes pane i in its openings where there are so many; returns how many there are.  NULL: there are none. */
+    size_t (*panes)(const void *parameters, size_t i, struct lx_glass_pane *pane);
 
     /* Whether its own keys make its front a mirror, as a material may, too.  NULL: it cannot be one. */
     bool (*is_mirror)(const void *parameters);

@@ -371,8 +371,9 @@ static struct lx_lighting light_by_extended(const struct task *task)
         struct lx_occlusion occlusion = {.place_mm = {0}};
         lights[i] = unknown;
         if (gather(task, i == 0, &occlusion, &is_cut) == 0)
-            lights[i] = occlusion.is_dark ? nothing
-                                          : lx_light_behind(task->prepared, &task->element, task->emitter, &occlusion);
+            lights[i] = occlusion.is_dark
+                            ? nothing
+                            : lx_light_behind(task->prepared, &task->element, task->emitter, &occlusion, 0);
         lx_occlusion_clear(&occlusion);
         if (!is_cut)
             break;

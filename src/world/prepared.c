@@ -20,6 +20,18 @@ enum { FEW_EMITTERS = 4096 };
 /* A point of a point set takes so much. */
 enum { SWARM_BYTES = 64 };
 
+/* The largest coordinate of what surfaces are; those of endless ones do not count. */
+static double reach_of(const struct lx_prepared *prepared)
+{
+    double reach = 0;
+    for (size_t i = 0; i < prepared->surface_count; i++)
+        for (int k = 0; k < 3; k++) {
+            const double most = fmax(fabs(prepared->surfaces[i].low_mm[k]), fabs(prepared->surfaces[i].high_mm[k]));
+            reach = isfinite(most) ? fmax(reach, most) : reach;
+        }
+    return reach;
+}
+
 static int prepare_lights(const struct lx_scene_parameters *scene, const bool *on, struct lx_emitters *emitters)
 {
     const struct lx_list *lights = &scene->lights;
@@ -36,7 +48,8 @@ static size_t count_parts(const struct lx_list *surfaces)
 {
     size_t count = 0;
     for (size_t i = 0; i < surfaces->count; i++)
-        count += lx_part_count((const struct lx_surface_kind *)surfaces->items[i].variant);
+        count +=
+            lx_piece_count((const struct lx_surface_kind *)surfaces->items[i].variant, surfaces->items[i].parameters);
     return count;
 }
 
@@ -73,13 +86,14 @@ static void prepare_surface(const struct lx_scene_parameters *scene, size_t i, s
     const struct lx_item *item = &scene->surfaces.items[i];
     const struct lx_surface_common *common = item->common;
     const struct lx_surface_kind *kind = (const struct lx_surface_kind *)item->variant;
-    const unsigned count = lx_part_count(kind);
+    const size_t count = lx_piece_count(kind, item->parameters);
     const struct lx_material *own = in_channel(prepared, &common->material, i);
     prepared->authored[i] = (struct lx_authored_surface){prepared->surface_count, lobe_of(own, &common->material)};
-    for (unsigned k = 0; k < count; k++) {
+    for (size_t k = 0; k < count; k++) {
         struct lx_prepared_surface *surface = &prepared->surfaces[prepared->surface_count];
         struct lx_part part;
-        lx_part_make(kind, item->parameters, k, &part);
+        unsigned number;
+        lx_piece_make(kind, item->parameters, k, &part, &number);
         const struct lx_material *material =
             part.material ? in_channel(prepared, part.material, scene->surfaces.count + prepared->surface_count) : own;
         *surface = (struct lx_prepared_surface){
@@ -89,7 +103,7 @@ static void prepare_surface(const struct lx_scene_parameters *scene, size_t i, s
             .material = material,
             .lobe = part.material ? lobe_of(material, part.material) : prepared->authored[i].lobe,
             .authored = i,
-            .part = k,
+            .part = number,
         };
         if (part.parameters == (const void *)&part.own) {
             surface->own = part.own;
@@ -100,6 +114,22 @@ static void prepare_surface(const struct lx_scene_parameters *scene, size_t i, s
         const bool is_first = prepared->surface_count++ == 0;
         prepared->shadows = prepared->shadows || (prepared->shadows_on_free && lx_may_hide(&part.shape, is_first));
     }
+}
+
+/* Panes in the openings of all surfaces; 0, or -1 when memory ran out. */
+static int prepare_panes(const struct lx_list *surfaces, struct lx_prepared *prepared)
+{
+    size_t capacity = 0;
+    for (size_t i = 0; i < surfaces->count; i++) {
+        const struct lx_surface_kind *kind = (const struct lx_surface_kind *)surfaces->items[i].variant;
+        struct lx_glass_pane pane;
+        for (size_t k = 0; kind->panes && k < kind->panes(surfaces->items[i].parameters, k, &pane); k++) {
+            if (lx_reserve(&prepared->panes, &capacity, prepared->pane_count + 1, sizeof pane))
+                return -1;
+            prepared->panes[prepared->pane_count++] = pane;
+        }
+    }
+    return 0;
 }
 
 /* The lobe of free elements in a scene without surfaces: that of a material with all keys by default. */
@@ -135,7 +165,8 @@ static int prepare(const struct lx_scene_parameters *scene, const luxel_settings
     prepared->authored[0].lobe = default_lobe();
     for (size_t i = 0; i < surfaces->count; i++)
         prepare_surface(scene, i, prepared);
-    if (lx_among_make(prepared) || lx_mirrors_make(prepared, scene->mirrors, NULL))
+    prepared->reach_mm = reach_of(prepared);
+    if (prepare_panes(surfaces, prepared) || lx_among_make(prepared) || lx_mirrors_make(prepared, scene->mirrors, NULL))
         return -1;
     int failed = prepare_lights(scene, prepared->on, &prepared->emitters);
     prepared->emitters.asking = NULL;
@@ -175,11 +206,14 @@ int lx_prepared_carry(const struct lx_prepared *prepared, const struct lx_asking
     carried->authored = lx_new_array(lx_material_count(prepared->scene), sizeof *carried->authored);
     carried->boxes = (struct lx_boxes){.count = 0};
     carried->mirrors = (struct lx_mirrors){.count = 0};
+    carried->panes = lx_new_array(prepared->pane_count, sizeof *carried->panes);
     carried->colored = NULL; /* its materials are those of the scene that it is a copy of, which outlives it */
     carried->on = lx_new_array(prepared->scene->lights.count, sizeof *carried->on);
     carried->emitters = (struct lx_emitters){0};
-    if (!carried->surfaces || !carried->authored || !carried->on)
+    if (!carried->surfaces || !carried->authored || !carried->on || (prepared->pane_count > 0 && !carried->panes))
         return -1;
+    for (size_t i = 0; i < prepared->pane_count; i++)
+        carried->panes[i] = lx_pane_carried(&prepared->panes[i], frame);
     memcpy(carried->on, prepared->on, prepared->scene->lights.count * sizeof *carried->on);
     memcpy(carried->authored, prepared->authored, lx_material_count(prepared->scene) * sizeof *carried->authored);
     for (size_t i = 0; i < prepared->surface_count; i++) {
@@ -190,6 +224,7 @@ int lx_prepared_carry(const struct lx_prepared *prepared, const struct lx_asking
         made->parameters = NULL;
         lx_surface_extent(surface->kind, surface->parameters, frame, made->low_mm, made->high_mm);
     }
+    carried->reach_mm = reach_of(carried);
     if (lx_among_make(carried) || lx_mirrors_make(carried, prepared->scene->mirrors, prepared))
         return -1;
     return lx_emitters_carry(&prepared->emitters, frame, asking, &carried->emitters);
@@ -219,6 +254,7 @@ void lx_prepared_clear(struct lx_prepared *prepared)
     free(prepared->authored);
     free(prepared->colored);
     free(prepared->on);
+    free(prepared->panes);
     lx_emitters_clear(&prepared->emitters);
     lx_mirrors_clear(&prepared->mirrors);
     *prepared = (struct lx_prepared){0};
@@ -292,9 +328,8 @@ const char *lx_unit_of_scene(const struct lx_scene_parameters *scene, const luxe
     for (size_t i = 0; i < scene->surfaces.count && quantity == LUXEL_BRIGHTNESS; i++)
         over_pi += count_over_pi(&scene->surfaces.items[i], &parts);
     if (on && prepare_lights(scene, on, &emitters) == 0)
-        unit = quantity == LUXEL_IRRADIANCE
-                   ? unit_of_irradiance(&emitters, photometric)
-                   : unit_of_brightness(&emitters, photometric, over_pi, parts);
+        unit = quantity == LUXEL_IRRADIANCE ? unit_of_irradiance(&emitters, photometric)
+                                            : unit_of_brightness(&emitters, photometric, over_pi, parts);
     lx_emitters_clear(&emitters);
     free(on);
     return unit;

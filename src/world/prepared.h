@@ -7,6 +7,7 @@
 #define LX_WORLD_PREPARED_H
 
 #include "../light/emitter.h"
+#include "../light/sky/dome.h"
 #include "../material/lobe.h"
 #include "../scene/scene.h"
 #include "../surface/part.h"
@@ -61,9 +62,12 @@ struct lx_prepared {
     struct lx_camera camera;
     struct lx_prepared_surface *surfaces; /* the parts of all surfaces, in their order */
     size_t surface_count;
+    double reach_mm;       /* no coordinate of what they are is larger */
     struct lx_boxes boxes; /* over many of them (among.h) */
     struct lx_authored_surface *authored;
     struct lx_material *colored; /* what materials with colours are in the scene's channel; NULL: all are as they are */
+    struct lx_glass_pane *panes;       /* in the openings of surfaces */
+    size_t pane_count;
     bool *on;                    /* which lights of the scene's list give light */
     struct lx_emitters emitters; /* of those, in their order */
     struct lx_mirrors mirrors;
@@ -96,10 +100,21 @@ void lx_prepared_free(struct lx_prepared *carried);
 
 void lx_prepared_clear(struct lx_prepared *prepared);
 
-/* The index of a part of a surface of the scene's list. */
+/* Whether there may be kernels for its light: not of domes, nor where it comes through glass. */
+static inline bool lx_prepared_has_kernels(const struct lx_prepared *prepared)
+{
+    return prepared->pane_count == 0 && !lx_has_dome(&prepared->emitters);
+}
+
+/* The index of a part of a surface of the scene's list, or of the first piece that openings leave of it. */
 static inline size_t lx_prepared_index(const struct lx_prepared *prepared, size_t surface, unsigned part)
 {
-    return prepared->authored[surface].first + part;
+    const size_t first = prepared->authored[surface].first;
+    size_t i = first;
+    const struct lx_prepared_surface *all = prepared->surfaces;
+    while (i < prepared->surface_count && all[i].authored == surface && all[i].part < part)
+        i++;
+    return i < prepared->surface_count && all[i].authored == surface ? i : first;
 }
 
 /* The unit of a quantity in this scene, UTF-8, as the attenuation laws, over_pi and `units` make it. */

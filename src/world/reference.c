@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /* Seeing and lighting one surface element in float64 with error bounds. */
 #include "reference.h"
+#include "../base/vector.h"
+#include "../light/sky/dome.h"
 #include "../light/solid/extended.h"
 #include "../surface/beside.h"
 #include "among.h"
@@ -95,10 +97,15 @@ lx_bounded lx_openness_of(const struct lx_prepared *prepared, const struct lx_el
     const size_t count = lx_found_count(&found, is_found, prepared->surface_count);
     for (size_t i = 0; i < count; i++) {
         const struct lx_prepared_surface *surface = &prepared->surfaces[lx_found_at(&found, is_found, i)];
-        open = lx_both(open,
-                       lx_not(lx_blocked_by(&surface->shape, surface == element->own, element, way, endless)));
+        open = lx_both(open, lx_not(lx_blocked_by(&surface->shape, surface == element->own, element, way, endless)));
     }
-    return open;
+    if (prepared->pane_count == 0 || open.value == 0)
+        return open;
+    double place[3], towards[3];
+    lx_values3(element->place_mm, place);
+    lx_values3(way, towards);
+    const double passed = lx_panes_pass(prepared->panes, prepared->pane_count, place, towards, endless);
+    return lx_mul(open, (lx_bounded){passed, LX_PANE_ROUNDING});
 }
 
 /* The diffuse part where it is not Lambert's: the highlight of a lobe of its own. */
@@ -108,15 +115,15 @@ static void light_rough(const struct lx_prepared *prepared, const struct lx_elem
     const struct lx_lobe lobe = lx_lobe_of_diffuse(element->lobe);
     struct lx_element rough = *element;
     rough.lobe = &lobe;
-    const struct lx_cubature integral =
-        lx_integrate(emitter, &rough, occlusion, false, 0, prepared->tolerance, NULL);
+    const struct lx_cubature integral = lx_integrate(emitter, &rough, occlusion, false, 0, prepared->tolerance, NULL);
     lighting->diffuse = integral.specular;
     lighting->parts += integral.parts;
 }
 
-/* In closed form where there is one, else to the tolerance; behind obstacles to the tolerance. */
+/* In closed form where there is one, else to the tolerance; behind obstacles to the tolerance.  `before`: irradiance of
+ * other parts of the same source, relative to which the tolerance is, too. */
 static struct lx_lighting light_around(const struct lx_prepared *prepared, const struct lx_element *element,
-                                       const struct lx_emitter *emitter, struct lx_occlusion *occlusion)
+                                       const struct lx_emitter *emitter, struct lx_occlusion *occlusion, double before)
 {
     const struct lx_lobe *lobe = element->lobe;
     bool closed = lx_has_closed_form(emitter) && !lx_is_occluded(occlusion);
@@ -124,7 +131,7 @@ static struct lx_lighting light_around(const struct lx_prepared *prepared, const
     if (closed)
         lighting.irradiance = lx_extended_irradiance(emitter, element->place_mm, element->normal);
     if (!closed || lx_lobe_shines(lobe)) {
-        double known = lobe->diffuse.value * lighting.irradiance.value;
+        double known = lobe->diffuse.value * (before + lighting.irradiance.value);
         struct lx_cubature integral =
             lx_integrate(emitter, element, occlusion, !closed, known, prepared->tolerance, NULL);
         if (!closed)
@@ -149,17 +156,18 @@ static lx_bounded within(lx_bounded found, lx_bounded most)
     return error < found.error ? (lx_bounded){value, error} : found;
 }
 
+/* Behind obstacles; where that is not known to the tolerance, between what there can be. */
 struct lx_lighting lx_light_behind(const struct lx_prepared *prepared, const struct lx_element *element,
-                                   const struct lx_emitter *emitter, struct lx_occlusion *occlusion)
+                                   const struct lx_emitter *emitter, struct lx_occlusion *occlusion, double before)
 {
-    struct lx_lighting seen = light_around(prepared, element, emitter, occlusion);
+    struct lx_lighting seen = light_around(prepared, element, emitter, occlusion, before);
     const double wanted = prepared->tolerance;
     const bool is_rough = lx_lobe_is_rough(element->lobe);
-    if (!lx_is_occluded(occlusion) || (seen.irradiance.error <= wanted * seen.irradiance.value &&
+    if (!lx_is_occluded(occlusion) || (seen.irradiance.error <= wanted * (before + seen.irradiance.value) &&
                                        (!is_rough || seen.diffuse.error <= wanted * seen.diffuse.value) &&
                                        seen.specular.error <= wanted * seen.specular.value))
         return seen;
-    const struct lx_lighting all = light_around(prepared, element, emitter, NULL);
+    const struct lx_lighting all = light_around(prepared, element, emitter, NULL, before);
     seen.irradiance = within(seen.irradiance, all.irradiance);
     seen.diffuse = is_rough ? within(seen.diffuse, all.diffuse) : lx_mul(element->lobe->diffuse, seen.irradiance);
     seen.specular = within(seen.specular, all.specular);
@@ -167,27 +175,90 @@ struct lx_lighting lx_light_behind(const struct lx_prepared *prepared, const str
 }
 
 static struct lx_lighting light_by_extended(const struct lx_prepared *prepared, const struct lx_element *element,
-                                            const struct lx_emitter *emitter)
+                                            const struct lx_emitter *emitter, double before)
 {
     if (lx_extended_touches(emitter, element->place_mm))
         return (struct lx_lighting){.on_element = true};
     if (!prepared->shadows_extended)
-        return light_around(prepared, element, emitter, NULL);
+        return light_around(prepared, element, emitter, NULL, before);
     const bool above = !lx_lobe_reaches_below(element->lobe);
     struct lx_occlusion occlusion = {.place_mm = {0}};
     struct lx_lighting lighting = {.irradiance = {0, HUGE_VAL}, .diffuse = {0, HUGE_VAL}, .specular = {0, HUGE_VAL}};
     if (!lx_occlusion_make(prepared, element, emitter, above, &occlusion))
         lighting = occlusion.is_dark ? (struct lx_lighting){.irradiance = lx_exact(0)}
-                                     : lx_light_behind(prepared, element, emitter, &occlusion);
+                                     : lx_light_behind(prepared, element, emitter, &occlusion, before);
     lx_occlusion_clear(&occlusion);
     return lighting;
+}
+
+/* The panes that its light may come through, where what stands in the way counts. */
+static void set_panes(const struct lx_prepared *prepared, struct lx_emitter *emitter)
+{
+    emitter->panes = prepared->panes;
+    emitter->pane_count = prepared->shadows_extended ? prepared->pane_count : 0;
+}
+
+/* Farther away than all that may stand in the way, as a power of two, for which directions stay what they are. */
+static double beyond(const struct lx_prepared *prepared, const double place_mm[3])
+{
+    static const double TIMES = 1024;
+    double reach = fmax(prepared->reach_mm, 1);
+    for (int k = 0; k < 3; k++)
+        reach = fmax(reach, fabs(place_mm[k]));
+    return ldexp(1, ilogb(TIMES * reach) + 1);
+}
+
+/* Whether all of a triangle is below the element's horizon, as far as can be told. */
+static bool is_below(const struct lx_dome_view *view, const double place_mm[3], const double normal[3])
+{
+    for (size_t i = 0; i < view->facets.corner_count; i++) {
+        double way[3];
+        for (int k = 0; k < 3; k++)
+            way[k] = (&view->corners_mm[i].x)[k].high - place_mm[k];
+        if (!(lx_dot(normal, way) < -1e-9 * sqrt(lx_dot(way, way))))
+            return false;
+    }
+    return view->emitter.facets != NULL;
+}
+
+/* Patch by patch; those that the element does not look to give nothing. */
+static struct lx_lighting light_by_dome(const struct lx_prepared *prepared, const struct lx_element *element,
+                                        const struct lx_dome *dome)
+{
+    struct lx_lighting sum = {.irradiance = lx_exact(0), .diffuse = lx_exact(0), .specular = lx_exact(0)};
+    enum { SHARES = 4 }; /* of the tolerance, which patches are to keep together */
+    const bool looks_below = lx_lobe_reaches_below(element->lobe);
+    double place[3], normal[3];
+    lx_values3(element->place_mm, place);
+    lx_values3(element->normal, normal);
+    const double away_mm = beyond(prepared, place);
+    struct lx_prepared shared = *prepared;
+    shared.tolerance /= SHARES;
+    for (size_t i = 0; i < dome->patch_count; i++) {
+        struct lx_dome_view view;
+        lx_dome_see(dome, i, place, away_mm, &view);
+        if (!looks_below && is_below(&view, place, normal))
+            continue;
+        set_panes(prepared, &view.emitter);
+        const struct lx_lighting part = light_by_extended(&shared, element, &view.emitter, sum.irradiance.value);
+        sum.irradiance = lx_add(sum.irradiance, part.irradiance);
+        sum.diffuse = lx_add(sum.diffuse, part.diffuse);
+        sum.specular = lx_add(sum.specular, part.specular);
+        sum.parts += part.parts;
+    }
+    return sum;
 }
 
 struct lx_lighting lx_light_directly(const struct lx_prepared *prepared, const struct lx_element *element,
                                      const struct lx_emitter *emitter)
 {
-    if (lx_is_extended(emitter))
-        return light_by_extended(prepared, element, emitter);
+    if (lx_is_extended(emitter)) {
+        struct lx_emitter beyond_glass = *emitter;
+        set_panes(prepared, &beyond_glass);
+        return light_by_extended(prepared, element, &beyond_glass, 0);
+    }
+    if (lx_is_dome(emitter))
+        return light_by_dome(prepared, element, emitter->dome);
     struct lx_sample sample = lx_emitter_sample(emitter, element->place_mm);
     if (sample.on_element)
         return (struct lx_lighting){.on_element = true};

@@ -13,11 +13,12 @@
 /* Emitters between two questions whether to go on. */
 enum { BETWEEN_CHECKS = 64 };
 
-/* Whether a batch has the light of an emitter by vectors; of extended sources and luminaires, and where there are
- * mirrors, it asks the reference. */
+/* Whether a batch has the light of an emitter by vectors; of extended sources, luminaires, what comes through glass, and
+ * where there are mirrors, it asks the reference. */
 static bool is_vectored(const struct lx_world *world, const struct lx_emitter *emitter)
 {
-    return !lx_is_extended(emitter) && !emitter->profile.luminaire && world->prepared->mirrors.count == 0;
+    const bool is_bare = world->prepared->pane_count == 0 && world->prepared->mirrors.count == 0;
+    return is_bare && !lx_is_extended(emitter) && !lx_is_dome(emitter) && !emitter->profile.luminaire;
 }
 
 unsigned lx_world_batch(const struct lx_world *world)

@@ -42,7 +42,7 @@ def forms(tap, tool):
     for word, said in (("luminance", "cd/m²"), ("Lux", "lx"), ("яркость", "cd/m²"), ("ЛЮКС", "lx"), ("Ёж", None),
                        ("candela", "cd"), ("cd", "cd"), ("W", "watt"), ("W/sr", "intensity"), ("IES", "LM-63"),
                        ("irradiance", "W/m²"), ("ambient light", None), ("UGR", "luxel glare"),
-                       ("glare rating", "UGR"), ("daylight factor", "not computed"), ("en12464", "spacing: en12464"),
+                       ("glare rating", "UGR"), ("daylight factor", "luxel daylight"), ("en12464", "spacing: en12464"),
                        ("EN 12464", "spacing: en12464"), ("workplane", "grids"), ("work plane", "grids"),
                        ("Рабочая плоскость", "grids"), ("array", "points"), ("dimming", "maintenance_factor"),
                        ("LLF", "maintenance_factor"), ("maintenance factor", "maintenance_factor"),

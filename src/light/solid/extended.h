@@ -42,11 +42,11 @@ static inline double lx_emitter_radius(const struct lx_emitter *emitter)
     return lx_emitter_kind(emitter)->bulges ? emitter->radius_mm + half : hypot(emitter->radius_mm, half);
 }
 
-/* Where its light comes from: the unit vector to parallel light, else its middle. */
+/* Where its light comes from: the unit vector to parallel light and to the sun, else its middle. */
 static inline void lx_emitter_origin(const struct lx_emitter *emitter, double at[3])
 {
     const double towards[3] = {emitter->towards.x.value, emitter->towards.y.value, emitter->towards.z.value};
-    const double *from = lx_is_endless(emitter) ? towards : lx_emitter_center(emitter);
+    const double *from = lx_is_endless(emitter) || lx_is_dome(emitter) ? towards : lx_emitter_center(emitter);
     for (int i = 0; i < 3; i++)
         at[i] = from[i];
 }

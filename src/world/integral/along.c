@@ -5,7 +5,9 @@
 
 #include "../../base/larger.h"
 #include "../../base/memory.h"
+#include "../../light/sky/luminance.h"
 #include "../../light/solid/extended.h"
+#include "../../surface/pane.h"
 #include "along.h"
 
 enum { INNER_PANELS = 256, INNER_PANELS_OF_TABLE = INNER_PANELS + 2 * MOST_LINES };
@@ -67,6 +69,15 @@ static struct lx_point_value value_at(struct lx_problem *problem, double tau)
     const bool is_opening = lx_is_opening(problem->emitter);
     if (moved > 0 && !is_opening)
         error += fmin(moved / incidence, 1);
+    if (problem->emitter->sky) {
+        weight *= lx_sky_luminance(problem->emitter->sky, towards);
+        error += LX_SKY_ROUNDING;
+    }
+    if (problem->emitter->pane_count > 0) {
+        const struct lx_emitter *emitter = problem->emitter;
+        weight *= lx_panes_pass(emitter->panes, emitter->pane_count, problem->place_mm, towards, true);
+        error += LX_PANE_ROUNDING;
+    }
     double opening = 1, opening_error = 0;
     if (is_opening)
         opening = opening_at(problem, towards, tau, distance, incidence, moved, &opening_error);

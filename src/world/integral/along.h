@@ -42,7 +42,7 @@ struct lx_problem {
     const struct lx_emitter *emitter;
     const struct lx_lobe *lobe; /* NULL: N.L is integrated, without the lobe */
     struct lx_lobe_at at;
-    double place_error_mm;
+    double place_mm[3], place_error_mm;
     struct lx_border conditions[MOST_CONDITIONS]; /* g.L > limit */
     size_t condition_count;
     struct lx_border kinks[LX_MOST_KINKS]; /* of the lobe */

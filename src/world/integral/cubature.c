@@ -8,6 +8,7 @@
 #include <stdlib.h>
 
 #include "../../base/memory.h"
+#include "../../light/sky/luminance.h"
 #include "../../light/solid/elliptic.h"
 #include "../visibility/outline.h"
 #include "along.h"
@@ -317,10 +318,11 @@ static double largest_integrand(const struct lx_problem *problem, const double p
         if (sweep->kind != LX_SWEEP_STRIP && sweep->kind != LX_SWEEP_DISK) /* the axis may go through the place */
             by_area = fmax(by_area, away / fmax(sweep->height_mm, sweep->radius_mm));
     }
+    const double by_sky = problem->emitter->sky ? lx_sky_greatest(problem->emitter->sky) : 1;
     if (!problem->lobe)
-        return by_law * by_area;
+        return by_law * by_area * by_sky;
     const double met = BETWEEN * exp(fmax(problem->highest, problem->top));
-    return by_law * by_area * (lx_lobe_kind_of(problem->lobe)->power ? fmin(met, 1) : met);
+    return by_law * by_area * by_sky * (lx_lobe_kind_of(problem->lobe)->power ? fmin(met, 1) : met);
 }
 
 /*
@@ -483,6 +485,7 @@ struct lx_cubature lx_integrate(const struct lx_emitter *emitter, const struct l
     double radiance = emitter->radiance.value, place[3], normal[3], view[3];
     struct lx_problem problem = {.emitter = emitter, .tolerance = tolerance, .asking = asking, .occlusion = occlusion};
     lx_values3(element->place_mm, place);
+    lx_values3(element->place_mm, problem.place_mm);
     lx_values3(element->normal, normal);
     lx_values3(element->view, view);
     lx_lobe_at_set(normal, view, &problem.at);
@@ -493,11 +496,12 @@ struct lx_cubature lx_integrate(const struct lx_emitter *emitter, const struct l
         return result;
     if (diffuse) {
         set_conditions(&problem);
-        if ((lx_is_occluded(occlusion) || lx_is_opening(emitter)) && known > 0 && lobe->diffuse.value > 0)
+        const bool is_uneven = lx_is_opening(emitter) || emitter->sky || emitter->pane_count > 0;
+        if ((lx_is_occluded(occlusion) || is_uneven) && known > 0 && lobe->diffuse.value > 0)
             problem.known = known / (radiance * lobe->diffuse.value);
         lx_bounded seen;
-        problem.is_coarse = lx_is_opening(emitter) && tolerance >= COARSE;
-        if (!occlusion || lx_is_opening(emitter) || !sum_outline(&problem, &seen))
+        problem.is_coarse = is_uneven && tolerance >= COARSE;
+        if (!occlusion || is_uneven || !sum_outline(&problem, &seen))
             seen = integrate(&problem, place);
         result.irradiance = lx_mul(emitter->radiance, seen);
         known += result.irradiance.value * lobe->diffuse.value;

@@ -7,6 +7,7 @@
 #include "../../base/larger.h"
 #include "../../base/memory.h"
 #include "../../base/vector.h"
+#include "../../light/sky/luminance.h"
 #include "sweep_make.h"
 
 /* ---- vectors ---- */
@@ -90,6 +91,30 @@ static double height_over(const struct lx_emitter *emitter, double height, doubl
     return height > 0 || (height == 0 && !emitter->is_back) ? fmax(height, LX_FLATTEST * distance) : 0;
 }
 
+/*
+ * The way across the edge beyond the sun, of a patch of the sky that has the sun in a corner, where its radiance has
+ * one, too.  Arcs along that edge make the integral over them a smooth function of how far they are from the sun.
+ * False: the patch has none.
+ */
+static bool across_from_sun(const struct lx_emitter *emitter, const unsigned *loop, unsigned count,
+                            const double place_mm[3], const double normal[3], double across[3])
+{
+    static const double SAME = 1e-6;
+    const lx_wide3 place = lx_wide3_of(place_mm);
+    for (unsigned i = 0; emitter->sky && i < count; i++) {
+        double corner[3], edge[3];
+        lx_wide3_values(lx_wide3_sub(emitter->facets->corners_mm[loop[i]], place), corner);
+        if (!(lx_angle_between(corner, emitter->sky->sun) < SAME))
+            continue;
+        lx_wide3_values(lx_wide3_sub(emitter->facets->corners_mm[loop[(i + 2) % count]],
+                                     emitter->facets->corners_mm[loop[(i + 1) % count]]),
+                        edge);
+        lx_cross(edge, normal, across);
+        return lx_sweep_normalize(across) > 0;
+    }
+    return false;
+}
+
 static int sweep_face(const struct lx_emitter *emitter, const struct lx_face *face, const double place_mm[3],
                       const double across[3], struct lx_sweeps *sweeps)
 {
@@ -105,8 +130,11 @@ static int sweep_face(const struct lx_emitter *emitter, const struct lx_face *fa
     lx_wide3_values(face->normal, normal);
     for (int i = 0; i < 3; i++)
         normal[i] = -normal[i];
-    struct lx_sweep strip = {
-        .kind = LX_SWEEP_STRIP, .frame = lx_sweep_frame_about(normal, across), .height_mm = height};
+    double from_sun[3];
+    const bool is_aside = across_from_sun(emitter, loop, face->count, place_mm, normal, from_sun);
+    struct lx_sweep strip = {.kind = LX_SWEEP_STRIP,
+                             .frame = lx_sweep_frame_about(normal, is_aside ? from_sun : across),
+                             .height_mm = height};
     strip.y_mm = lx_dot(strip.frame.y, to_center);
     strip.s_mm = lx_dot(strip.frame.z, to_center);
 

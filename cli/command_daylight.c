@@ -1,0 +1,284 @@
+/* SPDX-License-Identifier: MIT */
+/* luxel daylight: daylight factors of measuring grids and free elements, and the shares of area of EN 17037. */
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+#include <luxel/luxel.h>
+
+#include "cli.h"
+#include "json.h"
+#include "load.h"
+#include "message.h"
+#include "options.h"
+#include "places.h"
+#include "text.h"
+#include "work.h"
+
+/* Larger grids are not printed as a table: lines would not fit, and nobody reads them. */
+enum { MOST_COLUMNS = 20, MOST_ROWS = 100 };
+
+/*
+ * What EN 17037 recommends, in lx that half of a plane is to reach and that 95 % of it are, both for half of the hours
+ * of daylight.
+ */
+enum { STEPS = 3 };
+static const struct step {
+    const char *name, *word;
+    size_t half, most; /* of luxel_daylight_level() */
+} steps[STEPS] = {{"minimum", N_("minimum"), 1, 0}, {"medium", N_("medium"), 2, 1}, {"high", N_("high"), 3, 2}};
+
+/* How many of them a grid keeps, the lowest first. */
+static int steps_kept(const luxel_daylight_grid *grid)
+{
+    int kept = 0;
+
+    while (kept < STEPS && grid->shares[steps[kept].half] >= 0.5 && grid->shares[steps[kept].most] >= 0.95)
+        kept++;
+    return kept;
+}
+
+/* ---- JSON ---- */
+
+static void write_cells(struct json *json, const char *key, const luxel_daylight_grid *grid, size_t offset, bool error)
+{
+    json_open(json, key, '[');
+    for (unsigned row = 0; row < grid->rows; row++) {
+        json_open(json, NULL, '[');
+        for (unsigned column = 0; column < grid->columns; column++) {
+            const luxel_daylight_factor *cell = &grid->cells[(size_t)row * grid->columns + column];
+            const luxel_bounded *number = (const luxel_bounded *)((const char *)cell + offset);
+
+            if (cell->has_value)
+                json_number(json, NULL, error ? number->error : number->value);
+            else
+                json_null(json, NULL);
+        }
+        json_close(json, ']');
+    }
+    json_close(json, ']');
+}
+
+static void write_number_if(struct json *json, const char *key, bool exists, double value)
+{
+    if (exists)
+        json_number(json, key, value);
+    else
+        json_null(json, key);
+}
+
+static void write_grid(struct json *json, const luxel_daylight *daylight, const luxel_daylight_grid *grid)
+{
+    const int kept = steps_kept(grid);
+
+    json_open(json, NULL, '{');
+    json_text(json, "name", grid->name);
+    write_cells(json, "values", grid, offsetof(luxel_daylight_factor, value), false);
+    write_cells(json, "errors", grid, offsetof(luxel_daylight_factor, value), true);
+    write_cells(json, "sky", grid, offsetof(luxel_daylight_factor, sky), false);
+    write_cells(json, "external", grid, offsetof(luxel_daylight_factor, external), false);
+    write_cells(json, "internal", grid, offsetof(luxel_daylight_factor, internal), false);
+    write_number_if(json, "mean", grid->measured > 0, grid->mean.value);
+    write_number_if(json, "mean_error", grid->measured > 0, grid->mean.error);
+    write_number_if(json, "median", grid->measured > 0, grid->median.value);
+    write_number_if(json, "median_error", grid->measured > 0, grid->median.error);
+    if (isfinite(daylight->outdoor) && grid->measured > 0) {
+        json_open(json, "en17037", '{');
+        json_number(json, "outdoor", daylight->outdoor);
+        json_open(json, "shares", '{');
+        for (size_t i = 0; i < LUXEL_DAYLIGHT_LEVELS; i++) {
+            char key[TEXT_SIZE];
+
+            json_number(json, text_format(key, "%g", luxel_daylight_level(i)), grid->shares[i]);
+        }
+        json_close(json, '}');
+        json_text(json, "level", kept > 0 ? steps[kept - 1].name : NULL);
+        json_close(json, '}');
+    }
+    json_close(json, '}');
+}
+
+static void write_element(struct json *json, const luxel_daylight_factor *element)
+{
+    json_open(json, NULL, '{');
+    write_number_if(json, "daylight_factor", element->has_value, element->value.value);
+    write_number_if(json, "error", element->has_value, element->value.error);
+    write_number_if(json, "sky", element->has_value, element->sky.value);
+    write_number_if(json, "external", element->has_value, element->external.value);
+    write_number_if(json, "internal", element->has_value, element->internal.value);
+    json_close(json, '}');
+}
+
+static void print_json(const luxel_scene *scene, const luxel_daylight *daylight)
+{
+    struct json json = {.stream = stdout};
+
+    json_open(&json, NULL, '{');
+    json_text(&json, "unit", "%");
+    json_open(&json, "horizontal", '{');
+    json_number(&json, "value", daylight->horizontal.value);
+    json_number(&json, "error", daylight->horizontal.error);
+    json_text(&json, "unit", luxel_scene_unit(scene, LUXEL_IRRADIANCE));
+    json_close(&json, '}');
+    json_open(&json, "grids", '[');
+    for (size_t i = 0; i < daylight->grid_count; i++)
+        write_grid(&json, daylight, &daylight->grids[i]);
+    json_close(&json, ']');
+    json_open(&json, "elements", '[');
+    for (size_t i = 0; i < daylight->element_count; i++)
+        write_element(&json, &daylight->elements[i]);
+    json_close(&json, ']');
+    json_close(&json, '}');
+}
+
+/* ---- text ---- */
+
+static void print_values(const luxel_daylight_grid *grid)
+{
+    char alignment[MOST_COLUMNS + 2] = {0}, numbers[MOST_COLUMNS][TEXT_SIZE];
+    const char *cells[MOST_COLUMNS] = {""};
+    struct text_table *table;
+
+    for (unsigned i = 0; i < grid->columns; i++)
+        alignment[i] = 'r';
+    table = text_table_new(alignment);
+    for (unsigned row = 0; row < grid->rows; row++) {
+        for (unsigned column = 0; column < grid->columns; column++) {
+            const luxel_daylight_factor *cell = &grid->cells[(size_t)row * grid->columns + column];
+
+            cells[column] = text_format(numbers[column], cell->has_value ? "%.4g" : "-", cell->value.value);
+        }
+        text_table_row(table, cells);
+    }
+    text_table_print(table, stdout, 2);
+    fputc('\n', stdout);
+}
+
+static void print_shares(const luxel_daylight *daylight, const luxel_daylight_grid *grid)
+{
+    const int kept = steps_kept(grid);
+
+    printf(_("  share of the cells for certain at %.6g lx under the open sky:"), daylight->outdoor);
+    for (size_t i = 0; i < LUXEL_DAYLIGHT_LEVELS; i++)
+        printf(_("%s %g lx %.1f %%"), i > 0 ? "," : "", luxel_daylight_level(i), 100.0 * grid->shares[i]);
+    printf(kept > 0 ? _("\n  EN 17037: %s\n") : _("\n  EN 17037: not kept\n"), kept > 0 ? _(steps[kept - 1].word) : "");
+}
+
+static void print_grid(const luxel_daylight *daylight, size_t i)
+{
+    const luxel_daylight_grid *grid = &daylight->grids[i];
+    char mean[TEXT_SIZE], median[TEXT_SIZE];
+
+    fputc('\n', stdout);
+    if (grid->name)
+        text_print_escaped(stdout, grid->name);
+    else
+        printf(_("grid %zu"), i + 1);
+    printf(_(": %u × %u cells, daylight factor in %%\n\n"), grid->columns, grid->rows);
+    if (grid->columns <= MOST_COLUMNS && grid->rows <= MOST_ROWS)
+        print_values(grid);
+    if (grid->measured == 0)
+        return;
+    printf(_("  mean %s %%, median %s %%\n"), text_value_bound(mean, 6, grid->mean.value, grid->mean.error),
+           text_value_bound(median, 6, grid->median.value, grid->median.error));
+    if (isfinite(daylight->outdoor))
+        print_shares(daylight, grid);
+}
+
+static void print_elements(const luxel_daylight *daylight)
+{
+    struct text_table *table = text_table_new("lrrrr");
+
+    text_table_row(table, TEXT_CELLS(_("element"), _("daylight factor, %"), _("sky"), _("external"), _("internal")));
+    for (size_t i = 0; i < daylight->element_count; i++) {
+        const luxel_daylight_factor *element = &daylight->elements[i];
+        char name[TEXT_SIZE], value[TEXT_SIZE], sky[TEXT_SIZE], external[TEXT_SIZE], internal[TEXT_SIZE];
+
+        text_format(name, "P%zu", i + 1);
+        text_table_row(
+            table, TEXT_CELLS(name,
+                              element->has_value
+                                  ? text_value_bound(value, 8, element->value.value, element->value.error)
+                                  : _("none"),
+                              text_format(sky, "%.5g", element->sky.value),
+                              text_format(external, "%.5g", element->external.value),
+                              text_format(internal, "%.5g", element->internal.value)));
+    }
+    fputc('\n', stdout);
+    text_table_print(table, stdout, 2);
+}
+
+static void print_text(const struct loaded *loaded, const luxel_daylight *daylight)
+{
+    char horizontal[TEXT_SIZE];
+
+    text_print_escaped(stdout, loaded->name);
+    printf(_(": daylight factors; %s %s on a horizontal plane under the open sky\n"),
+           text_value_bound(horizontal, 8, daylight->horizontal.value, daylight->horizontal.error),
+           text_unit(luxel_scene_unit(loaded->scene, LUXEL_IRRADIANCE)));
+    for (size_t i = 0; i < daylight->grid_count; i++)
+        print_grid(daylight, i);
+    if (daylight->element_count > 0)
+        print_elements(daylight);
+}
+
+/* ---- the command ---- */
+
+static int find(const struct options *options, const struct loaded *loaded)
+{
+    struct places places = {.list = NULL};
+    struct work work;
+    luxel_daylight *daylight = NULL;
+    int code = EXIT_DONE;
+
+    if (options->place_count > 0)
+        code = places_collect(options, loaded->scene, loaded->diagnostics, &places);
+    if (code == EXIT_DONE && options->place_count == 0 && luxel_scene_grid_count(loaded->scene) == 0) {
+        message_error(_("%s has no measuring grids"), loaded->name);
+        message_hint(_("give it some by its key grids, or name elements with --at X,Y,Z,NX,NY,NZ or --points FILE"));
+        code = EXIT_USAGE;
+    }
+    if (code == EXIT_DONE) {
+        work_begin(&work, options);
+        const luxel_status status = luxel_find_daylight(loaded->scene, &work.settings, places.list, places.count,
+                                                        options->outdoor, loaded->diagnostics, &daylight);
+
+        code = work_end(&work, status, loaded->diagnostics);
+    }
+    if (code == EXIT_DONE) {
+        if (options->json)
+            print_json(loaded->scene, daylight);
+        else
+            print_text(loaded, daylight);
+        if (!daylight->reached) {
+            message_error(_("daylight factors are not known as well as asked for; the bounds hold"));
+            code = EXIT_TOLERANCE;
+        }
+    }
+    luxel_daylight_free(daylight);
+    places_clear(&places);
+    return code;
+}
+
+static int run(const struct options *options)
+{
+    return load_and(options, find);
+}
+
+const struct command command_daylight = {
+    .name = "daylight",
+    .bit = COMMAND_DAYLIGHT,
+    .operand = N_("SCENE"),
+    .endings = "",
+    .summary = N_("daylight factors of measuring grids and elements"),
+    .description = N_(
+        "Prints what share of the light that a horizontal plane has under the open sky reaches the cells of the "
+        "scene's measuring grids, and free elements, in percent with bounds: the daylight factor, of which parts come "
+        "from the sky, from the ground, and from surfaces that reflect (the scene's key reflections). The sun and "
+        "lamps do not count. For each grid it prints the mean, the median and, by EN 17037, the share of its cells "
+        "that reach 100, 300, 500 and 750 lx."),
+    .examples = "luxel daylight room.yaml\n"
+                "luxel daylight room.yaml --outdoor 13900 --json\n"
+                "luxel daylight room.yaml --at 0,0,850,0,0,1",
+    .run = run,
+};

@@ -1,0 +1,82 @@
+# SPDX-License-Identifier: MIT
+"""Daylight factors: what share of the light under the open sky reaches places indoors."""
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any, Dict, List, NamedTuple, Optional, Tuple
+
+from . import _html
+from ._arrays import floats
+from ._balance import Amount
+from ._language import translate
+
+if TYPE_CHECKING:
+    from ._arrays import Floats
+
+LEVELS = (100, 300, 500, 750)  #: lx, of EN 17037
+STEPS = (("minimum", 300, 100), ("medium", 500, 300), ("high", 750, 500))  #: of half a plane, and of 95 %
+
+
+class DaylightFactor(NamedTuple):
+    """The daylight factor of an element in percent, and the parts that it is the sum of."""
+
+    value: Amount
+    sky: Amount  #: from the sky
+    external: Amount  #: from the ground
+    internal: Amount  #: from surfaces that reflect, as the scene's key `reflections` says
+
+
+class DaylightGrid(NamedTuple):
+    """The daylight factors of a measuring grid in percent, rows x columns; NaN for a cell without a value."""
+
+    name: Optional[str]
+    values: "Floats"
+    errors: "Floats"  #: bounds of |value - truth|
+    sky: "Floats"
+    external: "Floats"
+    internal: "Floats"
+    mean: Optional[Amount]
+    median: Optional[Amount]
+    shares: Optional[Dict[int, float]]  #: of the cells that reach 100, 300, 500, 750 lx for certain; None: radiometric
+
+    @property
+    def level(self) -> Optional[str]:
+        """What EN 17037 recommends that it keeps: "minimum", "medium", "high", or None."""
+        shares = self.shares or dict.fromkeys(LEVELS, 0.0)
+        kept = [name for name, half, most in STEPS if shares[half] >= .5 and shares[most] >= .95]
+        return kept[-1] if kept else None
+
+
+class Daylight(NamedTuple):
+    """Daylight factors, as `luxel daylight` has them."""
+
+    horizontal: Amount  #: the irradiance of a horizontal plane under the open sky, in the scene's unit
+    outdoor: Optional[float]  #: lx under the open sky that `shares` are for; None in radiometric units
+    grids: Tuple[DaylightGrid, ...]
+    elements: Tuple[Optional[DaylightFactor], ...]  #: None where a source lies on one
+    reached: bool  #: all errors are as small as was asked
+
+    def _repr_html_(self) -> str:
+        rows = [[grid.name or str(number), _html.bounded(grid.mean), _html.bounded(grid.median)]
+                for number, grid in enumerate(self.grids, 1) if grid.mean and grid.median]
+        return _html.table(["", translate("mean") + ", %", translate("median") + ", %"], rows)
+
+
+def _factor(found: Any) -> Optional[DaylightFactor]:
+    return None if found is None else DaylightFactor(*(Amount(*part) for part in found))
+
+
+def _grid(found: Any, is_photometric: bool) -> DaylightGrid:
+    name, rows, columns, cells, mean, median, shares, is_measured = found
+    nothing = ((float("nan"),) * 2,) * 4
+    numbers = floats([nothing if cell is None else cell for cell in cells]).reshape(rows, columns, 4, 2)
+    values: List["Floats"] = [numbers[:, :, 0, 0], numbers[:, :, 0, 1]] + [numbers[:, :, k, 0] for k in (1, 2, 3)]
+    return DaylightGrid(name, *values, mean=Amount(*mean) if is_measured else None,
+                        median=Amount(*median) if is_measured else None,
+                        shares=dict(zip(LEVELS, shares)) if is_photometric and is_measured else None)
+
+
+def daylight(found: Any) -> Daylight:
+    """The daylight of a tuple of the library."""
+    horizontal, outdoor, grids, elements, reached = found
+    return Daylight(Amount(*horizontal), outdoor, tuple(_grid(grid, outdoor is not None) for grid in grids),
+                    tuple(_factor(element) for element in elements), reached)

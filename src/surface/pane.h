@@ -1,0 +1,37 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * Panes of clear glass in the openings of walls.  Unpolarized light meets one at the angle theta and goes on in it at
+ * theta', sin theta = n sin theta'; it lets through
+ *
+ *     tau = mean over both polarizations of (1 - r)^2 a / (1 - r^2 a^2),   a = a0^(1 / cos theta')
+ *
+ * with Fresnel's reflectance r of a face and all reflections between the two; a0 is what is left at right angles of
+ * light that enters.
+ */
+#ifndef LX_SURFACE_PANE_H
+#define LX_SURFACE_PANE_H
+
+#include <stdbool.h>
+#include <stddef.h>
+
+#include "../base/frame.h"
+
+struct lx_glass_pane {
+    double center_mm[3];
+    double across[3], upward[3], axis[3]; /* unit, at right angles */
+    double half_mm[2];
+    double index, transmittance; /* n and a0 */
+};
+
+/* A pane as a frame has it. */
+struct lx_glass_pane lx_pane_carried(const struct lx_glass_pane *pane, const struct lx_frame *frame);
+
+/* tau by the cosine of theta, >= 0; good to LX_PANE_ROUNDING, absolutely. */
+double lx_pane_transmittance(const struct lx_glass_pane *pane, double cosine);
+#define LX_PANE_ROUNDING 1e-14
+
+/* What panes leave of light that comes to a place by a way, from its end or, `endless`, from beyond all. */
+double lx_panes_pass(const struct lx_glass_pane *panes, size_t count, const double place_mm[3], const double way[3],
+                     bool endless);
+
+#endif
