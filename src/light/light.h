@@ -23,6 +23,8 @@ struct lx_light_kind {
     const luxel_photometry *(*photometry)(const void *parameters, const char **file);
     /* The mesh that parameters name, where they do.  NULL: never. */
     bool (*mesh)(const void *parameters, struct lx_mesh_use *use);
+    /* Its light comes from beyond all surfaces, and no maintenance factor weakens it. */
+    bool is_daylight;
 };
 
 /* NULL-terminated: the variants of the list `lights`. */

@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "../base/number.h"
+#include "../light/light.h"
 #include "../material/lobe.h"
 #include "../surface/mesh_faces.h"
 #include "materials.h"
@@ -214,8 +215,8 @@ static void check_meshes(struct lx_walk *walk, const luxel_scene *scene)
 static bool has_daylight(const struct lx_scene_parameters *parameters)
 {
     for (size_t i = 0; i < parameters->lights.count; i++) {
-        const struct lx_variant *kind = parameters->lights.items[i].variant;
-        if (kind && (strcmp(kind->name, "sky") == 0 || strcmp(kind->name, "sun") == 0))
+        const struct lx_light_kind *kind = (const struct lx_light_kind *)parameters->lights.items[i].variant;
+        if (kind && kind->is_daylight)
             return true;
     }
     for (size_t i = 0; i < parameters->surfaces.count; i++) {

@@ -142,4 +142,5 @@ const struct lx_light_kind lx_sky_kind = {
             .table = &sky_table,
         },
     .prepare = prepare_sky,
+    .is_daylight = true,
 };

@@ -84,4 +84,5 @@ const struct lx_light_kind lx_sun_kind = {
             .table = &sun_table,
         },
     .prepare = prepare_sun,
+    .is_daylight = true,
 };
