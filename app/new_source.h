@@ -1,8 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/*
- * New sources: what is added to a scene fits in with it.  A new source follows the law of the chosen one, stands on the
- * other side of the surface, is aimed at it and gives it about as much light.
- */
+/* New sources: what is added to a scene fits in with it, as luxel_new_light() makes it. */
 #ifndef LUXEL_APP_NEW_SOURCE_H
 #define LUXEL_APP_NEW_SOURCE_H
 
@@ -13,11 +10,13 @@
  * A source of a kind, made like the source `chosen` of the document (beyond the last: like the example of the kind),
  * as YAML; the caller's.  NULL: there is no such kind, or it has no example, as a source of a file.
  */
-char *app_new_source(const AppDocument *document, const luxel_parameters *parameters, const char *kind, gsize chosen);
+char *app_new_source(const AppDocument *document, const char *kind, gsize chosen);
+
+/* A source of another kind in the place of the source `index`, likewise. */
+char *app_changed_source(const AppDocument *document, const char *kind, gsize index);
 
 /* A luminaire of a photometry file, named as the scene names it, likewise, with the file's own intensities. */
-char *app_new_luminaire(const AppDocument *document, const luxel_parameters *parameters, const char *file,
-                        gsize chosen);
+char *app_new_luminaire(const AppDocument *document, const char *file, gsize chosen);
 
 /* The source `chosen`, moved aside so that both are seen, as YAML; the caller's.  NULL: there is none. */
 char *app_doubled_source(const AppDocument *document, gsize chosen);

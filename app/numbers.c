@@ -73,7 +73,7 @@ static void name_cell(GtkWidget *label, const char *column, guint row)
 
 static void show_point(AppNumbers *self, const AppPoint *point, guint row)
 {
-    char text[2 * APP_NUMBER_SIZE], x[APP_NUMBER_SIZE], y[APP_NUMBER_SIZE];
+    char text[2 * APP_NUMBER_SIZE], x[APP_NUMBER_SIZE], y[APP_NUMBER_SIZE], amount[APP_AMOUNT_SIZE];
     GtkWidget *value = cell(self, 2, row);
     g_snprintf(text, sizeof text, "P%u", row + 1);
     app_numbers_set_text(cell(self, 0, row), text);
@@ -88,8 +88,8 @@ static void show_point(AppNumbers *self, const AppPoint *point, guint row)
         app_numbers_set_number(value, point->value);
     else
         app_numbers_set_text(value, "–");
-    g_snprintf(text, sizeof text, "± %s", app_bound_show(point->error, 1, x));
-    gtk_widget_set_tooltip_text(value, point->has_value ? text : NULL);
+    gtk_widget_set_tooltip_text(value,
+                                point->has_value ? app_amount_write(point->value, point->error, amount) : NULL);
     name_cell(value, _("value"), row);
     if (point->has_pixel)
         app_numbers_set_number(cell(self, 3, row), point->pixel_value);

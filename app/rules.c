@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "marks.h"
+#include "new_source.h"
 #include "number.h"
 
 /* ---- paths ---- */
@@ -443,12 +444,47 @@ static void change_type(const AppKeys *keys, const luxel_parameter *parameter, c
     }
 }
 
+/* The light becomes one of another kind as the library makes it: it stands and shines where it did, and as much. */
+static gboolean change_light(const AppKeys *keys, const luxel_parameter *parameter, const char *type, AppEdits *edits)
+{
+    char *yaml = app_changed_source(keys->document, type, keys->index);
+    AppDocument *trial = app_document_copy(keys->document);
+    const AppKeys made = {trial, keys->parameters, type, app_document_size(trial, "lights")};
+    const AppEdit insert = {.kind = APP_EDIT_INSERT, .key = "lights", .value = yaml, .index = made.index};
+    const gboolean is_made = yaml && app_document_edit(trial, &insert, 1, NULL, NULL);
+    for (int sets = 0; sets < 2 && is_made; sets++) { /* what it no longer has goes first */
+        const AppKeys *of = sets ? &made : keys;
+        if (sets)
+            add_set(keys, parameter, type, edits);
+        for (gsize i = 0; i < luxel_parameters_count(keys->parameters); i++) {
+            const luxel_parameter *other = luxel_parameters_get(keys->parameters, i);
+            if (!g_str_has_prefix(other->path, "lights[].") || !is_own_key(other) || !app_keys_has(of, other) ||
+                strcmp(name_of(other), "type") == 0 || !is_written(of, other))
+                continue;
+            const luxel_parameter *same = sets ? other : find(&made, other->path);
+            char *path = app_keys_path(keys, other);
+            if (sets) {
+                char *value = value_of(&made, other, NULL);
+                app_edits_add(edits, APP_EDIT_SET, path, value, 0, 0);
+                g_free(value);
+            } else if (!same || !is_written(&made, same)) {
+                app_edits_add(edits, APP_EDIT_REMOVE, path, NULL, 0, 0);
+            }
+            g_free(path);
+        }
+    }
+    g_object_unref(trial);
+    g_free(yaml);
+    return is_made;
+}
+
 void app_keys_set(const AppKeys *keys, const luxel_parameter *parameter, int component, const char *yaml,
                   AppEdits *edits)
 {
     const double value = g_ascii_strtod(yaml, NULL);
     if (keys->type && is_own_key(parameter) && strcmp(name_of(parameter), "type") == 0) {
-        change_type(keys, parameter, yaml, edits);
+        if (!g_str_has_prefix(parameter->path, "lights[].") || !change_light(keys, parameter, yaml, edits))
+            change_type(keys, parameter, yaml, edits);
         return;
     }
     if (component >= 0)

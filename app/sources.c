@@ -393,7 +393,7 @@ static void insert(AppSources *self, gsize index, const char *yaml)
 
 void app_sources_add(AppSources *self, const char *name)
 {
-    char *yaml = app_new_source(self->document, self->parameters, name, self->chosen);
+    char *yaml = app_new_source(self->document, name, self->chosen);
     if (yaml)
         insert(self, behind_chosen(self), yaml);
     g_free(yaml);
@@ -401,7 +401,7 @@ void app_sources_add(AppSources *self, const char *name)
 
 void app_sources_add_luminaire(AppSources *self, const char *file)
 {
-    char *yaml = app_new_luminaire(self->document, self->parameters, file, self->chosen);
+    char *yaml = app_new_luminaire(self->document, file, self->chosen);
     if (yaml)
         insert(self, behind_chosen(self), yaml);
     g_free(yaml);

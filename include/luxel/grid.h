@@ -11,6 +11,12 @@
  * luxel_probe_element() has it.  The quantity is the irradiance, whatever the settings say: a measuring plane has no
  * material.
  *
+ * The measure of a grid may be another one than that of its plane: the mean of the irradiance on the surface of a small
+ * body at the centre.  Light of the irradiance E on a plane facing it, at the angle theta from the axis and psi from up
+ * about that, counts as E sin(theta)/pi, cylindrical; E sin(theta) (1 + cos(psi))/pi, semicylindrical; E/4, spherical;
+ * E (1 + cos(theta))/4, hemispherical (EN 12665).  Where a cell lies on a surface only light from its side counts.
+ * Flux and mean are those of the measure plane; others have none.
+ *
  * Cells inside of bodies have no value: nobody sees or measures there.  A body is what a surface closes around, a
  * sphere that is seen from outside, a closed mesh, or a tube with covers, unless a light shines in it: that is a room.
  *
@@ -84,6 +90,11 @@ typedef struct luxel_grid {
                                     tolerance, or 1e-9 where there is no closed form */
     const luxel_color *colors;   /* rows x columns: the values' channels; NULL in a scene without channels: rgb */
     const uint8_t *inside;       /* rows x columns: 1 where the cell is inside the body of a surface, else 0 */
+    const char *measure;         /* what the values are, as the scene has it: "plane", "cylindrical" and so on */
+    bool has_modelling;          /* whether the next three are known: the measure is cylindrical, the plane not dark */
+    luxel_bounded modelling;     /* the average by that of the irradiance on the plane at the same places, */
+    luxel_bounded least_modelling;    /* and the least */
+    luxel_bounded greatest_modelling; /* and the greatest of such ratios at a place (luxel_find_grid() alone) */
 } luxel_grid;
 
 /* The number of measuring grids of a committed scene. */
@@ -112,11 +123,12 @@ LUXEL_API luxel_status luxel_find_grid_values(const luxel_scene *scene, const lu
 
 /* The least or the greatest value on a whole plane. */
 typedef struct luxel_grid_peak {
-    bool exists;           /* false where no place has a value, or colours reflect (see below); then the rest is 0 */
+    bool exists;           /* false where no place has a value; then the rest is 0 */
     double value;          /* in the grid's unit */
     double error;          /* bounds |value - truth at this very place| */
     double position_mm[3]; /* of the place */
     double on_plane_mm[2]; /* from the plane's middle, along up x axis and along up */
+    luxel_color color;     /* the value's channels, in a scene with channels: rgb */
     void *reserved[4];     /* for later versions: NULL */
 } luxel_grid_peak;
 
@@ -134,7 +146,7 @@ typedef struct luxel_grid_extrema {
  * is known of what is narrower than the places lie apart.  Where light jumps, at the edge of a shadow say, the place is
  * as near as the steps lead.  Of light that surfaces reflect to each other what luxel_find_grid() has found for the
  * plane is used, if it was the last one, and else found anew, so that the numbers may differ within their errors.
- * In a scene with channels: rgb whose materials have colours and reflect light none is looked for.
+ * In a scene with channels: rgb they are those of the luminance.
  * Errors as luxel_find_grid().
  */
 LUXEL_API luxel_status luxel_find_grid_extrema(const luxel_scene *scene, const luxel_settings *settings, size_t i,

@@ -64,7 +64,7 @@ static void make_elements(const struct lx_measuring *measuring, const unsigned *
                           struct lx_elements *elements)
 {
     const unsigned columns = measuring->lattice.cells.n[0];
-    lx_elements_begin(elements, &measuring->lobe, true);
+    lx_elements_begin(elements, &measuring->measure.lobe, true);
     for (unsigned i = 0; i < count; i++)
         lx_elements_append_place(elements,
                                  lx_lattice_place(&measuring->lattice, these[i] % columns, these[i] / columns),
@@ -100,7 +100,7 @@ static void measure_cells(void *data, unsigned worker, bool is_caller, unsigned 
         if (count == 0)
             continue;
         make_elements(measuring, these, count, &elements);
-        lx_world_light(&measuring->world, &elements, lx_wanted_of_plane(&measuring->world), &asking, &received);
+        lx_plane_light(&measuring->world, &measuring->measure, &elements, &asking, &received);
         for (unsigned i = 0; i < count; i++) {
             if (received.on_element[i])
                 continue;
@@ -306,7 +306,9 @@ static luxel_status new_grid(const struct lx_session *session, const struct lx_g
     if (lx_lattice_make(&measuring->made->cells, &measuring->lattice) ||
         lx_bodies_find(&session->prepared, &measuring->made->cells, &measuring->bodies))
         return lx_out_of_memory(diagnostics);
+    measuring->measure = lx_plane_measure_of((enum lx_measure)from->measure, &measuring->made->cells);
     lx_find_enclosed_cells(measuring);
+    grid->measure = lx_measure_names[from->measure];
     grid->unit = lx_unit_of(&session->prepared, LUXEL_IRRADIANCE);
     return LUXEL_OK;
 }
@@ -350,7 +352,8 @@ static luxel_status reflect(struct lx_session *session, struct lx_measuring *mea
                                              take_reflected,
                                              measuring,
                                              measuring->slot,
-                                             &key};
+                                             &key,
+                                             lx_plane_response(&measuring->measure)};
     const luxel_status status = lx_reflect_places(session, &reflecting, false, diagnostics);
     measuring->world.reflected = session->world.reflected; /* what is measured from now on has it */
     grid->has_reflected = true;
@@ -386,7 +389,8 @@ static luxel_status run(struct lx_session *session, struct lx_measuring *measuri
         return LUXEL_ERROR_RANGE;
     }
     if (!measuring->values_alone) {
-        lx_integrate_plane(measuring);
+        if (measuring->measure.measure == LX_MEASURE_PLANE)
+            lx_integrate_plane(measuring);
         lx_judge_sampling(measuring);
     }
     return atomic_load(&control.stop) ? LUXEL_CANCELLED : LUXEL_OK;
@@ -405,12 +409,6 @@ const struct lx_grid *lx_asked_grid(const luxel_scene *scene, size_t i, const vo
     return answer ? grid : NULL;
 }
 
-luxel_status luxel_find_grid(const luxel_scene *scene, const luxel_settings *settings, size_t i,
-                             luxel_diagnostics *diagnostics, luxel_grid **grid)
-{
-    return lx_measure_cells(scene, settings, i, NULL, diagnostics, grid);
-}
-
 luxel_status lx_measure_cells(const luxel_scene *scene, const luxel_settings *settings, size_t i, const unsigned n[2],
                               luxel_diagnostics *diagnostics, luxel_grid **grid)
 {
@@ -418,11 +416,11 @@ luxel_status lx_measure_cells(const luxel_scene *scene, const luxel_settings *se
                                                 : lx_measure_grey(scene, settings, i, n, diagnostics, grid);
 }
 
-luxel_status lx_measure_grey(const luxel_scene *scene, const luxel_settings *settings, size_t i, const unsigned n[2],
-                             luxel_diagnostics *diagnostics, luxel_grid **grid)
+luxel_status lx_measure_as(const luxel_scene *scene, const luxel_settings *settings, size_t i, const unsigned n[2],
+                           const enum lx_measure *measure, luxel_diagnostics *diagnostics, luxel_grid **grid)
 {
     struct lx_session session;
-    struct lx_measuring measuring = {.lobe = lx_lobe_irradiance(), .values_alone = n != NULL};
+    struct lx_measuring measuring = {.values_alone = n != NULL};
     struct lx_grid wanted;
     luxel_status status = lx_session_open_world(scene, settings, diagnostics, &session);
     const struct lx_grid *asked = status == LUXEL_OK ? lx_asked_grid(scene, i, grid, "grid", diagnostics) : NULL;
@@ -437,6 +435,8 @@ luxel_status lx_measure_grey(const luxel_scene *scene, const luxel_settings *set
         wanted = *asked;
         if (n)
             memcpy(wanted.n, n, sizeof wanted.n);
+        if (measure)
+            wanted.measure = (int)*measure;
         status = new_grid(&session, &wanted, diagnostics, &measuring);
     }
     if (status == LUXEL_OK)
@@ -451,6 +451,12 @@ luxel_status lx_measure_grey(const luxel_scene *scene, const luxel_settings *set
     else if (measuring.made)
         luxel_grid_free(&measuring.made->grid);
     return status;
+}
+
+luxel_status lx_measure_grey(const luxel_scene *scene, const luxel_settings *settings, size_t i, const unsigned n[2],
+                             luxel_diagnostics *diagnostics, luxel_grid **grid)
+{
+    return lx_measure_as(scene, settings, i, n, NULL, diagnostics, grid);
 }
 
 void luxel_grid_position(const luxel_grid *grid, unsigned column, unsigned row, double position_mm[3])

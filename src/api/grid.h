@@ -5,6 +5,7 @@
 
 #include <luxel/grid.h>
 
+#include "../material/measure.h"
 #include "../world/cells.h"
 
 struct lx_measured {
@@ -22,5 +23,9 @@ const struct lx_grid *lx_asked_grid(const luxel_scene *scene, size_t i, const vo
  */
 luxel_status lx_measure_cells(const luxel_scene *scene, const luxel_settings *settings, size_t i, const unsigned n[2],
                               luxel_diagnostics *diagnostics, luxel_grid **grid);
+
+/* The cells in grey, by a measure other than the grid's; NULL: by that. */
+luxel_status lx_measure_as(const luxel_scene *scene, const luxel_settings *settings, size_t i, const unsigned n[2],
+                           const enum lx_measure *measure, luxel_diagnostics *diagnostics, luxel_grid **grid);
 
 #endif

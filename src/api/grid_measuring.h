@@ -7,13 +7,14 @@
 #include "../world/bodies.h"
 #include "../world/world.h"
 #include "grid.h"
+#include "plane_measure.h"
 
 struct lx_measuring {
     struct lx_world world;
     const luxel_settings *settings;
     struct lx_control *control;
     unsigned threads;
-    struct lx_lobe lobe;
+    struct lx_plane_measure measure;
     struct lx_measured *made;
     struct lx_lattice lattice; /* of its cells */
     double *values, *errors;
@@ -24,13 +25,8 @@ struct lx_measuring {
     size_t number;             /* of the grid */
 };
 
-/* The question to a world for the light on a plane, direct light alone as long as nothing is known to be reflected; and
- * the sum that number i of the answer is. */
-static inline enum lx_wanted lx_wanted_of_plane(const struct lx_world *world)
-{
-    return world->reflected ? (enum lx_wanted)(LX_WANT_IRRADIANCE | LX_WANT_REFLECTED) : LX_WANT_IRRADIANCE;
-}
-
+/* The sum that number i of the answer for the light on a plane is, direct light alone as long as nothing is known to be
+ * reflected. */
 static inline lx_bounded lx_received_on_plane(const struct lx_world *world, const struct lx_received *received,
                                               size_t i)
 {

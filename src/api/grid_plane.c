@@ -18,7 +18,8 @@
 /* From this share of the mean on the sampling error is said to be one. */
 static const double COARSE = 0.01;
 
-/* Light of luminous openings is an integral at each place: that over a plane would take a million of them. */
+/* Light of luminous openings is an integral at each place: that over a plane would take a million of them.  Nor is
+ * light over mirrors integrated. */
 static bool has_openings(const struct lx_emitters *emitters)
 {
     for (size_t i = 0; i < lx_item_count(emitters); i++)
@@ -52,7 +53,7 @@ static struct lx_point_value reflected_at(void *data, size_t interval, double u)
     struct lx_received received;
     (void)interval;
     lx_place_on_cells(cells, (const double[]){u * cells->size_mm[0], reflection->v * cells->size_mm[1]}, place_mm);
-    lx_elements_begin(&elements, &measuring->lobe, true);
+    lx_elements_begin(&elements, &measuring->measure.lobe, true);
     lx_elements_append_place(&elements, lx_exact3(place_mm), cells->normal, NULL);
     lx_elements_end(&elements);
     lx_world_settle(&measuring->world, &(struct lx_settling){.has_normals = true}, &elements);
@@ -113,7 +114,7 @@ void lx_integrate_plane(const struct lx_measuring *measuring)
     const struct lx_asking asking = {.control = measuring->control, .is_caller = true};
     const bool photometric = strcmp(grid->unit, "lx") == 0, radiometric = strcmp(grid->unit, "W/m²") == 0;
     if ((!photometric && !radiometric) || grid->measured + grid->enclosed != (size_t)grid->columns * grid->rows ||
-        has_openings(&measuring->world.prepared->emitters))
+        measuring->world.prepared->mirrors.count > 0 || has_openings(&measuring->world.prepared->emitters))
         return;
     struct lx_flux flux =
         lx_plane_flux(measuring->world.prepared, &measuring->made->cells, grid->average.value, &asking);
@@ -140,7 +141,7 @@ static double sum_of_other(const struct lx_measuring *measuring, struct lx_measu
     struct lx_measuring coarse = {.world = measuring->world,
                                   .control = measuring->control,
                                   .threads = measuring->threads,
-                                  .lobe = measuring->lobe,
+                                  .measure = measuring->measure,
                                   .bodies = measuring->bodies,
                                   .made = other,
                                   .values = lx_new_array(cells, sizeof *coarse.values),

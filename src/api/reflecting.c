@@ -106,19 +106,23 @@ static luxel_status ask(struct asking *asking, unsigned threads)
 
 static luxel_status find_places(const struct lx_reflecting *reflecting, struct asking *asking)
 {
-    const size_t count = reflecting->count;
+    const size_t count = reflecting->count * (reflecting->response ? LX_MOST_RECEIVERS : 1);
     asking->places = lx_new_array(count, sizeof *asking->places);
     asking->of = lx_new_array(count, sizeof *asking->of);
     asking->irradiance = lx_new_array(count, sizeof *asking->irradiance);
     if (!asking->places || !asking->of || !asking->irradiance)
         return LUXEL_ERROR_MEMORY;
-    for (size_t i = 0; i < count; i++) {
+    for (size_t i = 0; i < reflecting->count; i++) {
         struct lx_element element;
-        struct lx_reflected_place *place = &asking->places[asking->count];
-        if (!reflecting->element(reflecting->data, i, &element, &place->direct))
+        struct lx_receiver receivers[LX_MOST_RECEIVERS];
+        double direct;
+        if (!reflecting->element(reflecting->data, i, &element, &direct))
             continue;
-        place->receiver = lx_receiver_of(&asking->session->prepared, &element);
-        asking->of[asking->count++] = i;
+        const size_t found = lx_receivers_of(&asking->session->prepared, &element, reflecting->response, receivers);
+        for (size_t k = 0; k < found; k++) {
+            asking->places[asking->count] = (struct lx_reflected_place){receivers[k], direct / (double)found};
+            asking->of[asking->count++] = i;
+        }
     }
     return LUXEL_OK;
 }
@@ -159,8 +163,12 @@ luxel_status lx_reflect_places(struct lx_session *session, const struct lx_refle
         status = solve(session, reflecting, &asking, threads);
     if (status == LUXEL_OK && asking.count > 0)
         status = ask(&asking, threads);
-    for (size_t i = 0; i < asking.count && status == LUXEL_OK; i++)
-        reflecting->take(reflecting->data, asking.of[i], asking.irradiance[i]);
+    for (size_t i = 0, next; i < asking.count && status == LUXEL_OK; i = next) {
+        lx_bounded sum = asking.irradiance[i];
+        for (next = i + 1; next < asking.count && asking.of[next] == asking.of[i]; next++)
+            sum = lx_add(sum, asking.irradiance[next]);
+        reflecting->take(reflecting->data, asking.of[i], sum);
+    }
     free(asking.places);
     free(asking.of);
     free(asking.irradiance);

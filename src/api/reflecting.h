@@ -28,6 +28,7 @@ struct lx_reflecting {
     /* They lie in the plane of a grid: where the solution is left for whoever asks next, and with what it was made. */
     struct lx_kept_slot *slot;
     const struct lx_reflected_key *key;
+    const struct lx_response *response; /* by which light counts; NULL: by the cosine, as irradiance */
 };
 
 /*

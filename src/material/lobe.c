@@ -9,10 +9,11 @@
 #define LX_DECLARE_LOBE(number, lobe, name) extern const struct lx_lobe_kind lobe;
 LX_MODELS(LX_DECLARE_LOBE)
 LX_DIFFUSE_MODELS(LX_DECLARE_LOBE)
+LX_MEASURE_MODELS(LX_DECLARE_LOBE)
 
 #define LX_LIST_LOBE(number, lobe, name) &lobe,
-const struct lx_lobe_kind *const lx_lobe_kinds[LX_LOBE_COUNT] = {LX_MODELS(LX_LIST_LOBE)
-                                                                     LX_DIFFUSE_MODELS(LX_LIST_LOBE)};
+const struct lx_lobe_kind *const lx_lobe_kinds[LX_LOBE_COUNT] = {LX_MODELS(LX_LIST_LOBE) LX_DIFFUSE_MODELS(LX_LIST_LOBE)
+                                                                     LX_MEASURE_MODELS(LX_LIST_LOBE)};
 
 void lx_lobe_at_set(const double normal[3], const double view[3], struct lx_lobe_at *at)
 {

@@ -18,8 +18,13 @@
     X(LX_OREN_NAYAR, lx_oren_nayar_lobe, "oren-nayar")                                                                 \
     X(LX_EON, lx_eon_lobe, "eon")
 
+/* A lobe that is no material's: the measures of light at a place (measure.h). */
+#define LX_MEASURE_MODELS(X) X(LX_MEASURE, lx_measure_lobe, "measure")
+
 #define LX_MODEL_NUMBER(number, lobe, name) number,
-enum lx_model { LX_MODELS(LX_MODEL_NUMBER) LX_DIFFUSE_MODELS(LX_MODEL_NUMBER) LX_LOBE_COUNT };
+enum lx_model {
+    LX_MODELS(LX_MODEL_NUMBER) LX_DIFFUSE_MODELS(LX_MODEL_NUMBER) LX_MEASURE_MODELS(LX_MODEL_NUMBER) LX_LOBE_COUNT
+};
 #undef LX_MODEL_NUMBER
 
 enum lx_highlight { LX_HIGHLIGHT_PLAIN, LX_HIGHLIGHT_GATED, LX_HIGHLIGHT_COSINE };

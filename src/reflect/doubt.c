@@ -16,8 +16,10 @@ double lx_kernel_at(const struct lx_receiver *receiver, const double place_mm[3]
     double way[3];
     for (int i = 0; i < 3; i++)
         way[i] = place_mm[i] - receiver->place_mm[i];
-    const double square = lx_dot(way, way), here = lx_dot(receiver->normal, way), there = -lx_dot(normal, way);
-    return here > 0 && there > 0 ? here * there / (M_PI * square * square) : 0;
+    bool is_above;
+    const double square = lx_dot(way, way), here = lx_receiver_takes(receiver, way, &is_above),
+                 there = -lx_dot(normal, way);
+    return is_above && there > 0 ? here * there / (M_PI * square * square) : 0;
 }
 
 /* On a cell that is not near, and on which normals turn little, the kernel is no greater than a little above that at
@@ -49,7 +51,8 @@ double lx_greatest_kernel(const struct lx_receiver *receiver, const struct lx_ma
         return 0;
     if (least <= 0)
         return HUGE_VAL;
-    return fmin(here / least, 1) * fmin(there / least, 1) / (M_PI * least * least);
+    const double taken = receiver->response ? lx_response_most(receiver->response) : fmin(here / least, 1);
+    return taken * fmin(there / least, 1) / (M_PI * least * least);
 }
 
 /* No more than so much is told wrongly of what is seen. */

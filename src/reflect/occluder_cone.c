@@ -48,12 +48,14 @@ void lx_occluder_cones_plane(struct lx_occluder_cones *cones, const double norma
     cones->items[cones->count - 1].count++;
 }
 
-static void add_half_space(struct lx_occluder_cones *cones, const double normal[3], const double through_mm[3])
+/* False: memory ran out. */
+static bool add_half_space(struct lx_occluder_cones *cones, const double normal[3], const double through_mm[3])
 {
     lx_occluder_cones_begin(cones);
     lx_occluder_cones_plane(cones, normal, through_mm);
     if (!cones->failed)
         cones->items[cones->count - 1].is_horizon = true;
+    return !cones->failed;
 }
 
 void lx_occluder_cones_polygon(struct lx_occluder_cones *cones, const double (*corners)[3], int count,
@@ -194,7 +196,8 @@ static void add_own(struct lx_occluder_cones *cones, const struct lx_prepared_su
     sub(receiver->place_mm, anchor, offset);
     if (lx_mesh_count(&own->shape) == 0 || !lx_mesh_face_normal(&own->shape, receiver->place_mm, normal))
         own->kind->normal(&own->shape, offset, normal);
-    const double side = lx_dot(normal, receiver->normal) > 0 ? -1 : 1;
+    const double *up = receiver->response ? receiver->response->axis : receiver->normal;
+    const double side = lx_dot(normal, up) >= 0 ? -1 : 1;
     for (int i = 0; i < 3; i++)
         normal[i] *= side;
     lx_occluder_cones_begin(cones);
@@ -237,8 +240,8 @@ bool lx_occluder_cones_set(const struct lx_prepared *prepared, const struct lx_r
     const bool is_own = lx_receives_from_own(receiver, face);
     if (is_own && !is_within(&prepared->surfaces[receiver->own].shape, receiver))
         return false;
-    if (!is_own)
-        add_half_space(cones, below, receiver->place_mm);
+    if (!is_own && add_half_space(cones, below, receiver->place_mm))
+        cones->items[cones->count - 1].is_horizon = !receiver->response;
     if (receiver->is_turned && receiver->own < prepared->surface_count)
         add_own(cones, &prepared->surfaces[receiver->own], receiver);
     const struct lx_shafts *shafts = &cones->shafts;

@@ -362,7 +362,7 @@ static luxel_status work(struct lx_radiosity *reflected, const struct lx_reflect
     struct lx_reflected_request within_reach = *wanted;
     within_reach.error = fmax(wanted->error, LEAST_ERROR);
     const struct lx_reflected_request *request = &within_reach;
-    luxel_status status = lx_tiling_make(reflected) ? LUXEL_ERROR_MEMORY : light_up(reflected, request);
+    luxel_status status = light_up(reflected, request);
     set_fineness(reflected);
     for (int round = 0; status == LUXEL_OK; round++) {
         bool failed = false;
@@ -391,7 +391,7 @@ static void forget_rows(struct lx_radiosity *reflected)
     }
 }
 
-luxel_status lx_reflected_make(const struct lx_reflected_request *request, struct lx_radiosity **made)
+luxel_status lx_reflected_begin(const struct lx_reflected_request *request, struct lx_radiosity **made)
 {
     struct lx_radiosity *reflected = lx_new_array(1, sizeof *reflected);
     *made = reflected;
@@ -425,7 +425,21 @@ luxel_status lx_reflected_make(const struct lx_reflected_request *request, struc
     reflected->key.on = reflected->on;
     if (reflected->on)
         memcpy(reflected->on, request->prepared->on, reflected->light_count * sizeof *reflected->on);
-    const luxel_status status = reflected->on ? work(reflected, request) : LUXEL_ERROR_MEMORY;
+    if (!reflected->on || lx_tiling_make(reflected))
+        return LUXEL_ERROR_MEMORY;
+    reflected->most_tiles = MOST_TILES + MOST_PAIRS / (reflected->face_count + 1);
+    set_fineness(reflected);
+    return LUXEL_OK;
+}
+
+luxel_status lx_reflected_make(const struct lx_reflected_request *request, struct lx_radiosity **made)
+{
+    luxel_status status = lx_reflected_begin(request, made);
+    struct lx_radiosity *reflected = *made;
+    if (status == LUXEL_OK)
+        status = work(reflected, request);
+    if (!reflected)
+        return status;
     lx_within_tell(reflected, 1);
     forget_rows(reflected);
     reflected->prepared = reflected->sampling.world.prepared = NULL;
@@ -463,4 +477,19 @@ struct lx_receiver lx_receiver_of(const struct lx_prepared *prepared, const stru
         receiver.is_turned =
             element->own && lx_shape_is_turned(&element->own->shape, element->place_mm, element->normal);
     return receiver;
+}
+
+size_t lx_receivers_of(const struct lx_prepared *prepared, const struct lx_element *element,
+                       const struct lx_response *response, struct lx_receiver receivers[LX_MOST_RECEIVERS])
+{
+    receivers[0] = lx_receiver_of(prepared, element);
+    if (!response)
+        return 1;
+    receivers[0].response = response;
+    if (element->own && !receivers[0].is_turned)
+        return 1;
+    receivers[1] = receivers[0];
+    for (int i = 0; i < 3; i++)
+        receivers[1].normal[i] = -receivers[0].normal[i];
+    return 2;
 }

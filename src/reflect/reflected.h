@@ -32,6 +32,12 @@ struct lx_radiosity *lx_reflected_of_kept(struct lx_kept *kept, const struct lx_
 /* The receiver of an element. */
 struct lx_receiver lx_receiver_of(const struct lx_prepared *prepared, const struct lx_element *element);
 
+/* Those of an element by a response, whose sum it receives: one for what is above its horizon and one for what is
+ * below, unless it lies on a surface.  Without a response there is the one of the element.  Returns how many. */
+enum { LX_MOST_RECEIVERS = 2 };
+size_t lx_receivers_of(const struct lx_prepared *prepared, const struct lx_element *element,
+                       const struct lx_response *response, struct lx_receiver receivers[LX_MOST_RECEIVERS]);
+
 /* Whether the errors at places, which are in the request, are small enough. */
 bool lx_reflected_is_reached(const struct lx_radiosity *reflected, const struct lx_reflected_request *request);
 

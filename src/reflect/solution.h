@@ -68,6 +68,10 @@ struct lx_radiosity {
     struct lx_control *control;
 };
 
+/* A solution of which there is nothing but its faces and tiles, and how fine integrals are; freed by
+ * lx_reflected_free() in any case.  LUXEL_OK or LUXEL_ERROR_MEMORY. */
+luxel_status lx_reflected_begin(const struct lx_reflected_request *request, struct lx_radiosity **made);
+
 /* Faces and tiles of the scene at first, without light; 0, or -1 when memory ran out. */
 int lx_tiling_make(struct lx_radiosity *reflected);
 /* Faces that have light or see another stay. */

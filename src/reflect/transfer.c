@@ -32,8 +32,8 @@ static double signed_kernel(const struct lx_transfer *transfer, const double pla
     double way[3];
     for (int i = 0; i < 3; i++)
         way[i] = place_mm[i] - receiver->place_mm[i];
-    const double square = lx_dot(way, way), here = lx_dot(receiver->normal, way), there = -lx_dot(normal, way);
-    *sees = here > 0 && there > 0;
+    const double square = lx_dot(way, way), here = lx_receiver_takes(receiver, way, sees), there = -lx_dot(normal, way);
+    *sees = *sees && there > 0;
     return here * there / (M_PI * square * square);
 }
 
@@ -298,7 +298,8 @@ struct lx_transfer lx_transfer_of(const struct lx_fineness *fineness, const stru
         .receiver = receiver,
         .cones = cones,
         .face = face,
-        .constant = is_own && face->sheet.type->exchange ? face->sheet.type->exchange(&face->sheet) : 0,
+        .constant =
+            is_own && !receiver->response && face->sheet.type->exchange ? face->sheet.type->exchange(&face->sheet) : 0,
         .turns_mm = face->is_flat ? HUGE_VAL : turns * face->sheet.half_mm[0],
         .least_mm = is_own ? 1e-3 * face->radius_mm : 10 * cones->touch_mm,
     };

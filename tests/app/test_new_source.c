@@ -3,6 +3,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "../../app/marks.h"
 #include "../../app/new_source.h"
 #include "../../app/number.h"
 #include "scenes.h"
@@ -17,6 +18,7 @@ static double greatest(const AppDocument *document, gssize light)
     luxel_settings_init(&settings);
     settings.quantity = LUXEL_IRRADIANCE;
     settings.stride = 8;
+    app_moment_light(moment, &settings);
     assert_int_equal(luxel_render(moment->scene, &settings, NULL, &field), LUXEL_OK);
     const double value = luxel_field_statistics(field)->maximum.value;
     luxel_field_free(field);
@@ -50,7 +52,7 @@ static void gives_as_much(void **state)
                 continue;
             AppDocument *document = document_of_builtin(luxel_builtin_scene_name(s));
             const gsize index = app_document_size(document, "lights");
-            insert(document, app_new_source(document, parameters, kind->name, 0));
+            insert(document, app_new_source(document, kind->name, 0));
             const double old = greatest(document, 0), new = greatest(document, (gssize)index);
             /* a source that does not reach what is in view stays as it is */
             if (new > 0 && old > 0 && fabs(new / old - 1) > 0.35)
@@ -66,11 +68,10 @@ static void follows_the_law(void **state)
 {
     (void)state;
     static const char *const kinds[] = {"point", "spot", "planar", "volume"};
-    luxel_parameters *parameters = luxel_parameters_new();
     for (gsize i = 0; i < G_N_ELEMENTS(kinds); i++) {
         AppDocument *document = document_of_builtin("report"); /* without attenuation */
         AppMoment *before = moment_of(document);
-        insert(document, app_new_source(document, parameters, kinds[i], 0));
+        insert(document, app_new_source(document, kinds[i], 0));
         assert_key(document, "lights[1].attenuation", "none");
         AppMoment *after = moment_of(document);
         if (i < 2)
@@ -80,46 +81,42 @@ static void follows_the_law(void **state)
         app_moment_unref(after);
         set(document, "lights[0].attenuation", "practical");
         set(document, "lights[0].k", "250");
-        insert(document, app_new_source(document, parameters, kinds[i], 0));
+        insert(document, app_new_source(document, kinds[i], 0));
         assert_key(document, "lights[2].attenuation", "practical");
         assert_key(document, "lights[2].k", "250");
         g_object_unref(document);
     }
-    luxel_parameters_free(parameters);
 }
 
 static void stands_elsewhere_and_looks_there(void **state)
 {
     (void)state;
-    luxel_parameters *parameters = luxel_parameters_new();
     AppDocument *document = document_of_builtin("report");
     double place[3];
     set(document, "surfaces[0].center", "[120, -80, 900]");
     set(document, "lights[0].pattern", "lambertian");
-    insert(document, app_new_source(document, parameters, "spot", 0));
+    insert(document, app_new_source(document, "spot", 0));
     assert_key(document, "lights[1].aim", "[120, -80, 900]");
     char *text = app_document_get(document, "lights[1].position", NULL);
     assert_int_equal(app_list_read(text, place, 3), 3);
     assert_true(place[0] < 0 && place[2] == 2000); /* the other one stands at 2000, 0, 2000 */
     g_free(text);
-    insert(document, app_new_source(document, parameters, "point", 0));
+    insert(document, app_new_source(document, "point", 0));
     assert_key(document, "lights[2].pattern", "lambertian");
     assert_key(document, "lights[2].aim", "[120, -80, 900]");
     g_object_unref(document);
-    luxel_parameters_free(parameters);
 }
 
 /* However many are added to the same lamp, each has a place of its own. */
 static void none_stands_on_another(void **state)
 {
     (void)state;
-    luxel_parameters *parameters = luxel_parameters_new();
     AppDocument *document = document_of_builtin("report");
     double places[5][3];
     for (int i = 0; i < 5; i++) {
         char *key = g_strdup_printf("lights[%d].position", i);
         if (i > 0)
-            insert(document, app_new_source(document, parameters, i % 2 ? "point" : "spot", 0));
+            insert(document, app_new_source(document, i % 2 ? "point" : "spot", 0));
         char *text = app_document_get(document, key, NULL);
         assert_int_equal(app_list_read(text, places[i], 3), 3);
         for (int k = 0; k < i; k++)
@@ -128,21 +125,49 @@ static void none_stands_on_another(void **state)
         g_free(key);
     }
     g_object_unref(document);
-    luxel_parameters_free(parameters);
 }
 
 static void begins_in_the_dark(void **state)
 {
     (void)state;
-    luxel_parameters *parameters = luxel_parameters_new();
     AppDocument *document = document_of_builtin("report");
     const AppEdit edit = {.kind = APP_EDIT_REMOVE, .key = "lights[0]"};
     assert_true(app_document_edit(document, &edit, 1, NULL, NULL));
-    insert(document, app_new_source(document, parameters, "point", 0));
+    insert(document, app_new_source(document, "point", 0));
     assert_true(greatest(document, 0) > 0);
-    assert_null(app_new_source(document, parameters, "lantern", 0));
-    assert_null(app_new_source(document, parameters, "points", 0)); /* which needs a file */
+    assert_null(app_new_source(document, "lantern", 0));
+    assert_null(app_new_source(document, "points", 0)); /* which needs a file */
     g_object_unref(document);
+}
+
+/* Another kind in its place stands where it stood, is called so, and gives as much. */
+static void another_kind_stands_in_its_place(void **state)
+{
+    (void)state;
+    luxel_parameters *parameters = luxel_parameters_new();
+    gsize compared = 0;
+    for (gsize i = 0; i < luxel_parameters_kind_count(parameters); i++) {
+        const luxel_parameter_kind *kind = luxel_parameters_kind(parameters, i);
+        if (strcmp(kind->list, "lights") != 0 || !kind->example)
+            continue;
+        AppDocument *document = document_of_builtin("report");
+        set(document, "lights[0].name", "window");
+        set(document, "lights[0].position", "[-1500, 400, 2600]");
+        const double old = greatest(document, 0);
+        insert(document, app_changed_source(document, kind->name, 0));
+        assert_key(document, "lights[1].name", "window");
+        assert_key(document, "lights[1].type", kind->name);
+        char *place_key = app_place_key(document, APP_MARK_SOURCE, 1);
+        if (place_key)
+            assert_key(document, place_key, "[-1500, 400, 2600]");
+        const double new = greatest(document, 1);
+        if (!(new > 0 && fabs(new / old - 1) < 0.35))
+            fail_msg("%s gives %g in the place of %g", kind->name, new, old);
+        compared += place_key != NULL;
+        g_free(place_key);
+        g_object_unref(document);
+    }
+    assert_true(compared >= 4);
     luxel_parameters_free(parameters);
 }
 
@@ -166,6 +191,7 @@ int main(void)
         cmocka_unit_test(stands_elsewhere_and_looks_there),
         cmocka_unit_test(none_stands_on_another),
         cmocka_unit_test(begins_in_the_dark),
+        cmocka_unit_test(another_kind_stands_in_its_place),
         cmocka_unit_test(doubles_are_seen),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

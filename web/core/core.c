@@ -83,7 +83,8 @@ const luxel_evaluator *present_evaluator(void)
 static void drop_evaluator(void)
 {
     luxel_evaluator_free(core.evaluator);
-    core.evaluator = NULL;
+    luxel_evaluator_free(core.lit);
+    core.evaluator = core.lit = NULL;
     drop_stage();
 }
 
@@ -186,6 +187,25 @@ PAGE_CALLS(page_remove) int page_remove(const char *key)
     return edited ? (int)luxel_scene_remove(edited, key, core.diagnostics) : LUXEL_ERROR_ARGUMENT;
 }
 
+/* A light that fits the text that is being changed, by luxel_new_light(), and its place at the list's end. */
+PAGE_CALLS(page_new_light) const char *page_new_light(const char *wanted, size_t like, int replaces)
+{
+    size_t count = 0;
+    char *light = NULL;
+    answer_begin();
+    if (edited && luxel_scene_list_size(edited, "lights", fresh_diagnostics(), &count) == LUXEL_OK &&
+        luxel_new_light(edited, wanted, like, replaces != 0, core.diagnostics, &light) == LUXEL_OK) {
+        answer_open('{');
+        answer_key("index");
+        answer_number((double)count);
+        answer_key("light");
+        answer_string(light);
+        answer_close('}');
+    }
+    luxel_text_free(light);
+    return answer_text();
+}
+
 PAGE_CALLS(page_edited) const char *page_edited(void)
 {
     luxel_text_free(edited_text);
@@ -202,14 +222,4 @@ PAGE_CALLS(page_get) const char *page_get(const char *key)
     if (core.scene)
         (void)luxel_scene_get(core.scene, key, NULL, NULL, &value);
     return value;
-}
-
-PAGE_CALLS(page_written) int page_written(const char *key)
-{
-    char *value = NULL;
-    bool written = false;
-    if (core.scene)
-        (void)luxel_scene_get(core.scene, key, NULL, &written, &value);
-    luxel_text_free(value);
-    return written;
 }

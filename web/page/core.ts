@@ -83,6 +83,30 @@ export interface Balance {
     closes: boolean;
 }
 
+export interface GridExtremum {
+    value: number;
+    position: number[];
+}
+
+/** A measuring grid: the irradiance in its cells, rows from the top. */
+export interface Grid {
+    name: string | null;
+    columns: number;
+    rows: number;
+    center: number[];
+    size: number[]; // along across, and along up
+    across: number[];
+    up: number[];
+    unit: string;
+    values: (number | null)[];
+    measured: number; // cells that have a value
+    average: Amount;
+    minimum: GridExtremum;
+    maximum: GridExtremum;
+    u0?: number;
+    ud?: number;
+}
+
 export interface LightFacts {
     type: string;
     label: string; // the type as people read it
@@ -90,7 +114,7 @@ export interface LightFacts {
     enabled: boolean;
     place: number[] | null;
     direction: number[] | null;
-    flux: number | null;
+    flux: number | null; // null or negative: it has none
 }
 
 export interface SceneFacts {
@@ -98,6 +122,8 @@ export interface SceneFacts {
     rows: number;
     unit: string;
     word: string;
+    irradiance_unit: string;
+    grids: number;
     lights: LightFacts[];
     surfaces: ({ center: number[]; reach: number } | null)[];
     points: number[][];
@@ -397,6 +423,12 @@ export class Core {
         }
     }
 
+    /** A light of a kind, or one in YAML, that fits a text and is like a chosen one, or stands in its place; null: it does not go. */
+    newLight(text: string, wanted: string, like: number, replaces: boolean): { index: number; light: string } | null {
+        if (this.edit(text, []) === null) return null;
+        return this.json(this.withTexts([wanted], (kind) => this.call.page_new_light(kind, like, replaces ? 1 : 0)));
+    }
+
     private change(change: Change): boolean {
         if ('set' in change) return this.withTexts([change.set], (at) => this.call.page_set(at)) === 0;
         if ('remove' in change) return this.withTexts([change.remove], (at) => this.call.page_remove(at)) === 0;
@@ -406,11 +438,6 @@ export class Core {
 
     get(key: string): string | null {
         return this.text(this.withTexts([key], (at) => this.call.page_get(at)));
-    }
-
-    /** Whether the scene's text has the key, rather than its default. */
-    isWritten(key: string): boolean {
-        return this.withTexts([key], (at) => this.call.page_written(at)) !== 0;
     }
 
     render(stride: number): boolean {
@@ -449,6 +476,11 @@ export class Core {
         return this.json<Probe>(this.call.page_probe(x, y));
     }
 
+    /** The irradiance at the place of a probe, with each light's part of it. */
+    lit(x: number, y: number): Probe | null {
+        return this.json<Probe>(this.call.page_lit(x, y));
+    }
+
     /** The text of the exercise's variant with a number; null: there is none. */
     variant(number: number): string | null {
         return this.text(this.call.page_variant(number));
@@ -479,6 +511,11 @@ export class Core {
     /** The balance of the flux; null: the scene has no reflected light. */
     balance(): Balance | null {
         return this.json(this.call.page_balance());
+    }
+
+    /** The measuring grids; null: one cannot be measured. */
+    grids(): Grid[] | null {
+        return this.json(this.call.page_grids());
     }
 
     /** The ends of the line across the whole screen, through a point at an angle. */

@@ -6,7 +6,6 @@
 import { Core, CoreFailure, PartMissing, type Change, type Probe } from './core';
 import { lastPart } from './folder';
 import { geometryOf } from './geometry';
-import { newLight } from './new_light';
 import { Outdated, type Of } from './version';
 
 const SLICE = 25; // milliseconds of values after which what is more urgent has its turn
@@ -140,15 +139,12 @@ const questions = {
         const changed = core.edit(text, changes);
         return { text: changed, messages: changed === null ? core.messages() : [] };
     },
-    newLight: (text: string, example: string, chosen: number) => {
-        const changes = newLight(core, text, example, chosen);
-        openText = null;
-        drawn = '';
-        return changes;
-    },
+    newLight: (text: string, wanted: string, like: number, replaces: boolean) =>
+        core.newLight(text, wanted, like, replaces),
     judge,
     render,
     probe: (of: Of, x: number, y: number) => opened(of).probe(x, y),
+    lit: (of: Of, x: number, y: number) => opened(of).lit(x, y),
     values,
     line: (of: Of, x: number, y: number, degrees: number) => opened(of).line(x, y, degrees),
     /** The values at a point of several scenes, one after the other; null: a scene has errors, or nothing is there. */
@@ -162,6 +158,7 @@ const questions = {
         opened(of).explain(x, y, format, language),
     summary: (of: Of) => opened(of).summary(),
     balance: (of: Of) => opened(of).balance(),
+    grids: (of: Of) => opened(of).grids(),
     isophotes: (of: Of, stride: number, wanted: number, logarithmic: boolean) =>
         opened(of) && draw(of, stride) ? core.isophotes(wanted, logarithmic) : [],
     extrema: (of: Of) => opened(of).extrema(),
