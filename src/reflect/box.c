@@ -289,8 +289,8 @@ static bool has_node(const struct lx_closed_box *box, const struct lx_matte_face
     for (int way = 0; way < 3; way++) {
         if (fabs(at[way]) > box->half_mm[way] + box->touch_mm)
             return false;
-        is_on = is_on || (fabs(at[way]) > box->half_mm[way] - box->touch_mm &&
-                          box->plates[2 * way + (at[way] > 0)] != SIZE_MAX);
+        is_on = is_on ||
+                (fabs(at[way]) > box->half_mm[way] - box->touch_mm && box->plates[2 * way + (at[way] > 0)] != SIZE_MAX);
     }
     for (int side = 0; side < 6; side++)
         is_side = is_side || box->plates[side] == face->surface;

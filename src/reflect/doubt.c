@@ -111,6 +111,8 @@ bool lx_near_counts(const struct lx_near *near, size_t count, const struct lx_ma
                     const struct lx_tile_cell *cell, const struct lx_doubt *doubt)
 {
     for (size_t i = 0; i < count; i++) {
+        if (cell->radius_mm <= near[i].receiver.smooth_mm)
+            continue;
         const double kernel = lx_greatest_kernel(&near[i].receiver, face, cell);
         if (face->reflectance * (lx_doubt_at(doubt, kernel, 1) + lx_doubt_differs(doubt, kernel, 1)) > near[i].least)
             return true;

@@ -249,6 +249,21 @@ struct lx_arrival lx_links_sum(const struct lx_radiosity *reflected, const struc
     return sum;
 }
 
+double lx_links_unsure_near(const struct lx_radiosity *reflected, const struct lx_links *links)
+{
+    double sum = 0, squares = 0;
+    size_t w = 0;
+    for (size_t i = 0; i < links->count; i++) {
+        if (links->items[i].kind == LX_LINK_NONE)
+            continue;
+        const struct lx_weights *weights = &links->weights[w++];
+        const double reflectance = reflected->faces[reflected->groups[weights->group].face].reflectance;
+        sum += reflectance * (double)weights->doubt;
+        squares += reflectance * reflectance * (double)weights->squares;
+    }
+    return sum + sqrt(squares);
+}
+
 /* ---- rows ---- */
 
 /* Nodes of a triangle, where shares of its corners are 2/3, 1/6, 1/6. */

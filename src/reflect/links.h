@@ -60,6 +60,8 @@ void lx_links_find(const struct lx_radiosity *reflected, const struct lx_prepare
                    struct lx_occluder_cones *cones, struct lx_links *links);
 struct lx_arrival lx_links_sum(const struct lx_radiosity *reflected, const struct lx_links *links,
                                const struct lx_light *light);
+/* Errors of near tiles' direct light as they arrive. */
+double lx_links_unsure_near(const struct lx_radiosity *reflected, const struct lx_links *links);
 void lx_links_clear(struct lx_links *links);
 
 /* Links of the places of a window: at the nodes of the rule, and finer ones between them; where light is linear at

@@ -6,6 +6,7 @@
 
 #include "../base/memory.h"
 #include "between.h"
+#include "close.h"
 #include "links.h"
 #include "refine.h"
 #include "reflected.h"
@@ -38,6 +39,11 @@ static int weigh_place(const struct lx_radiosity *reflected, const struct lx_rec
         if (links.items[i].kind != LX_LINK_FAR)
             shares[group->first_tile].bent += (double)weights->doubt + sqrt((double)weights->squares);
     }
+    struct lx_close_error errors[LX_MOST_CLOSE];
+    const size_t close_count = lx_close_ask(reflected, reflected->prepared, receiver, &cones, errors);
+    for (size_t i = 0; i < close_count; i++)
+        shares[errors[i].tile].bent +=
+            errors[i].error / reflected->faces[reflected->tiles[errors[i].tile].face].reflectance;
     const bool failed = links.failed || cones.failed;
     lx_links_clear(&links);
     lx_occluder_cones_clear(&cones);

@@ -13,6 +13,7 @@ struct lx_receiver {
     double place_mm[3], normal[3];      /* unit */
     size_t own;                         /* the prepared surface that it lies on; SIZE_MAX: none */
     bool is_turned;                     /* its normal is not that of its surface there */
+    double smooth_mm;                   /* doubts of windows no larger than this cancel */
     const struct lx_response *response; /* by which light from above counts; NULL: the cosine */
 };
 

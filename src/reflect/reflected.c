@@ -11,6 +11,7 @@
 #include "../surface/beside.h"
 #include "../surface/mesh_faces.h"
 #include "box.h"
+#include "close.h"
 #include "group.h"
 #include "links.h"
 #include "overlap.h"
@@ -195,20 +196,36 @@ static double received_by(const struct lx_radiosity *reflected, const struct lx_
     return sum;
 }
 
+/* Adds what a place sees from close by. */
+static int add_close(struct lx_radiosity *reflected, const struct lx_receiver *receiver, double least)
+{
+    struct lx_close_place found[LX_MOST_CLOSE];
+    struct lx_occluder_cones cones = {0};
+    const size_t count = lx_close_find(reflected, reflected->prepared, receiver, &cones, found);
+    int failed = cones.failed ? -1 : 0;
+    lx_occluder_cones_clear(&cones);
+    if (lx_reserve(&reflected->near, &reflected->near_capacity, reflected->near_count + count + 1,
+                   sizeof *reflected->near))
+        failed = -1;
+    for (size_t i = 0; i < count && !failed; i++)
+        reflected->near[reflected->near_count++] =
+            (struct lx_near){found[i].receiver, least / reflected->faces[found[i].face].reflectance};
+    return failed;
+}
+
 /* The places that are asked, once it is known how much light there is. */
 static int find_near(struct lx_radiosity *reflected, const struct lx_reflected_request *request)
 {
     const double share = NEARBY * fmax(request->error, LEAST_ERROR);
-    reflected->near = lx_new_array(request->place_count, sizeof *reflected->near);
-    if (!reflected->near)
-        return -1;
     for (size_t p = 0; p < request->place_count; p++) {
         const struct lx_reflected_place *place = &request->places[p];
         const double least = share * (fabs(place->direct) + received_by(reflected, &place->receiver));
-        reflected->near[p] = (struct lx_near){place->receiver, least};
+        if (add_close(reflected, &place->receiver, least))
+            return -1;
+        reflected->near[reflected->near_count++] = (struct lx_near){place->receiver, least};
     }
     reflected->sampling.near = reflected->near;
-    reflected->sampling.near_count = request->place_count;
+    reflected->sampling.near_count = reflected->near_count;
     return 0;
 }
 
@@ -255,7 +272,13 @@ lx_bounded lx_reflected_at(const struct lx_radiosity *reflected, const struct lx
     lx_links_find(reflected, prepared, &reflected->coarse, receiver, cones, &links);
     const struct lx_arrival coarse = lx_links_sum(reflected, &links, &light);
     lx_links_clear(&links);
-    return (lx_bounded){fine.value, fine.slack + fabs(fine.value - coarse.value) + reflected->rule * fabs(fine.value)};
+    struct lx_close_error errors[LX_MOST_CLOSE];
+    const size_t count = lx_close_ask(reflected, prepared, receiver, cones, errors);
+    double unsure = 0;
+    for (size_t i = 0; i < count; i++)
+        unsure += errors[i].error;
+    unsure += fine.slack + fabs(fine.value - coarse.value) + reflected->rule * fabs(fine.value);
+    return (lx_bounded){fine.value, unsure};
 }
 
 /* ---- rounds of refinement ---- */

@@ -34,10 +34,11 @@ struct lx_radiosity {
     struct lx_prepared sampled;         /* likewise, with the tolerance that samples of direct light are good for, */
     struct lx_prepared open;            /* and without shadows */
     struct lx_sampling_direct sampling;
-    struct lx_near *near; /* the places that are asked */
-    double error;         /* the bound that is wanted */
-    unsigned bounces;     /* 0: all */
-    double size_mm;       /* of the scene */
+    struct lx_near *near; /* the places that are asked, and what they see from close by */
+    size_t near_count, near_capacity;
+    double error;     /* the bound that is wanted */
+    unsigned bounces; /* 0: all */
+    double size_mm;   /* of the scene */
     struct lx_matte_face *faces;
     size_t face_count;
     bool has_round_faces; /* balls or tubes */

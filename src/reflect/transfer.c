@@ -281,6 +281,8 @@ static void send_cell(const struct sending *sending, const struct lx_window *win
                           : sending->of->fineness->is_of_nodes
                               ? lx_kernel_of_nodes(sending->of->receiver, cell)
                               : lx_greatest_kernel(sending->of->receiver, sending->of->face, cell);
+    if (cell->radius_mm <= sending->of->receiver->smooth_mm)
+        return;
     const double differs = lx_doubt_differs(doubt, kernel, seen);
     sending->sent->doubt += lx_doubt_at(doubt, kernel, seen);
     sending->sent->squares += differs * differs;

@@ -17,6 +17,8 @@ CASES = [
      (1e-1, 3e-2)),
     ('on the floor under a board', 40000, [2647.561670865764, 0, 1823.180306732021], [0, 1, 0], 0.9412, 0.0009,
      (1e-1, 3e-2)),
+    ('beside the foot of a box, where its side is lit by the edge of a shadow', 41006,
+     [1361.314703395465, 0, 1963.7206190257175], [0, 1, 0], 4.478, 0.004, (1e-2,)),
     ('under a box that stands on the floor', 15003, [2820.0949536417843, 0, 1915.362529592625], [0, 1, 0], 0, 0,
      (1e-1,)),
 ]

@@ -46,7 +46,7 @@ def main():
     truth = 80 / (4 * math.pi) / 4
     tap.ok(off(found, truth), 'a globe is as bright as a point', '%s, not %.9g' % (found, truth))
 
-    for seed in (4, 7):
+    for seed in (7,):
         room = reflected_places.room_of(seed)
         room.places = room.places[::3]
         said = witness.ask(program, room.surfaces, room.lights, room.places, side=64, batches=16)
