@@ -217,7 +217,7 @@ def random_scenes(tap, tool):
             "alpha": 0.3, "f0": 0.5, "color": [0.2, 0.5, 1], "specular_color": [1, 0.9, 0.1], "mirror": False}
     made.append(("scene of a room, a box and a sphere from inside", {
         **made[-2][1], "reflections": "none", "mirrors": 2,
-        "grids": [{"center": [0, 0, 0], "size": [900, 600], "spacing": "en12464"}],
+        "grids": [{"center": [0, 0, 0], "size": [900, 600], "spacing": "en12464", "measure": "spherical"}],
         "surfaces": [{"type": "room", "center": [0, 0, 1000], "size": [2000, 2000, 2000], "up": "z", "materials": {
             name: wall for name in ("left", "right", "floor", "ceiling", "back", "front")}},
                      {"type": "box", "center": [0, 0, 300], "size": [200, 200, 200], "materials": {
