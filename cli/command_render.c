@@ -5,6 +5,7 @@
  * goes away never costs a file.
  */
 #include <luxel/luxel.h>
+
 #include <string.h>
 
 #include "cli.h"
