@@ -6,6 +6,8 @@
  */
 #include <luxel/luxel.h>
 
+#include <string.h>
+
 #include "cli.h"
 #include "load.h"
 #include "message.h"
@@ -123,6 +125,16 @@ static void print_text(const struct result *result, const char *name)
     result_print_conventions(result->scene, &result->use);
 }
 
+/* Whether mirrors leave something out of the picture. */
+static bool is_left_out(const luxel_diagnostics *diagnostics)
+{
+    bool is_told = false;
+
+    for (size_t i = 0; i < luxel_diagnostics_count(diagnostics); i++)
+        is_told = is_told || strcmp(luxel_diagnostics_get(diagnostics, i)->id, "picture-of-mirrors") == 0;
+    return is_told;
+}
+
 /* The picture and its files, and what Ctrl-C does to them.  EXIT_FILE goes with statistics. */
 static int compute(const struct options *options, const struct loaded *loaded, luxel_statistics *statistics)
 {
@@ -136,7 +148,7 @@ static int compute(const struct options *options, const struct loaded *loaded, l
                                 loaded->diagnostics, statistics);
     const int code = work_end(&work, status, loaded->diagnostics);
 
-    if (code == EXIT_DONE && luxel_scene_has_color(loaded->scene))
+    if (code == EXIT_DONE && (luxel_scene_has_color(loaded->scene) || is_left_out(loaded->diagnostics)))
         message_passed_over(loaded->diagnostics, options->quiet); /* what was clipped */
     return code;
 }

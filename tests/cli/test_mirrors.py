@@ -269,6 +269,7 @@ def sights_without_end(tap, tool):
     for most in (1, 16):
         name = scene(tool, surfaces, [{**POINT, "position": [0, -300, 800]}], mirrors=most, **others)
         points[most] = tool.run("probe", name, "-p", "0,0", "--json").json()["points"][0]
+    tap.ok("in a row is missing" in tool.run("render", name, "-o", "pair.npy").err, "a picture tells of it")
     tap.ok(points[1]["value"] == 0 and points[16]["value"] > 0 and points[1]["error"] >= points[16]["value"],
               "what is not followed is in the bound", points)
 
