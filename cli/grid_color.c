@@ -29,6 +29,13 @@ static luxel_color average_color(const luxel_grid *grid)
     return average;
 }
 
+luxel_color grid_color_of_peak(const luxel_grid_peak *peak)
+{
+    return (luxel_color){.exists = peak->exists,
+                         .rgb = {peak->rgb[0], peak->rgb[1], peak->rgb[2]},
+                         .error = {peak->rgb_error, peak->rgb_error, peak->rgb_error}};
+}
+
 /* The channels of the average and, cell by cell, of the values, null where there is none. */
 void grid_color_write(struct json *json, const luxel_grid *grid)
 {
@@ -59,12 +66,13 @@ void grid_color_write(struct json *json, const luxel_grid *grid)
 
 void grid_color_print(const luxel_grid *grid, const luxel_grid_extrema *extrema)
 {
-    const luxel_color average = average_color(grid);
+    const luxel_color average = average_color(grid), least = grid_color_of_peak(&extrema->minimum);
+    const luxel_color greatest = grid_color_of_peak(&extrema->maximum);
     char words[TEXT_SIZE];
 
     printf(_("  colour of the average: %s\n"), result_color_text(&average, words));
-    if (extrema->minimum.color.exists)
-        printf(_("  colour of the minimum: %s\n"), result_color_text(&extrema->minimum.color, words));
-    if (extrema->maximum.color.exists)
-        printf(_("  colour of the maximum: %s\n"), result_color_text(&extrema->maximum.color, words));
+    if (least.exists)
+        printf(_("  colour of the minimum: %s\n"), result_color_text(&least, words));
+    if (greatest.exists)
+        printf(_("  colour of the maximum: %s\n"), result_color_text(&greatest, words));
 }

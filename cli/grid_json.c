@@ -62,7 +62,7 @@ static void write_number_if(struct json *json, const char *key, bool exists, dou
         json_null(json, key);
 }
 
-static void write_peak(struct json *json, const char *key, const luxel_grid_peak *peak)
+static void write_peak(struct json *json, const char *key, const luxel_grid_peak *peak, bool in_color)
 {
     if (!peak->exists) {
         json_null(json, key);
@@ -72,8 +72,10 @@ static void write_peak(struct json *json, const char *key, const luxel_grid_peak
     json_number(json, "value", peak->value);
     json_number(json, "error", peak->error);
     json_numbers(json, "position", peak->position_mm, 3);
-    if (peak->color.exists)
-        result_write_color(json, &peak->color);
+    if (in_color) {
+        const luxel_color color = grid_color_of_peak(peak);
+        result_write_color(json, &color);
+    }
     json_close(json, '}');
 }
 
@@ -94,8 +96,8 @@ void grid_write_json(struct json *json, const luxel_grid *grid, const luxel_grid
     write_extremum(json, "minimum", grid, &grid->minimum);
     write_extremum(json, "maximum", grid, &grid->maximum);
     json_open(json, "extrema", '{');
-    write_peak(json, "minimum", &extrema->minimum);
-    write_peak(json, "maximum", &extrema->maximum);
+    write_peak(json, "minimum", &extrema->minimum, grid->colors);
+    write_peak(json, "maximum", &extrema->maximum, grid->colors);
     json_close(json, '}');
     write_number_if(json, "u0", grid->has_evenness, grid->u0);
     write_number_if(json, "ud", grid->has_evenness, grid->ud);

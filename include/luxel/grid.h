@@ -128,8 +128,8 @@ typedef struct luxel_grid_peak {
     double error;          /* bounds |value - truth at this very place| */
     double position_mm[3]; /* of the place */
     double on_plane_mm[2]; /* from the plane's middle, along up x axis and along up */
-    luxel_color color;     /* the value's channels, in a scene with channels: rgb */
-    void *reserved[4];     /* for later versions: NULL */
+    double rgb[3];         /* the value's channels, in a scene with channels: rgb; else 0 */
+    double rgb_error;      /* bounds |channel - truth| of each */
 } luxel_grid_peak;
 
 /* Both. */

@@ -77,7 +77,8 @@ def probes(found: List[Any], unit: str) -> List[Probe]:
     """The probes of tuples of the library."""
     made = []
     for entry in found:
-        shares = tuple(Share(*share[:-1], color(share[-1])) for share in entry[-1])
+        parts: List[Any] = [(*share[:-1], color(share[-1])) for share in entry[-1]]
+        shares = tuple(Share(*share) for share in parts)
         fields: Any = (*entry[:-2], color(entry[-2]), shares, unit)
         made.append(Probe(*fields))
     return made

@@ -460,18 +460,25 @@ static luxel_status add_parts(struct search *search, size_t grid, luxel_diagnost
     return status;
 }
 
+/* Takes channels over as those of a peak, with the greatest of their bounds. */
+static void take_channels(const luxel_color *color, luxel_grid_peak *peak)
+{
+    memcpy(peak->rgb, color->rgb, sizeof peak->rgb);
+    peak->rgb_error = fmax(color->error[0], fmax(color->error[1], color->error[2]));
+}
+
 /* The channels at a peak, by the parts, whose worlds know what is reflected. */
 static void color_peak(const struct search *search, luxel_grid_peak *peak)
 {
     const struct node node = {.at = {peak->on_plane_mm[0], peak->on_plane_mm[1]}};
-    if (!peak->exists)
-        return;
-    for (size_t p = 0; p < search->worlds->parts.count; p++) {
+    luxel_color color = {.exists = true};
+    for (size_t p = 0; p < search->worlds->parts.count && peak->exists; p++) {
         const struct lx_world *world = world_of(search, p);
         struct lx_received received;
         ask(search, world, &node, 1, true, &received);
-        lx_color_add(&search->worlds->parts.list[p], lx_received_on_plane(world, &received, 0), &peak->color);
+        lx_color_add(&search->worlds->parts.list[p], lx_received_on_plane(world, &received, 0), &color);
     }
+    take_channels(&color, peak);
 }
 
 /* The channels of both peaks, by parts whose worlds know what is reflected, or find it here. */
@@ -545,9 +552,11 @@ static luxel_status run_in_color(const luxel_scene *scene, struct lx_session *se
     }
     if (status == LUXEL_OK)
         status = run(scene, session, i, grid, search, diagnostics, extrema);
-    for (size_t k = 0; k < LX_COUNT(peaks) && status == LUXEL_OK && worlds.parts.is_single; k++)
-        if (peaks[k]->exists)
-            lx_color_add(&worlds.parts.list[0], (lx_bounded){peaks[k]->value, peaks[k]->error}, &peaks[k]->color);
+    for (size_t k = 0; k < LX_COUNT(peaks) && status == LUXEL_OK && worlds.parts.is_single; k++) {
+        luxel_color color = {.exists = true};
+        lx_color_add(&worlds.parts.list[0], (lx_bounded){peaks[k]->value, peaks[k]->error}, &color);
+        take_channels(&color, peaks[k]);
+    }
     if (status == LUXEL_OK && !worlds.parts.is_sum && !worlds.parts.is_single) {
         status = lx_color_worlds_open(&worlds, diagnostics);
         search->worlds = &worlds;

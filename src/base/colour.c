@@ -211,9 +211,12 @@ double lx_black_body_near(const struct lx_black_bodies *bodies, const double rgb
         nearest = fmin(nearest, square);
     }
     const int second = best < 1 ? 1 : best > BODIES - 3 ? BODIES - 3 : best;
-    for (int i = 0; i < 6; i++) { /* the foot of the perpendicular, which bends little from one neighbour to the next */
+    /* from tangent to tangent, by the foot of the perpendicular: at such distances they come together */
+    double step = 1;
+    for (int i = 0; i < 60 && fabs(step) > 1e-7; i++) {
         place_at(bodies, second, t, at, way);
-        t -= ((at[0] - uv[0]) * way[0] + (at[1] - uv[1]) * way[1]) / (way[0] * way[0] + way[1] * way[1]);
+        step = ((at[0] - uv[0]) * way[0] + (at[1] - uv[1]) * way[1]) / (way[0] * way[0] + way[1] * way[1]);
+        t = fmax(-2, fmin(t - step, 3));
     }
     const double kelvin = HOTTEST * pow(bodies->ratio, -(second + t));
     return kelvin >= 999.999 && kelvin <= 25000.001 && hypot(at[0] - uv[0], at[1] - uv[1]) <= 0.05 ? kelvin : 0;

@@ -141,8 +141,7 @@ static void set_to_null_in_rooms(void **state)
     GARBAGE(extrema);
     assert_int_equal(luxel_find_grid_extrema(scene, NULL, 0, NULL, &extrema), LUXEL_OK);
     EXPECT_NULL(&extrema);
-    EXPECT_NULL(&extrema.minimum);
-    EXPECT_NULL(&extrema.maximum);
+    assert_true(extrema.minimum.rgb_error == 0 && extrema.maximum.rgb[2] == 0);
     luxel_scene_free(scene);
 
     static const char lamp[] = "IESNA:LM-63-2002\nTILT=NONE\n1 1000 1 2 1 1 2 0.2 0.2 0\n1 1 20\n0 90\n0\n300 100\n";
