@@ -85,7 +85,7 @@ static void add_entry(const struct lx_design_report *lighting, size_t i, const s
 {
     struct lx_report *report = lighting->report;
     const bool has_watts = entry->watts > 0, has_flux = isfinite(entry->flux);
-    char name[40], numbers[6][LX_NUMBER_SIZE];
+    char name[40], numbers[4][LX_NUMBER_SIZE];
     struct lx_text article = {0};
     snprintf(name, sizeof name, "lights[%zu]", i);
     add_article(entry, &article);
@@ -95,9 +95,7 @@ static void add_entry(const struct lx_design_report *lighting, size_t i, const s
                  LX_PLAIN(lx_write_number((double)entry->count, numbers[0])),
                  LX_PLAIN(number_or_dash(has_flux, entry->flux, DIGITS, numbers[1])),
                  LX_PLAIN(number_or_dash(has_watts, entry->watts, DIGITS, numbers[2])),
-                 LX_PLAIN(number_or_dash(has_watts && has_flux, entry->flux / entry->watts, 4, numbers[3])),
-                 LX_PLAIN(lx_write_digits(entry->maintenance, 4, numbers[4])),
-                 LX_PLAIN(lx_report_number(lx_dot(entry->places_mm[0], lx_lighting_up(lighting)) + 0.0, numbers[5]))),
+                 LX_PLAIN(number_or_dash(has_watts && has_flux, entry->flux / entry->watts, 4, numbers[3]))),
         false);
     lx_text_clear(&article);
     totals->count += (double)entry->count;
@@ -119,8 +117,7 @@ static void add_totals(const struct lx_design_report *lighting, const struct tot
                              LX_PLAIN(number_or_dash(totals->has_flux, totals->flux, DIGITS, numbers[1])),
                              LX_PLAIN(number_or_dash(totals->has_watts, totals->watts, DIGITS, numbers[2])),
                              LX_PLAIN(number_or_dash(totals->has_flux && totals->has_watts,
-                                                     totals->flux / totals->watts, 4, numbers[3])),
-                             LX_PLAIN(""), LX_PLAIN("")),
+                                                     totals->flux / totals->watts, 4, numbers[3]))),
                     false);
     if (!totals->has_watts) {
         lx_document_paragraph(document, LX_N("The power is not known: not all luminaires have a file that tells it."),
@@ -138,6 +135,31 @@ static void add_totals(const struct lx_design_report *lighting, const struct tot
                               LX_SPANS(LX_PLAIN(lx_write_digits(grid->average.value, DIGITS, numbers[2])),
                                        LX_PLAIN(lx_write_digits(100 * density / grid->average.value, 4, numbers[3])),
                                        LX_PLAIN(lx_document_word(document, grid->unit))));
+}
+
+/* How each light is kept and hangs. */
+static void add_hanging(const struct lx_design_report *lighting)
+{
+    struct luxel_document *document = lighting->report->document;
+    struct entry entry;
+    lx_document_table(document, "lrr");
+    lx_document_row(
+        document,
+        LX_SPANS(LX_TERM_SPAN(LX_N("light")), LX_TERM_SPAN(LX_N("maintenance")), LX_TERM_SPAN(LX_N("height, mm"))),
+        false);
+    for (size_t i = 0; i < lighting->report->parameters->lights.count; i++) {
+        char name[40], numbers[2][LX_NUMBER_SIZE];
+        if (!find_entry(lighting, i, &entry))
+            continue;
+        const double height = lx_dot(entry.places_mm[0], lx_lighting_up(lighting));
+        snprintf(name, sizeof name, "lights[%zu]", i);
+        lx_document_row(document,
+                        LX_SPANS(LX_PLAIN(entry.name ? entry.name : name),
+                                 LX_PLAIN(lx_write_digits(entry.maintenance, 4, numbers[0])),
+                                 LX_PLAIN(lx_report_number(height + 0.0, numbers[1]))),
+                        false);
+        free(entry.places_mm);
+    }
 }
 
 static void add_places(const struct lx_design_report *lighting)
@@ -189,11 +211,10 @@ luxel_status lx_lighting_lamps(struct lx_design_report *lighting)
                           NULL);
     snprintf(flux, sizeof flux, "%s, %s", lx_document_word(document, LX_N("flux")), unit);
     snprintf(efficacy, sizeof efficacy, "%s/%s", unit, lx_document_word(document, "W"));
-    lx_document_table(document, "llrrrrrr");
+    lx_document_table(document, "llrrrr");
     lx_document_row(document,
                     LX_SPANS(LX_TERM_SPAN(LX_N("light")), LX_TERM_SPAN(LX_N("luminaire")), LX_TERM_SPAN(LX_N("number")),
-                             LX_PLAIN(flux), LX_TERM_SPAN(LX_N("power, W")), LX_PLAIN(efficacy),
-                             LX_TERM_SPAN(LX_N("maintenance")), LX_TERM_SPAN(LX_N("height, mm"))),
+                             LX_PLAIN(flux), LX_TERM_SPAN(LX_N("power, W")), LX_PLAIN(efficacy)),
                     false);
     for (size_t i = 0; i < lighting->report->parameters->lights.count; i++)
         if (find_entry(lighting, i, &entry)) {
@@ -201,6 +222,7 @@ luxel_status lx_lighting_lamps(struct lx_design_report *lighting)
             free(entry.places_mm);
         }
     add_totals(lighting, &totals);
+    add_hanging(lighting);
     add_places(lighting);
     return LUXEL_OK;
 }

@@ -11,6 +11,7 @@ from tool import run_tests
 # 3600 lm by Lambert's law, as a table of every degree
 LAMBERT = HEAD + "1 -1 1 91 1 1 2 .0 .0 0\n1 1 36\n%s\n0\n%s\n" % (
     " ".join(map(str, range(91))), " ".join(repr(3600 / math.pi * math.cos(math.radians(g))) for g in range(91)))
+COARSE = ("--reflected-error", "0.01")  # which is fast
 UPLIGHT = HEAD + "1 -1 1 3 1 1 2 .0 .0 0\n1 1 36\n0 90 180\n0\n100 100 100\n"
 
 
@@ -18,22 +19,22 @@ def average(tool, *options):
     """The mean of the room's work plane with an array, as the tool measures it."""
     made = tool.run("room", *options)
     assert made.code == 0, made
-    return tool.run("grid", "-", "--json", stdin=made.out).json()["grids"][0]
+    return tool.run("grid", "-", "--json", *COARSE, stdin=made.out).json()["grids"][0]
 
 
 def keeps_its_word(tap, tool):
     tool.write("lamp.ies", LAMBERT)
     tool.write("up.ies", UPLIGHT)
-    for options in (("5,4,2.8", "--array", "2,1"), ("8,6,2.8", "--file", "lamp.ies", "--array", "4,3"),
-                    ("3,1.51,2.4", "--file", "lamp.ies", "--array", "1,1"),
-                    ("25,12,4", "--file", "lamp.ies", "--array", "8,4", "--reflectances", "0.8,0.7,0.3"),
-                    ("6,4,3", "--file", "up.ies", "--array", "3,2", "--maintenance", "0.67"),
+    for options in (("5,4,2.8", "--file", "lamp.ies", "--array", "2,1"),
+                    ("3,1.51,2.4", "--file", "lamp.ies", "--array", "1,1", "--reflectances", "0.8,0.7,0.3"),
+                    ("4,4,3", "--file", "up.ies", "--array", "1,1", "--maintenance", "0.67"),
                     ("6,4,3", "--array", "3,2", "--reflectances", "0,0,0")):
+        options += COARSE
         made = tool.run("room", *options, "-o", "room.yaml")
         tap.ok(made.code == 0 and "luminaires: average" in made.out and not made.err, "made: %s" % (options,), made)
         checked = tool.run("check", "room.yaml", "--strict")
         tap.ok(checked.code == 0 and not checked.err, "checks silently", checked)
-        judged = tool.run("grid", "room.yaml", "--limits", "--json")
+        judged = tool.run("grid", "room.yaml", "--limits", "--json", *COARSE)
         tap.ok(judged.code == 0, "keeps its limits", judged)
         limits = {limit["name"]: limit["wanted"] for limit in judged.json()["grids"][0]["limits"]}
         tap.ok(limits["average"] > 0, "limits are written", limits)
@@ -48,7 +49,7 @@ def keeps_its_word(tap, tool):
 def as_asked(tap, tool):
     tool.write("lamp.ies", LAMBERT)
     made = tool.run("room", "7.2,4.8,2.8", "--file", "lamp.ies", "--array", "5,2", "--reflectances", "0.6,0.4,0.1",
-                    "--plane", "0.7", "--maintenance", "0.9", "-o", "room.yaml")
+                    "--plane", "0.7", "--maintenance", "0.9", "-o", "room.yaml", *COARSE)
     assert made.code == 0, made
     for key, wanted in (("surfaces[0].size", [7200, 4800, 2800]), ("surfaces[0].center", [0, 0, 1400]),
                         ("surfaces[0].materials.ceiling.diffuse", 0.6), ("surfaces[0].material.diffuse", 0.4),
@@ -60,7 +61,7 @@ def as_asked(tap, tool):
         with open(tool.folder + "/room.yaml", encoding="utf-8") as file:
             tap.equal(text.out, file.read(), key)
     tool.write("up.ies", UPLIGHT)
-    text = tool.run("room", "6,4,3", "--file", "up.ies", "--array", "1,1").out
+    text = tool.run("room", "6,4,3", "--file", "up.ies", "--array", "1,1", *COARSE).out
     tap.ok("position: [0, 0, 2500]" in text, "what lights the ceiling hangs below it", text)
 
 
@@ -84,13 +85,13 @@ def direct_by_hand(tap, tool):
 
 def fewest(tap, tool):
     tool.write("lamp.ies", LAMBERT)
-    for size, target, reflectances in (("7.2,4.8,2.8", 400, "0,0,0"), ("5,4,3", 250, "0.7,0.5,0.2")):
+    for size, target, reflectances in (("7.2,4.8,2.8", 300, "0,0,0"), ("4,3,3", 300, "0.7,0.5,0.2")):
         x, y = map(float, size.split(",")[:2])
-        room = (size, "--file", "lamp.ies", "--reflectances", reflectances)
+        room = (size, "--file", "lamp.ies", "--reflectances", reflectances, *COARSE)
         made = tool.run("room", *room, "--target", str(target), "-o", "room.yaml")
         found = re.match(r"(\d+) × (\d+) = (\d+) luminaires: average ([\d.]+)", made.out)
         n = int(found[1]), int(found[2])
-        tap.ok(tool.run("grid", "room.yaml", "--limits").code == 0, "it reaches the target", made)
+        tap.ok(tool.run("grid", "room.yaml", "--limits", *COARSE).code == 0, "it reaches the target", made)
         # every even array of fewer lamps, and of as many
         means = {}
         for columns in range(1, n[0] * n[1] + 1):
@@ -106,7 +107,7 @@ def fewest(tap, tool):
         smaller = re.search(r"(\d+) × (\d+) = (\d+), the next smaller array: average ([\d.]+)", made.out)
         below = max(columns * rows for columns, rows in means if columns * rows < n[0] * n[1])
         tap.equal(int(smaller[3]), below, "the next smaller one")
-        tap.near(float(smaller[4]), means[int(smaller[1]), int(smaller[2])]["average"], 2e-3, "and what it gives")
+        tap.near(float(smaller[4]), means[int(smaller[1]), int(smaller[2])]["average"], 1e-2, "and what it gives")
         tap.equal(tool.run("room", *room, "--target", str(target), "--threads", "1").out,
                   tool.run("room", *room, "--target", str(target), "--threads", "3").out, "for any number of threads")
 
@@ -116,7 +117,7 @@ def files(tap, tool):
     tool.run("variant", "1", "-o", "there.yaml")
     for file, output, written in (("lamp.ies", "room.yaml", "file: lamp.ies"), ("lamp.ies", "./room.yaml", "/lamp.ies"),
                                   ("./lamp.ies", "./room.yaml", "file: lamp.ies")):
-        made = tool.run("room", "6,4,3", "--file", file, "--array", "2,2", "-o", output)
+        made = tool.run("room", "6,4,3", "--file", file, "--array", "2,2", "-o", output, *COARSE)
         with open(tool.folder + "/room.yaml", encoding="utf-8") as stream:
             text = stream.read()
         tap.ok(made.code == 0 and written in text and tool.run("check", output).code == 0,
