@@ -69,8 +69,8 @@ static double student(size_t dof)
 
 /* The linear problem at the end. */
 struct ending {
-    struct lx_problem *problem;
-    const struct lx_found *found;
+    struct lx_fit_problem *problem;
+    const struct lx_trial *found;
     struct lx_counting counting;
     struct lx_least_squares squares;
     double *rows, *errors, *right, *least; /* least: of each column, what is none */
@@ -86,7 +86,7 @@ struct ending {
 static luxel_status find_slopes(struct ending *ending, const luxel_scene *fitted)
 {
     enum { MANY = 400 };
-    struct lx_problem *problem = ending->problem;
+    struct lx_fit_problem *problem = ending->problem;
     const size_t count = problem->set.count;
     const char **paths = lx_new_array(problem->keys.count + 1, sizeof *paths);
     luxel_derivatives *derivatives = NULL;
@@ -124,7 +124,7 @@ static luxel_status find_slopes(struct ending *ending, const luxel_scene *fitted
  * be to none, from what derivatives may be off. */
 static luxel_status fill_rows(struct ending *ending, const luxel_scene *fitted, luxel_fit *fit)
 {
-    const struct lx_problem *problem = ending->problem;
+    const struct lx_fit_problem *problem = ending->problem;
     const size_t count = problem->set.count, n = problem->unknowns;
     double size = 0.0;
     const luxel_status status = find_slopes(ending, fitted);
@@ -158,7 +158,7 @@ static luxel_status fill_rows(struct ending *ending, const luxel_scene *fitted, 
 /* What of the public numbers the residuals tell; the variance of right sides. */
 static void judge_residuals(struct ending *ending, luxel_fit *fit)
 {
-    const struct lx_problem *problem = ending->problem;
+    const struct lx_fit_problem *problem = ending->problem;
     const luxel_readings *readings = problem->readings;
     double squares = 0.0, psi_squares = 0.0, slopes = 0.0, noise = 0.0;
     size_t count = 0;
@@ -269,7 +269,7 @@ static void find_blocks(const struct ending *ending, struct lx_conclusion *concl
 static void tell_parameter(const struct ending *ending, const struct lx_conclusion *conclusion, size_t i,
                            const luxel_fit *fit, luxel_fit_parameter *parameter)
 {
-    const struct lx_problem *problem = ending->problem;
+    const struct lx_fit_problem *problem = ending->problem;
     const double scale = problem->scale[i];
     const double variance =
         ending->variance * lx_least_squares_covariance(&ending->squares, ending->rank, i, i) * scale * scale;
@@ -304,7 +304,7 @@ static void tell_all(const struct ending *ending, const struct lx_conclusion *co
         }
 }
 
-luxel_status lx_conclude(struct lx_problem *problem, const struct lx_found *found, const luxel_scene *fitted,
+luxel_status lx_conclude(struct lx_fit_problem *problem, const struct lx_trial *found, const luxel_scene *fitted,
                          luxel_fit *fit, luxel_fit_parameter *parameters, double *correlation,
                          struct lx_conclusion *conclusion)
 {

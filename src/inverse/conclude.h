@@ -17,7 +17,7 @@ struct lx_conclusion {
 };
 
 /* Fills everything of the fit that the end of the search tells; what memory it needs is there already. */
-luxel_status lx_conclude(struct lx_problem *problem, const struct lx_found *found, const luxel_scene *fitted,
+luxel_status lx_conclude(struct lx_fit_problem *problem, const struct lx_trial *found, const luxel_scene *fitted,
                          luxel_fit *fit, luxel_fit_parameter *parameters, double *correlation,
                          struct lx_conclusion *conclusion);
 

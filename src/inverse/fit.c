@@ -25,7 +25,7 @@ struct own_fit {
     luxel_fit_parameter *parameters;
     double *correlation, *residuals;
     luxel_scene *scene;
-    struct lx_problem problem; /* its keys, whose texts are told */
+    struct lx_fit_problem problem; /* its keys, whose texts are told */
     struct lx_conclusion conclusion;
     char **names;
 };
@@ -109,7 +109,7 @@ static double extent_of(const struct lx_reading_set *set)
     return set->count > 0 ? sqrt(square / (double)set->count) : 0.0;
 }
 
-static luxel_status make_unknowns(struct lx_problem *problem)
+static luxel_status make_unknowns(struct lx_fit_problem *problem)
 {
     const double extent = extent_of(&problem->set);
     problem->numbers = problem->keys.number_count;
@@ -136,7 +136,7 @@ static luxel_status make_unknowns(struct lx_problem *problem)
     return LUXEL_OK;
 }
 
-static luxel_status check_count(const struct lx_problem *problem)
+static luxel_status check_count(const struct lx_fit_problem *problem)
 {
     char count[LX_NUMBER_SIZE], unknowns[LX_NUMBER_SIZE];
     size_t saturated = 0;
@@ -159,7 +159,7 @@ static luxel_status check_count(const struct lx_problem *problem)
 }
 
 /* The values that the scene itself gives: where they are missing, how exact they are, and the factor. */
-static luxel_status look_at_start(struct lx_problem *problem, bool may_miss)
+static luxel_status look_at_start(struct lx_fit_problem *problem, bool may_miss)
 {
     struct lx_probed *probed = lx_new_array(problem->set.count + 1, sizeof *probed);
     luxel_scene *copy = luxel_scene_copy(problem->scene);
@@ -251,10 +251,10 @@ static bool make_answer(struct own_fit *own, size_t residuals)
 /* Searches on all readings from the best start, and concludes. */
 static luxel_status finish(struct own_fit *own, struct lx_starts *starts)
 {
-    struct lx_problem *problem = &own->problem;
-    struct lx_found found;
-    if (!lx_found_make(problem, problem->set.count, &found)) {
-        lx_found_clear(&found);
+    struct lx_fit_problem *problem = &own->problem;
+    struct lx_trial found;
+    if (!lx_trial_make(problem, problem->set.count, &found)) {
+        lx_trial_clear(&found);
         return lx_out_of_memory(problem->diagnostics);
     }
     memcpy(found.unknowns, starts->ends[starts->best].unknowns, problem->unknowns * sizeof *found.unknowns);
@@ -279,14 +279,14 @@ static luxel_status finish(struct own_fit *own, struct lx_starts *starts)
             }
         own->fit.undetermined += own->conclusion.blocks;
     }
-    lx_found_clear(&found);
+    lx_trial_clear(&found);
     return status;
 }
 
 /* What is left of each reading that was used. */
 static luxel_status tell_residuals(struct own_fit *own, const luxel_place *places, const double *values, size_t count)
 {
-    struct lx_problem *problem = &own->problem;
+    struct lx_fit_problem *problem = &own->problem;
     struct lx_probed *probed = lx_new_array(count + 1, sizeof *probed);
     luxel_scene *copy = luxel_scene_copy(own->scene);
     struct lx_prober prober;
@@ -312,7 +312,7 @@ static luxel_status tell_residuals(struct own_fit *own, const luxel_place *place
 static luxel_status fit_all(struct own_fit *own, const luxel_place *places, const double *values, size_t count,
                             bool may_miss)
 {
-    struct lx_problem *problem = &own->problem;
+    struct lx_fit_problem *problem = &own->problem;
     struct lx_reading_set *set = &problem->set;
     struct lx_starts starts = {.count = 0};
     set->places = lx_new_array(count + 1, sizeof *set->places);
@@ -361,8 +361,8 @@ static struct own_fit *begin(const luxel_scene *scene, const luxel_settings *set
         *status = lx_out_of_memory(diagnostics);
         return NULL;
     }
-    struct lx_problem *problem = &own->problem;
-    *problem = (struct lx_problem){.scene = scene, .readings = readings, .diagnostics = diagnostics};
+    struct lx_fit_problem *problem = &own->problem;
+    *problem = (struct lx_fit_problem){.scene = scene, .readings = readings, .diagnostics = diagnostics};
     if (settings)
         problem->settings = *settings;
     else

@@ -83,7 +83,7 @@ static int compare(const void *a, const void *b)
 
 double lx_estimate_noise(const struct lx_counting *counting, const double *models, size_t unknowns)
 {
-    const struct lx_problem *problem = counting->problem;
+    const struct lx_fit_problem *problem = counting->problem;
     const struct lx_counting unit = {.problem = problem, .set = counting->set, .sd = 1.0};
     double *sizes = lx_new_array(counting->set->count + 1, sizeof *sizes), square = 0.0;
     size_t count = 0;

@@ -11,15 +11,15 @@
 #include "../base/memory.h"
 
 /* The share of the work that is done, as far as anyone can tell. */
-static bool goes_on(struct lx_problem *problem)
+static bool goes_on(struct lx_fit_problem *problem)
 {
     const double done = (double)++problem->evaluations;
     return !problem->progress || problem->progress(done / (done + 100.0), problem->progress_data);
 }
 
 /* Draws the picture and takes its pixels, which is tenfold quicker than to probe them. */
-static luxel_status draw(const struct lx_problem *problem, const luxel_scene *scene, const struct lx_reading_set *set,
-                         double *models)
+static luxel_status draw(const struct lx_fit_problem *problem, const luxel_scene *scene,
+                         const struct lx_reading_set *set, double *models)
 {
     luxel_settings settings = problem->settings;
     luxel_field *field;
@@ -33,8 +33,8 @@ static luxel_status draw(const struct lx_problem *problem, const luxel_scene *sc
     return LUXEL_OK;
 }
 
-static luxel_status probe(const struct lx_problem *problem, const luxel_scene *scene, const struct lx_reading_set *set,
-                          double *models)
+static luxel_status probe(const struct lx_fit_problem *problem, const luxel_scene *scene,
+                          const struct lx_reading_set *set, double *models)
 {
     struct lx_prober prober;
     struct lx_probed *probed = lx_new_array(set->count + 1, sizeof *probed);
@@ -49,7 +49,7 @@ static luxel_status probe(const struct lx_problem *problem, const luxel_scene *s
     return status;
 }
 
-luxel_status lx_problem_models(struct lx_problem *problem, const struct lx_reading_set *set, const double *unknowns,
+luxel_status lx_problem_models(struct lx_fit_problem *problem, const struct lx_reading_set *set, const double *unknowns,
                                double *models)
 {
     if (!goes_on(problem))
@@ -70,15 +70,15 @@ luxel_status lx_problem_models(struct lx_problem *problem, const struct lx_readi
 }
 
 /* The slope between the values at both ends of a step: NaN where they jump, or turn, as at a hard shadow's edge. */
-static double slope_of(double below, double middle, double above, double width, double greatest)
+static double slope_of(double below, double middle, double above, double width, double least)
 {
     const double first = above - below, second = above - middle + (below - middle);
-    return fabs(second) > 0.1 * fabs(first) && fabs(second) > 1e-6 * greatest ? (double)NAN : first / width;
+    return fabs(second) > 0.1 * fabs(first) && fabs(second) > least ? (double)NAN : first / width;
 }
 
 /* The values with one unknown changed; that is given back as it was.  *width grows by how far it was. */
-static luxel_status step_aside(struct lx_problem *problem, const struct lx_reading_set *set, double *unknowns, size_t k,
-                               double step, double *width, double *models)
+static luxel_status step_aside(struct lx_fit_problem *problem, const struct lx_reading_set *set, double *unknowns,
+                               size_t k, double step, double *width, double *models)
 {
     const double at = unknowns[k];
     unknowns[k] = fmin(fmax(at + step, problem->low[k]), problem->high[k]);
@@ -88,11 +88,13 @@ static luxel_status step_aside(struct lx_problem *problem, const struct lx_readi
     return status;
 }
 
-luxel_status lx_problem_slopes(struct lx_problem *problem, const struct lx_reading_set *set, const double *unknowns,
+luxel_status lx_problem_slopes(struct lx_fit_problem *problem, const struct lx_reading_set *set, const double *unknowns,
                                const double *models, double *slopes)
 {
     double *below = lx_new_array(set->count + 1, sizeof *below), *above = lx_new_array(set->count + 1, sizeof *above);
     double *changed = lx_new_array(problem->unknowns + 1, sizeof *changed);
+    /* so much is no jump, but what values are not known to, or bends over a step */
+    const double least = fmax(fmax(1e-6, 4.0 * problem->precision), problem->step * problem->step) * problem->greatest;
     luxel_status status = below && above && changed ? LUXEL_OK : lx_out_of_memory(problem->diagnostics);
     for (size_t k = 0; status == LUXEL_OK && k < problem->unknowns; k++)
         changed[k] = unknowns[k];
@@ -117,7 +119,7 @@ luxel_status lx_problem_slopes(struct lx_problem *problem, const struct lx_readi
                 const double a = has_above ? above[i] : models[i], b = has_below ? below[i] : models[i];
                 const bool is_central = has_above && has_below && down > 0.0 && width > down;
                 slope[i] = !(width > 0.0) ? 0.0
-                           : is_central   ? slope_of(b, models[i], a, width / problem->scale[k], problem->greatest)
+                           : is_central   ? slope_of(b, models[i], a, width / problem->scale[k], least)
                                           : (a - b) / width * problem->scale[k];
             }
         }

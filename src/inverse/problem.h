@@ -19,7 +19,7 @@ struct lx_reading_set {
     size_t count;
 };
 
-struct lx_problem {
+struct lx_fit_problem {
     const luxel_scene *scene;
     luxel_settings settings;
     const luxel_readings *readings; /* how they were taken; the lists are in `set` */
@@ -42,7 +42,7 @@ struct lx_problem {
 
 /* How readings count around some values: residuals and weights in standard deviations of the noise. */
 struct lx_counting {
-    const struct lx_problem *problem;
+    const struct lx_fit_problem *problem;
     const struct lx_reading_set *set;
     double sd; /* where it is estimated: of each reading; 0: it is told */
 };
@@ -70,14 +70,14 @@ double lx_estimate_noise(const struct lx_counting *counting, const double *model
  * What the scene with these numbers gives at readings, times the factor; 0 where it shows no surface.
  * LUXEL_ERROR_SCENE: there is no such scene.
  */
-luxel_status lx_problem_models(struct lx_problem *problem, const struct lx_reading_set *set, const double *unknowns,
+luxel_status lx_problem_models(struct lx_fit_problem *problem, const struct lx_reading_set *set, const double *unknowns,
                                double *models);
 
 /*
  * Differences of what the scene gives by the unknowns, per scale, column by column: rows of `set`.  Where a reading
  * jumps it has NaN.
  */
-luxel_status lx_problem_slopes(struct lx_problem *problem, const struct lx_reading_set *set, const double *unknowns,
+luxel_status lx_problem_slopes(struct lx_fit_problem *problem, const struct lx_reading_set *set, const double *unknowns,
                                const double *models, double *slopes);
 
 #endif

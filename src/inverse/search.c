@@ -15,20 +15,20 @@ static const double least_gain = 1e-15;      /* of the cost */
 
 enum { MOST_TRIES = 14 };
 
-bool lx_found_make(const struct lx_problem *problem, size_t readings, struct lx_found *found)
+bool lx_trial_make(const struct lx_fit_problem *problem, size_t readings, struct lx_trial *found)
 {
-    *found = (struct lx_found){.unknowns = lx_new_array(problem->unknowns + 1, sizeof *found->unknowns),
+    *found = (struct lx_trial){.unknowns = lx_new_array(problem->unknowns + 1, sizeof *found->unknowns),
                                .models = lx_new_array(readings + 1, sizeof *found->models),
                                .is_at_limit = lx_new_array(problem->unknowns + 1, sizeof *found->is_at_limit)};
     return found->unknowns && found->models && found->is_at_limit;
 }
 
-void lx_found_clear(struct lx_found *found)
+void lx_trial_clear(struct lx_trial *found)
 {
     free(found->unknowns);
     free(found->models);
     free(found->is_at_limit);
-    *found = (struct lx_found){.unknowns = NULL};
+    *found = (struct lx_trial){.unknowns = NULL};
 }
 
 /* The cost of some values, with the noise of the usual ones. */
@@ -56,9 +56,9 @@ void lx_weigh_rows(const struct lx_counting *counting, const double *models, con
 
 /* What a search works with. */
 struct search {
-    struct lx_problem *problem;
+    struct lx_fit_problem *problem;
     const struct lx_reading_set *set;
-    struct lx_found *found;
+    struct lx_trial *found;
     struct lx_counting counting;
     struct lx_least_squares squares;
     double *slopes, *rows, *right, *step, *tried, *models;
@@ -101,7 +101,7 @@ static void solve(struct search *search)
 /* Holds what stands at an end and would go beyond; false: there is nothing more to hold. */
 static bool hold_ends(struct search *search)
 {
-    const struct lx_problem *problem = search->problem;
+    const struct lx_fit_problem *problem = search->problem;
     bool is_more = false;
     lx_least_squares_step(&search->squares, 0.0, least_direction, search->step);
     for (size_t k = 0; k < problem->unknowns; k++) {
@@ -117,7 +117,7 @@ static bool hold_ends(struct search *search)
 /* Where a step leads: at most nine tenths of the way to an end, unless it is near; its length in scales. */
 static double take_step(struct search *search)
 {
-    const struct lx_problem *problem = search->problem;
+    const struct lx_fit_problem *problem = search->problem;
     double length = 0.0;
     lx_least_squares_step(&search->squares, search->damping, least_direction, search->step);
     for (size_t k = 0; k < problem->unknowns; k++) {
@@ -137,7 +137,7 @@ static double take_step(struct search *search)
 /* Tries steps, each time shorter, until one leads down. */
 static luxel_status go_down(struct search *search)
 {
-    struct lx_found *found = search->found;
+    struct lx_trial *found = search->found;
     const size_t unknowns = search->problem->unknowns, count = search->set->count;
     const double nearest = fmax(least_step, search->problem->precision);
     const double gain = fmax(least_gain, search->problem->precision);
@@ -167,15 +167,15 @@ static luxel_status go_down(struct search *search)
 /* The noise that the values show, and what they cost then. */
 static void count_cost(struct search *search)
 {
-    struct lx_found *found = search->found;
+    struct lx_trial *found = search->found;
     if (!lx_noise_is_told(search->problem->readings))
         search->counting.sd = lx_estimate_noise(&search->counting, found->models, search->problem->unknowns);
     found->sd = search->counting.sd;
     found->cost = cost_of(&search->counting, found->models, found->models);
 }
 
-luxel_status lx_search(struct lx_problem *problem, const struct lx_reading_set *set, unsigned most_steps,
-                       struct lx_found *found)
+luxel_status lx_search(struct lx_fit_problem *problem, const struct lx_reading_set *set, unsigned most_steps,
+                       struct lx_trial *found)
 {
     struct search search = {
         .problem = problem, .set = set, .found = found, .counting = {.problem = problem, .set = set}, .damping = 1e-3};
@@ -202,7 +202,7 @@ luxel_status lx_search(struct lx_problem *problem, const struct lx_reading_set *
     return status;
 }
 
-void lx_fit_factor(const struct lx_problem *problem, const struct lx_reading_set *set, struct lx_found *found)
+void lx_fit_factor(const struct lx_fit_problem *problem, const struct lx_reading_set *set, struct lx_trial *found)
 {
     const double old = found->unknowns[problem->numbers];
     double above = 0.0, below = 0.0;
@@ -234,7 +234,7 @@ static bool is_prime(unsigned n)
     return true;
 }
 
-void lx_other_start(const struct lx_problem *problem, unsigned i, double *unknowns)
+void lx_other_start(const struct lx_fit_problem *problem, unsigned i, double *unknowns)
 {
     unsigned base = 1;
     for (size_t k = 0; k < problem->numbers; k++) {

@@ -7,7 +7,7 @@
 #include "problem.h"
 
 /* Where a search is. */
-struct lx_found {
+struct lx_trial {
     double *unknowns;
     double *models;    /* of each reading of the set: what the scene gives there */
     double sd;         /* of the readings, where it is estimated; 0: it is told */
@@ -17,20 +17,20 @@ struct lx_found {
 };
 
 /* Room for a place in a search; false: memory ran out.  Clear it in any case. */
-bool lx_found_make(const struct lx_problem *problem, size_t readings, struct lx_found *found);
-void lx_found_clear(struct lx_found *found);
+bool lx_trial_make(const struct lx_fit_problem *problem, size_t readings, struct lx_trial *found);
+void lx_trial_clear(struct lx_trial *found);
 
 /*
  * Searches from found->unknowns on, with at most so many steps.  LUXEL_ERROR_SCENE: there is no such scene.
  */
-luxel_status lx_search(struct lx_problem *problem, const struct lx_reading_set *set, unsigned most_steps,
-                       struct lx_found *found);
+luxel_status lx_search(struct lx_fit_problem *problem, const struct lx_reading_set *set, unsigned most_steps,
+                       struct lx_trial *found);
 
 /* The i-th start, from 1: numbers around those of the scene, always the same. */
-void lx_other_start(const struct lx_problem *problem, unsigned i, double *unknowns);
+void lx_other_start(const struct lx_fit_problem *problem, unsigned i, double *unknowns);
 
 /* The factor that fits best where the rest stays as it is. */
-void lx_fit_factor(const struct lx_problem *problem, const struct lx_reading_set *set, struct lx_found *found);
+void lx_fit_factor(const struct lx_fit_problem *problem, const struct lx_reading_set *set, struct lx_trial *found);
 
 /* Fills the rows of the linear problem, of slopes by the unknowns: they are weighted in place.  Columns that are held
  * become 0; `held` NULL: none is. */

@@ -20,14 +20,14 @@ enum {
 };
 
 /* How many readings starts look at. */
-static size_t some_of(const struct lx_problem *problem)
+static size_t some_of(const struct lx_fit_problem *problem)
 {
     const size_t few = FEW_READINGS + READINGS_EACH * problem->unknowns;
     return problem->set.count < few ? problem->set.count : few;
 }
 
 /* Some of the readings where there are many, from all over them. */
-static bool choose_some(const struct lx_problem *problem, struct lx_reading_set *some)
+static bool choose_some(const struct lx_fit_problem *problem, struct lx_reading_set *some)
 {
     const struct lx_reading_set *all = &problem->set;
     const size_t wanted = some_of(problem);
@@ -44,13 +44,13 @@ static bool choose_some(const struct lx_problem *problem, struct lx_reading_set 
 }
 
 /* How badly something fits, comparably: the squares in standard deviations, or the noise it takes. */
-static double badness(const struct lx_problem *problem, const struct lx_found *found)
+static double badness(const struct lx_fit_problem *problem, const struct lx_trial *found)
 {
     return lx_noise_is_told(problem->readings) ? found->cost : found->sd;
 }
 
 /* Whether one fits as well as another: the likelihood is within two standard deviations, or both are exact. */
-static bool is_as_good(const struct lx_problem *problem, size_t count, double bad, double best)
+static bool is_as_good(const struct lx_fit_problem *problem, size_t count, double bad, double best)
 {
     if (lx_noise_is_told(problem->readings))
         return bad - best < 4.0;
@@ -64,7 +64,7 @@ static int compare(const void *a, const void *b)
 }
 
 /* Whether two ends are the same one, be it with lamps that have changed their places. */
-static bool is_same(const struct lx_problem *problem, const double *a, const double *b)
+static bool is_same(const struct lx_fit_problem *problem, const double *a, const double *b)
 {
     double sorted[2][64];
     const size_t n = problem->unknowns;
@@ -86,12 +86,12 @@ static bool is_same(const struct lx_problem *problem, const double *a, const dou
 void lx_starts_clear(struct lx_starts *starts)
 {
     for (size_t i = 0; i < starts->count; i++)
-        lx_found_clear(&starts->ends[i]);
+        lx_trial_clear(&starts->ends[i]);
     free(starts->some.places);
     free(starts->some.values);
 }
 
-luxel_status lx_starts_try(struct lx_problem *problem, struct lx_starts *starts)
+luxel_status lx_starts_try(struct lx_fit_problem *problem, struct lx_starts *starts)
 {
     const bool are_many = problem->set.count > some_of(problem);
     const bool are_few = are_many || problem->is_slow;
@@ -100,8 +100,8 @@ luxel_status lx_starts_try(struct lx_problem *problem, struct lx_starts *starts)
     luxel_status status = choose_some(problem, &starts->some) ? LUXEL_OK : lx_out_of_memory(problem->diagnostics);
     bool is_any = false;
     for (unsigned i = 0; status == LUXEL_OK && i < wanted && i < LX_MOST_STARTS; i++) {
-        struct lx_found *end = &starts->ends[starts->count++];
-        if (!lx_found_make(problem, starts->some.count, end))
+        struct lx_trial *end = &starts->ends[starts->count++];
+        if (!lx_trial_make(problem, starts->some.count, end))
             return lx_out_of_memory(problem->diagnostics);
         lx_other_start(problem, i, end->unknowns);
         for (size_t k = 0; i == 0 && k < problem->numbers; k++) {
@@ -123,13 +123,13 @@ luxel_status lx_starts_try(struct lx_problem *problem, struct lx_starts *starts)
 }
 
 /* Whether an end is another one that fits all readings as well as what was found; where it then is. */
-static luxel_status confirm(struct lx_problem *problem, const struct lx_found *found, struct lx_found *end,
+static luxel_status confirm(struct lx_fit_problem *problem, const struct lx_trial *found, struct lx_trial *end,
                             bool *is_other)
 {
-    struct lx_found full;
+    struct lx_trial full;
     luxel_status status = LUXEL_ERROR_MEMORY;
     *is_other = false;
-    if (lx_found_make(problem, problem->set.count, &full)) {
+    if (lx_trial_make(problem, problem->set.count, &full)) {
         memcpy(full.unknowns, end->unknowns, problem->unknowns * sizeof *full.unknowns);
         status = lx_search(problem, &problem->set, STEPS, &full);
         *is_other = status == LUXEL_OK && full.has_ended && !is_same(problem, full.unknowns, found->unknowns) &&
@@ -138,12 +138,12 @@ static luxel_status confirm(struct lx_problem *problem, const struct lx_found *f
     } else {
         lx_out_of_memory(problem->diagnostics);
     }
-    lx_found_clear(&full);
+    lx_trial_clear(&full);
     return status == LUXEL_ERROR_SCENE ? LUXEL_OK : status;
 }
 
 /* Takes down the values of another end beside those that were found. */
-static void note_end(const struct lx_problem *problem, const struct lx_found *found, const struct lx_found *end,
+static void note_end(const struct lx_fit_problem *problem, const struct lx_trial *found, const struct lx_trial *end,
                      struct lx_conclusion *conclusion)
 {
     for (size_t k = 0; k < problem->unknowns; k++)
@@ -155,14 +155,14 @@ static void note_end(const struct lx_problem *problem, const struct lx_found *fo
         }
 }
 
-luxel_status lx_starts_compare(struct lx_problem *problem, struct lx_starts *starts, const struct lx_found *found,
+luxel_status lx_starts_compare(struct lx_fit_problem *problem, struct lx_starts *starts, const struct lx_trial *found,
                                luxel_fit *fit, struct lx_conclusion *conclusion)
 {
     luxel_status status = LUXEL_OK;
     const double best = badness(problem, &starts->ends[starts->best]);
     fit->starts = starts->count;
     for (size_t i = 0; status == LUXEL_OK && i < starts->count; i++) {
-        struct lx_found *end = &starts->ends[i];
+        struct lx_trial *end = &starts->ends[i];
         bool is_other = false;
         if (!starts->exists[i] || !is_as_good(problem, starts->some.count, badness(problem, end), best))
             continue;

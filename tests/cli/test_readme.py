@@ -15,6 +15,7 @@ JUDGING = ("compare", "grade")  # these may end with 1: a difference, a wrong an
 ANSWERS = "student,variant,point,value\nA,17,1,0\n"
 LAMP = "IESNA:LM-63-1995\nTILT=NONE\n1 1000 1 3 1 1 2 0.1 0.1 0\n1 1 10\n0 45 90\n0\n318 225 0\n"
 PLACES = "x,y\n0,0\n150,0\n-150,0\n"
+READINGS = "x,y,value\n0,0,2.8\n150,0,10.9\n100,50,7.6\n"
 
 
 def commands(text):
@@ -42,6 +43,7 @@ def try_page(tap, tool, draws, page):
     os.makedirs(os.path.join(tool.folder, "submissions"), exist_ok=True)
     tool.write("submissions/a.csv", ANSWERS)
     tool.write("places.csv", PLACES)
+    tool.write("readings.csv", READINGS)
     tool.write("lamp.ies", LAMP)
     for name, scene in re.findall(r"```yaml\n# (\S+\.yaml)\n(.*?)```", text, re.DOTALL):
         tool.write(name, scene)
