@@ -35,6 +35,7 @@ const CONVENTIONS =
 
 const MANY = 60; // lights whose irradiance is told seldom while the probe moves
 const SELDOM = 250; // milliseconds
+const STILL = 3; // pixels that a hand moves without meaning it
 
 /** A key of a thing, and whether the thing has a value of it. */
 interface Entry {
@@ -513,9 +514,9 @@ export class Form {
             input.setAttribute('aria-invalid', String(value === null));
             if (value !== null) this.set(path, String(value));
         });
-        input.addEventListener('keydown', (event) =>
-            this.step(event, input, (value) => this.set(path, value, `step ${path}`)),
-        );
+        const commit = (value: string) => this.set(path, value, `step ${path}`);
+        input.addEventListener('keydown', (event) => this.step(event, input, commit));
+        this.takeHand(input, commit);
         const [low, high] = key.advised ?? [null, null];
         const inputs: HTMLElement[] = [input];
         let slider: HTMLInputElement | null = null;
@@ -523,15 +524,12 @@ export class Form {
         const logarithmic = low !== null && high !== null && low > 0 && high / low > 100;
         if (low !== null && high !== null) {
             slider = h('input', { type: 'range', min: 0, max: 1000, 'aria-labelledby': name });
+            const slide = this.newest((value) => this.set(path, value, `slide ${path}`));
             slider.addEventListener('input', () => {
                 isSliding = true;
                 const at = Number(slider!.value) / 1000;
                 const value = logarithmic ? low * (high / low) ** at : low + (high - low) * at;
-                this.set(
-                    path,
-                    String(key.type === WHOLE ? Math.round(value) : Number(value.toPrecision(3))),
-                    `slide ${path}`,
-                );
+                void slide(String(key.type === WHOLE ? Math.round(value) : Number(value.toPrecision(3))));
             });
             slider.addEventListener('change', () => {
                 isSliding = false;
@@ -563,8 +561,8 @@ export class Form {
             const told = troubles.flatMap((trouble, i) => (trouble ? [`${names[i]}: ${trouble}`] : []));
             inputs.forEach((input, i) => input.setAttribute('aria-invalid', String(!!troubles[i])));
             this.complain(path, told.join(' '));
-            if (numbers.every((value) => value !== undefined) && numbers.join() !== present.join())
-                this.set(path, `[${numbers.join(', ')}]`, mark);
+            const isNew = numbers.every((value) => value !== undefined) && numbers.join() !== present.join();
+            return isNew ? this.set(path, `[${numbers.join(', ')}]`, mark) : Promise.resolve(true);
         };
         const inputs = names.slice(0, key.count).map((axis) => {
             const input = h('input', {
@@ -577,6 +575,7 @@ export class Form {
                 },
             });
             input.addEventListener('keydown', (event) => this.step(event, input, () => commit(`step ${path}`)));
+            this.takeHand(input, () => commit(`step ${path}`));
             return input;
         });
         const update = (text: string | null) => {
@@ -591,8 +590,57 @@ export class Form {
         return { inputs: inputs as HTMLElement[], update };
     }
 
+    // Takes one value after the other, the newest of those that came meanwhile, once its picture is shown.
+    private newest(commit: (value: string) => Promise<boolean>): (value: string) => Promise<void> {
+        let [next, isBusy]: [string | null, boolean] = [null, false];
+        return async (value) => {
+            next = value;
+            if (isBusy) return;
+            isBusy = true;
+            while (next !== null) {
+                const taken: string = next;
+                next = null;
+                if (await commit(taken).catch(() => false)) await this.model.pictured();
+            }
+            isBusy = false;
+        };
+    }
+
+    // A mouse that is pressed on a number and goes aside changes it, with Shift by a tenth; a press alone chooses it.
+    private takeHand(input: HTMLInputElement, commit: (value: string) => Promise<boolean>) {
+        const take = this.newest((value) => {
+            input.value = number(Number(value), 10); // the form may have shown the scene's again
+            takeIn(input);
+            return commit(value);
+        });
+        input.classList.add('dragged');
+        input.addEventListener('mousedown', (event) => {
+            const from = typedNumber(input.value);
+            if (event.button !== 0 || document.activeElement === input || from === null) return;
+            event.preventDefault(); // the field is not entered yet
+            const start = event.clientX;
+            const size = from === 0 ? 1 : 10 ** (Math.floor(Math.log10(Math.abs(from))) - 2);
+            let isMoved = false;
+            const taken: Promise<void>[] = [];
+            const move = (next: MouseEvent) => {
+                const by = next.clientX - start;
+                isMoved ||= Math.abs(by) > STILL;
+                if (!isMoved) return;
+                taken.push(take(String(Number((from + by * size * (next.shiftKey ? 0.1 : 1)).toPrecision(10)))));
+            };
+            const end = () => {
+                window.removeEventListener('mousemove', move);
+                if (isMoved) return void Promise.all(taken).then(() => this.model.endStep()); // the last is taken after the hand has let go
+                input.focus();
+                input.select();
+            };
+            window.addEventListener('mousemove', move);
+            window.addEventListener('mouseup', end, { once: true });
+        });
+    }
+
     // Up and down change a number by a step of its own size.
-    private step(event: KeyboardEvent, input: HTMLInputElement, commit: (value: string) => void) {
+    private step(event: KeyboardEvent, input: HTMLInputElement, commit: (value: string) => unknown) {
         const sign = event.key === 'ArrowUp' ? 1 : event.key === 'ArrowDown' ? -1 : 0;
         const value = typedNumber(input.value);
         if (!sign || value === null) return;

@@ -178,9 +178,9 @@ async function keepsOn(browser, url) {
     await openScene(page, 'three-lights');
     const first = await inside(page, 'model.text');
     await inside(page, "void model.change([{ set: 'lights[0].intensity=17' }])");
-    await until(page, 'model.isSettled');
+    await until(page, "model.isSettled && model.text.includes('intensity: 17')");
     await inside(page, "void model.change([{ set: 'lights[0].intensity=18' }])");
-    await until(page, "model.isSettled && model.text.includes('18')");
+    await until(page, "model.isSettled && model.text.includes('intensity: 18')");
     const last = await inside(page, 'model.text');
     await page.reload();
     await ready(page);

@@ -139,9 +139,20 @@ async function judgesReflected(browser, url, tool) {
     await page.context().close();
 }
 
+/** Those who show links find a picture of the size that is told. */
+async function hasCard(page, url) {
+    const told = await page.evaluate(() => Object.fromEntries([...document.querySelectorAll('meta[property]')].map((each) => [each.getAttribute('property'), each.content])));
+    const response = await page.request.get(new URL(told['og:image'], url).href);
+    check(response.ok(), `there is no ${told['og:image']}`);
+    const bytes = await response.body();
+    equal(bytes.subarray(1, 4).toString(), 'PNG', 'the format');
+    equal([bytes.readUInt32BE(16), bytes.readUInt32BE(20)].map(String), [told['og:image:width'], told['og:image:height']], 'the size');
+}
+
 export async function tasks(browser, url, tool) {
     const page = await opened(browser, url);
     await test('sharing gives a picture and a link', () => shares(page));
+    await test('the page has a card for links', () => hasCard(page, url));
     await test('a task asks, hides and judges', () => asks(page, browser, tool));
     await test('a task by a link that was written', () => isWritten(browser, url, tool));
     await test('a task of a mesh or reflected light', () => judgesReflected(browser, url, tool));

@@ -108,6 +108,27 @@ async function selectsByKeys(page) {
     equal(await inside(page, 'picture.zoom'), 1, 'zoom');
 }
 
+/** A number is dragged aside, as one step of the history; a press alone enters its field. */
+async function dragsNumbers(page) {
+    await openScene(page, 'sphere');
+    const field = page.getByLabel('Position, x').first();
+    const before = await inside(page, 'model.scene.lights[0].place');
+    const box = await boxOf(field);
+    const [x, y] = [box.x + box.width / 2, box.y + box.height / 2];
+    await page.mouse.move(x, y);
+    await page.mouse.down();
+    for (let i = 1; i <= 8; i++) await page.mouse.move(x + 5 * i, y);
+    await page.mouse.up();
+    const size = 10 ** (Math.floor(Math.log10(Math.abs(before[0]))) - 2);
+    await until(page, `Math.abs(model.scene.lights[0].place[0] - ${before[0] + 40 * size}) < 1e-6 && model.text === model.wholeText`);
+    equal((await inside(page, 'model.scene.lights[0].place')).slice(1), before.slice(1), 'y and z');
+    await page.getByRole('button', { name: 'Undo' }).click();
+    await until(page, `model.scene.lights[0].place.join() === '${before.join()}'`);
+    await page.mouse.click(x, y);
+    equal(await page.evaluate(() => document.activeElement.getAttribute('aria-label')), 'Position, x', 'the field that is entered');
+    await page.keyboard.press('Escape');
+}
+
 /** Fingers on a phone: one on the picture shows the number, one turns the space view, two zoom either. */
 async function touches(browser, url) {
     const page = await opened(browser, url, { viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true });
@@ -219,6 +240,7 @@ export async function typed(browser, folder, url) {
     await test('what is no number is told at its field', () => tellsWrongNumbers(page));
     await test('Ctrl+Z undoes beside fields and sliders', () => undoes(page));
     await test('keys alone select and move a lamp', () => selectsByKeys(page));
+    await test('numbers are dragged', () => dragsNumbers(page));
     await test('no fault was reported while it was typed', () => equal(page.faults, [], 'faults'));
     await page.context().close();
     await test('fingers show the number, turn and zoom', () => touches(browser, url));
