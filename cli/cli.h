@@ -43,8 +43,9 @@ enum command_bit {
     COMMAND_SWEEP = 1 << 20,
     COMMAND_GLARE = 1 << 21,
     COMMAND_DERIVE = 1 << 22,
-    COMMAND_EXCHANGE = 1 << 23,
-    COMMAND_ANY = ((1 << 24) - 1) & ~COMMAND_NONE
+    COMMAND_ROOM = 1 << 23,
+    COMMAND_EXCHANGE = 1 << 24,
+    COMMAND_ANY = ((1 << 25) - 1) & ~COMMAND_NONE
 };
 
 /* What may stand behind a command, for those who complete it. */
@@ -77,9 +78,9 @@ struct command {
 extern const struct command command_render, command_probe, command_grid, command_check, command_scene, command_set,
     command_schema, command_help, command_figure, command_report, command_stats, command_profile, command_compare,
     command_isophotes, command_explain, command_advise, command_variant, command_grade, command_photometry,
-    command_sweep, command_glare, command_derive, command_exchange;
+    command_sweep, command_glare, command_derive, command_room, command_exchange;
 
-enum { COMMAND_COUNT = 23 };
+enum { COMMAND_COUNT = 24 };
 
 /* All of them, in the order of the help. */
 extern const struct command *const commands[COMMAND_COUNT];

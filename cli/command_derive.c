@@ -78,19 +78,20 @@ static void print(struct result *result, const luxel_derivatives *derivatives, c
         print_text(result, derivatives, name);
 }
 
-/* The derivatives at all places. */
-static int find(const struct options *options, const struct loaded *loaded, luxel_derivatives **derivatives)
+/* The derivatives at the places of the result's probes; without a result the keys alone are checked. */
+static int find(const struct options *options, const struct loaded *loaded, const struct result *result,
+                luxel_derivatives **derivatives)
 {
-    struct places places;
-    int code = places_collect(options, loaded->scene, loaded->diagnostics, &places);
+    struct places places = {.count = 0};
+    int code = result ? places_collect(options, loaded->scene, loaded->diagnostics, &places) : EXIT_DONE;
 
     if (code == EXIT_DONE) {
         struct work work;
 
         work_begin(&work, options);
-        const luxel_status status =
-            luxel_derive_places(loaded->scene, &work.settings, places.list, places.count, options->free_keys,
-                                options->free_key_count, loaded->diagnostics, derivatives);
+        const luxel_status status = luxel_derive_places(
+            loaded->scene, &work.settings, places.list, result ? result->probes : NULL, places.count,
+            options->free_keys, options->free_key_count, loaded->diagnostics, derivatives);
         code = work_end(&work, status, loaded->diagnostics);
     }
     places_clear(&places);
@@ -107,13 +108,21 @@ static int derive(const struct options *options, const struct loaded *loaded)
         message_error(_("name the keys to derive by: --free lights[0].intensity, for instance"));
         return EXIT_USAGE;
     }
-    code = find(options, loaded, &derivatives);
+    code = find(options, loaded, NULL, &derivatives);
+    luxel_derivatives_free(derivatives);
     if (code != EXIT_DONE)
         return code;
     code = result_probe(options, loaded->scene, false, loaded->diagnostics, &result);
-    if (code == EXIT_DONE || code == EXIT_TOLERANCE)
-        print(&result, derivatives, loaded->name);
-    luxel_derivatives_free(derivatives);
+    if (code == EXIT_DONE || code == EXIT_TOLERANCE) {
+        const int missed = code;
+
+        code = find(options, loaded, &result, &derivatives);
+        if (code == EXIT_DONE) {
+            print(&result, derivatives, loaded->name);
+            luxel_derivatives_free(derivatives);
+            code = missed;
+        }
+    }
     result_clear(&result);
     return code;
 }

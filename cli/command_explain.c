@@ -81,6 +81,25 @@ static void write_alternative(struct json *json, const luxel_alternative *altern
     json_close(json, '}');
 }
 
+/* The colour of a value, and what each light has of it: its own channels at luminance 1, and what they become. */
+static void write_channels(struct json *json, const luxel_scene *scene, const luxel_probe *probe)
+{
+    result_write_color(json, &probe->color);
+    json_open(json, "channels", '[');
+    for (size_t i = 0; probe->has_value && i < probe->share_count; i++) {
+        double lamp[3] = {0.0, 0.0, 0.0};
+
+        luxel_scene_light_rgb(scene, probe->shares[i].light, lamp);
+        json_open(json, NULL, '{');
+        json_whole(json, "light", probe->shares[i].light);
+        json_numbers(json, "lamp", lamp, 3);
+        json_numbers(json, "value", probe->shares[i].color->rgb, 3);
+        json_numbers(json, "error", probe->shares[i].color->error, 3);
+        json_close(json, '}');
+    }
+    json_close(json, ']');
+}
+
 static int write_point(struct json *json, const struct options *options, const struct loaded *loaded,
                        const double point[2])
 {
@@ -105,6 +124,8 @@ static int write_point(struct json *json, const struct options *options, const s
             json_null(json, "value");
             json_null(json, "error");
         }
+        if (luxel_scene_has_color(loaded->scene))
+            write_channels(json, loaded->scene, probe);
         result_write_reflected(json, probe);
         result_write_albedo(json, loaded->scene, probe);
         json_open(json, "alternatives", '[');

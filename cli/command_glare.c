@@ -31,10 +31,13 @@ struct ratings {
 static void add_source(struct text_table *table, const luxel_glare_source *source)
 {
     char *name = source->name ? luxel_escaped_text(source->name) : NULL;
+    char place[TEXT_SIZE] = "";
     char light[TEXT_SIZE], luminance[TEXT_SIZE], angle[TEXT_SIZE], seen[TEXT_SIZE], index[TEXT_SIZE], share[TEXT_SIZE];
     const bool has_numbers = source->solid_angle > 0;
 
-    text_format(light, "lights[%zu]%s%s", source->light, name ? " " : "", name ? name : "");
+    if (source->places > 1)
+        text_format(place, _(", place %zu"), source->place + 1);
+    text_format(light, "lights[%zu]%s%s%s", source->light, name ? " " : "", name ? name : "", place);
     text_table_row(table,
                    TEXT_CELLS(light, source->type, has_numbers ? text_value(luminance, 5, source->luminance) : "",
                               has_numbers ? text_value(angle, 4, source->solid_angle) : "",
@@ -81,6 +84,8 @@ static void write_source(struct json *json, const luxel_glare_source *source)
     json_whole(json, "light", source->light);
     json_text(json, "type", source->type);
     json_text(json, "name", source->name);
+    if (source->places > 1)
+        json_whole(json, "place", source->place);
     json_text(json, "status", reason_names[source->reason]);
     json_number(json, "luminance", source->luminance);
     json_number(json, "solid_angle", source->solid_angle);

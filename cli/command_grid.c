@@ -13,6 +13,7 @@
 #include "cli.h"
 #include "grid_measure.h"
 #include "json.h"
+#include "limits.h"
 #include "load.h"
 #include "message.h"
 #include "options.h"
@@ -34,6 +35,8 @@ struct grids {
     luxel_grid **list;
     luxel_grid_extrema *extrema; /* on the planes of each */
     size_t count;
+    bool judges;                /* whether --limits is given: then there are also */
+    struct observers observers; /* those of the scene */
 };
 
 /* Progress of all grids together, by their cells, for each of which the extrema count as much again. */
@@ -71,7 +74,8 @@ static luxel_status measure(const struct options *options, const struct loaded *
     *grids = (struct grids){.scene = loaded->scene,
                             .unit = luxel_settings_unit(loaded->scene, &irradiance),
                             .list = message_allocate(count, sizeof *grids->list),
-                            .extrema = message_allocate(count, sizeof *grids->extrema)};
+                            .extrema = message_allocate(count, sizeof *grids->extrema),
+                            .judges = options->judges};
     for (size_t i = 0; i < count; i++)
         share.all += 2 * count_cells(loaded->scene, i);
     settings.progress = report_share;
@@ -88,12 +92,15 @@ static luxel_status measure(const struct options *options, const struct loaded *
             status = luxel_find_grid_extrema(loaded->scene, &settings, i, loaded->diagnostics, &grids->extrema[i]);
         share.before += share.own;
     }
+    if (status == LUXEL_OK && options->judges)
+        status = observers_rate(loaded->scene, &options->settings, loaded->diagnostics, &grids->observers);
     progress_end(&progress);
     return status;
 }
 
 static void grids_clear(struct grids *grids)
 {
+    observers_clear(&grids->observers);
     for (size_t i = 0; i < grids->count; i++)
         luxel_grid_free(grids->list[i]);
     free(grids->list);
@@ -131,6 +138,8 @@ static void write_extremum(struct json *json, const char *key, const luxel_grid 
     json_number(json, "value", extremum->value);
     json_wholes(json, "cell", (const unsigned[]){extremum->column, extremum->row}, 2);
     json_numbers(json, "position", extremum->position_mm, 3);
+    if (grid->colors)
+        result_write_color(json, &grid->colors[(size_t)extremum->row * grid->columns + extremum->column]);
     json_close(json, '}');
 }
 
@@ -184,6 +193,8 @@ static void write_peak(struct json *json, const char *key, const luxel_grid_peak
     json_number(json, "value", peak->value);
     json_number(json, "error", peak->error);
     json_numbers(json, "position", peak->position_mm, 3);
+    if (peak->color.exists)
+        result_write_color(json, &peak->color);
     json_close(json, '}');
 }
 
@@ -215,7 +226,8 @@ static void write_colors(struct json *json, const luxel_grid *grid)
     json_close(json, ']');
 }
 
-static void write_grid(struct json *json, const luxel_grid *grid, const luxel_grid_extrema *extrema)
+static void write_grid(struct json *json, const luxel_grid *grid, const luxel_grid_extrema *extrema,
+                       const struct judged *judged)
 {
     const bool measured = grid->measured > 0;
 
@@ -255,6 +267,7 @@ static void write_grid(struct json *json, const luxel_grid *grid, const luxel_gr
               : grid->sampling_is_bound ? "bound"
                                         : "estimate");
     json_bool(json, "coarse", grid->is_coarse);
+    limits_write(json, judged);
     json_whole(json, "measured", grid->measured);
     json_whole(json, "inside", grid->enclosed);
     write_inside(json, grid);
@@ -273,9 +286,14 @@ static void print_json(const struct grids *grids)
     json_text(&json, "quantity", "irradiance");
     json_text(&json, "unit", grids->unit);
     json_open(&json, "grids", '[');
-    for (size_t i = 0; i < grids->count; i++)
-        write_grid(&json, grids->list[i], &grids->extrema[i]);
+    for (size_t i = 0; i < grids->count; i++) {
+        const struct judged judged = limits_of_grid(grids->scene, i, grids->list[i]);
+
+        write_grid(&json, grids->list[i], &grids->extrema[i], &judged);
+    }
     json_close(&json, ']');
+    if (grids->judges)
+        observers_write(&json, &grids->observers);
     result_write_conventions(&json, grids->scene, &of_planes);
     json_close(&json, '}');
 }
@@ -414,7 +432,19 @@ static void print_statistics(const luxel_grid *grid, const luxel_grid_extrema *e
     text_table_print(table, stdout, 2);
 }
 
-static void print_grid(const luxel_grid *grid, const luxel_grid_extrema *extrema, size_t i)
+static void print_colors(const luxel_grid *grid, const luxel_grid_extrema *extrema)
+{
+    const luxel_color average = average_color(grid);
+    char words[TEXT_SIZE];
+
+    printf(_("  colour of the average: %s\n"), result_color_text(&average, words));
+    if (extrema->minimum.color.exists)
+        printf(_("  colour of the minimum: %s\n"), result_color_text(&extrema->minimum.color, words));
+    if (extrema->maximum.color.exists)
+        printf(_("  colour of the maximum: %s\n"), result_color_text(&extrema->maximum.color, words));
+}
+
+static void print_grid(const luxel_grid *grid, const luxel_grid_extrema *extrema, const struct judged *judged, size_t i)
 {
     const size_t without = (size_t)grid->columns * grid->rows - grid->measured - grid->enclosed;
 
@@ -423,12 +453,9 @@ static void print_grid(const luxel_grid *grid, const luxel_grid_extrema *extrema
     if (grid->columns <= MOST_COLUMNS && grid->rows <= MOST_ROWS)
         print_values(grid);
     print_statistics(grid, extrema);
-    if (grid->colors && grid->measured > 0) {
-        const luxel_color average = average_color(grid);
-        char words[TEXT_SIZE];
-
-        printf(_("  colour of the average: %s\n"), result_color_text(&average, words));
-    }
+    limits_print(judged, grid->unit);
+    if (grid->colors && grid->measured > 0)
+        print_colors(grid, extrema);
     if (without > 0)
         printf(ngettext("  %zu cell lies on a source, lights[%zu], and has no value\n",
                         "  %zu cells lie on a source, the first of them on lights[%zu], and have no value\n", without),
@@ -447,8 +474,12 @@ static void print_text(const struct grids *grids, const char *name)
 {
     text_print_escaped(stdout, name);
     printf(_(": %s in %s\n\n"), _(luxel_scene_quantity_word(grids->scene, LUXEL_IRRADIANCE)), text_unit(grids->unit));
-    for (size_t i = 0; i < grids->count; i++)
-        print_grid(grids->list[i], &grids->extrema[i], i);
+    for (size_t i = 0; i < grids->count; i++) {
+        const struct judged judged = limits_of_grid(grids->scene, i, grids->list[i]);
+
+        print_grid(grids->list[i], &grids->extrema[i], &judged, i);
+    }
+    observers_print(&grids->observers);
     result_print_conventions(grids->scene, &of_planes);
 }
 
@@ -523,6 +554,9 @@ static int finish(const struct options *options, const struct loaded *loaded, co
         warn(loaded->scene, grids->list[i], i);
     if (missed > 0)
         message_tolerance(missed, grids->count);
+    if (code == EXIT_DONE && options->judges &&
+        !limits_all_pass(grids->scene, (const luxel_grid *const *)grids->list, grids->count, &grids->observers))
+        return EXIT_DIFFERENCE;
     return code == EXIT_DONE && missed > 0 ? EXIT_TOLERANCE : code;
 }
 
@@ -532,7 +566,9 @@ static int grid(const struct options *options, const struct loaded *loaded)
     luxel_status status;
     int code;
 
-    if (luxel_scene_grid_count(loaded->scene) == 0) {
+    if (options->judges && !limits_can_judge(loaded))
+        return EXIT_SCENE;
+    if (luxel_scene_grid_count(loaded->scene) == 0 && !options->judges) {
         message_error(_("%s has no measuring grids"), loaded->name);
         message_hint(_("add some under the key grids, or try %s"),
                      "-s 'grids=[{center: [0,0,0], size: [1000,1000], n: [10,10]}]'");
@@ -566,10 +602,12 @@ const struct command command_grid = {
     .description = N_("Prints the irradiance at the centres of the cells of each measuring grid of the scene (its key "
                       "grids), seen from the front of the plane, with the average, the minimum, the maximum, the "
                       "extrema on the whole plane between the cells' centres, the uniformity and the flux "
-                      "that falls on it. Cells inside of bodies, where no light shines, are told and left out. Each "
-                      "FILE, of comma-separated values, appears whole or not at all."),
+                      "that falls on it. Cells inside of bodies, where no light shines, are told and left out. Where "
+                      "a grid has limits each is a pass or a fail, or undecided where the bound of the number spans "
+                      "the limit. Each FILE, of comma-separated values, appears whole or not at all."),
     .examples = "luxel grid room.yaml\n"
                 "luxel grid room.yaml --json -o room.csv\n"
+                "luxel grid room.yaml --limits\n"
                 "luxel grid spot -s 'grids=[{center: [0,0,0], size: [1000,1000], n: [10,10]}]'",
     .run = run,
 };

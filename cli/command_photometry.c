@@ -112,6 +112,10 @@ static void add_lamps(struct text_table *table, const luxel_photometry *photomet
             text_format(text, _("%s × %.60s, %.6g lm in all, %.6g W"), number, *lamps->type ? lamps->type : _("lamp"),
                         lamps->lumens, lamps->watts);
         add_text(table, i == 0 ? _("lamps") : _("other lamps"), text);
+        if (*lamps->temperature)
+            add_text(table, _("colour temperature"), lamps->temperature);
+        if (*lamps->rendering)
+            add_text(table, _("colour rendering"), lamps->rendering);
     }
     if (isfinite(photometry->declared_lumens))
         add(table, _("declared lumens"), text_format(text, _("%.7g lm"), photometry->declared_lumens));

@@ -24,6 +24,8 @@ struct stats {
     luxel_extrema extrema;
     bool has_extrema; /* of a scene that shows a surface in the region */
     luxel_histogram *histogram;
+    bool in_color;
+    double mean_rgb[3];     /* of the pixels, where it is in colour */
     luxel_balance *balance; /* NULL: no scene, or one that reflects no light */
 };
 
@@ -57,6 +59,41 @@ static luxel_status find_extrema(struct stats *stats, const luxel_settings *sett
     return status;
 }
 
+/* The mean of the channels of the pixels that the summary is of. */
+static void find_mean_color(struct stats *stats)
+{
+    const luxel_field *field = stats->picture->field;
+    const float *single = luxel_field_rgb_single(field);
+    const double *exact = luxel_field_rgb_double(field), *x_mm = luxel_field_x_mm(field),
+                 *y_mm = luxel_field_y_mm(field);
+    const size_t columns = luxel_field_columns(field), pixels = columns * luxel_field_rows(field);
+
+    stats->in_color = (single || exact) && stats->summary.pixels > 0;
+    for (size_t i = 0; i < pixels && stats->in_color; i++)
+        for (size_t c = 0; c < 3 && luxel_field_mask(field)[i]; c++)
+            if (luxel_region_holds(&stats->options->analysis.region, x_mm[i % columns], y_mm[i / columns]))
+                stats->mean_rgb[c] += single ? (double)single[3 * i + c] : exact[3 * i + c];
+    for (size_t c = 0; c < 3 && stats->in_color; c++)
+        stats->mean_rgb[c] /= (double)stats->summary.pixels;
+}
+
+/* Puts the view that is asked for in the place of the picture. */
+static luxel_status show(struct stats *stats)
+{
+    const luxel_color_view view = (luxel_color_view)stats->options->analysis.view;
+    struct picture *picture = stats->picture;
+    luxel_field *shown = NULL;
+    const luxel_status status = view == LUXEL_VIEW_LUMINANCE
+                                    ? LUXEL_OK
+                                    : luxel_field_of_view(picture->field, view, picture->loaded.diagnostics, &shown);
+
+    if (shown) {
+        luxel_field_free(picture->field);
+        picture->field = shown;
+    }
+    return status;
+}
+
 static int compute(struct stats *stats)
 {
     const struct option_analysis *analysis = &stats->options->analysis;
@@ -66,12 +103,16 @@ static int compute(struct stats *stats)
     luxel_status status;
 
     work_begin(&work, &picture->options);
-    status = luxel_field_summary(picture->field, &analysis->region, picture->loaded.diagnostics, &stats->summary);
+    status = show(stats);
+    if (status == LUXEL_OK)
+        status = luxel_field_summary(picture->field, &analysis->region, picture->loaded.diagnostics, &stats->summary);
+    if (status == LUXEL_OK)
+        find_mean_color(stats);
     if (status == LUXEL_OK && analysis->histogram && stats->summary.pixels > 0)
         status = luxel_field_histogram(picture->field, &analysis->region, scale, analysis->scale[0], analysis->scale[1],
                                        analysis->bins > 0 ? analysis->bins : DEFAULT_BINS, picture->loaded.diagnostics,
                                        &stats->histogram);
-    if (status == LUXEL_OK && picture->loaded.scene)
+    if (status == LUXEL_OK && picture->loaded.scene && analysis->view == LUXEL_VIEW_LUMINANCE)
         status = find_extrema(stats, &work.settings);
     return work_end(&work, status, picture->loaded.diagnostics);
 }
@@ -152,6 +193,14 @@ static void print_histogram(const luxel_histogram *histogram)
            histogram->above);
 }
 
+static void print_mean_color(const struct stats *stats)
+{
+    const luxel_color mean = {.rgb = {stats->mean_rgb[0], stats->mean_rgb[1], stats->mean_rgb[2]}};
+    char words[TEXT_SIZE];
+
+    printf(_("  colour of the mean: %s\n"), result_color_text(&mean, words));
+}
+
 static void print_text(const struct stats *stats)
 {
     const luxel_conventions_use use = result_use_of_screen(&stats->picture->options, true);
@@ -180,6 +229,8 @@ static void print_text(const struct stats *stats)
     }
     text_table_print(table, stdout, 2);
     printf(ngettext("  %zu pixel\n", "  %zu pixels\n", summary->pixels), summary->pixels);
+    if (stats->in_color)
+        print_mean_color(stats);
     if (stats->histogram) {
         fputc('\n', stdout);
         print_histogram(stats->histogram);
@@ -273,6 +324,12 @@ static void print_json(const struct stats *stats)
     result_write_extremum(&json, "max", &summary->maximum);
     result_write_extremum(&json, "min", &summary->minimum);
     write_number_if(&json, "mean", some, summary->mean);
+    if (stats->in_color) {
+        json_open(&json, "mean_color", '{');
+        json_numbers(&json, "rgb", stats->mean_rgb, 3);
+        result_write_seen(&json, stats->mean_rgb);
+        json_close(&json, '}');
+    }
     write_number_if(&json, "median", some, summary->median);
     write_number_if(&json, "standard_deviation", some, summary->standard_deviation);
     write_number_if(&json, "lit", some, summary->lit);

@@ -105,9 +105,20 @@ static const struct entry entries[] = {
     {"maintenance factor|maintenance|mf|llf|light loss factor|dimming|dimmer|dim|коэффициент запаса|"
      "коэффициент эксплуатации|диммирование",
      N_("Maintenance factor, light loss factor and dimming are shares of the light of a luminaire, its keys "
-        "maintenance_factor and factor, by which its intensities are multiplied. Other lights are dimmed by their "
-        "intensity, power, radiance or irradiance."),
+        "maintenance_factor and factor, by which its intensities are multiplied; the scene's maintenance_factor "
+        "multiplies all lights. Other lights are dimmed by their intensity, power, radiance or irradiance."),
      "luxel help maintenance_factor|luxel help luminaire|luxel help intensity"},
+    {"limit|verdict|verdicts|en 1838|en1838|emergency lighting|compliance|нормы|норма освещённости|"
+     "аварийное освещение|проверка норм",
+     N_("Limits are a key of measuring grids and of observers: average, minimum, maximum, uniformity, ratio, ugr, or "
+        "preset, a row of EN 12464-1 or EN 1838. luxel grid --limits tells pass, fail or undecided and ends with 1 "
+        "unless all pass."),
+     "luxel help limits|luxel help preset|luxel help observers|luxel help grid"},
+    {"how many luminaires|number of luminaires|lighting design|room design|dialux|relux|сколько светильников|"
+     "число светильников|проект освещения",
+     N_("luxel room writes the scene of a room with luminaires in an array, the least one that reaches an "
+        "illuminance or the one that is named, with its work plane and limits."),
+     "luxel room 8,6,2.8 --target 500|luxel help room|luxel help array|luxel help limits"},
     {"array|arrays|luminaire array|array of luminaires|ряд светильников|сетка светильников|массив светильников",
      N_("Luminaires in columns and rows are one light of the list lights with the key array, such as array: {n: [4, "
         "3], spacing: [1800, 2000]}. Many small sources at any places are one light of the type points, whose places a "

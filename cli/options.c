@@ -270,6 +270,7 @@ int options_read(int argc, char **argv, struct options *options)
                      .angle_deg = none},
     };
     luxel_settings_init(&options->settings);
+    luxel_room_init(&options->room);
     if (!read_dashed(argc, argv, options) || !read_operands(argc - optind, argv + optind, options) ||
         !check_commands(options) || !standard_output_resolve(options))
         return EXIT_USAGE;

@@ -44,6 +44,7 @@ struct option_analysis {
     unsigned wanted_levels;       /* about so many round ones */
     double levels[OPTION_LEVELS]; /* or just these */
     size_t level_count;
+    size_t view; /* of a picture in colour, a luxel_color_view */
 };
 
 /* What figures and reports look like; texts are NULL where none were given. */
@@ -81,10 +82,12 @@ struct options {
     size_t place_count;
     double view[3];          /* of free elements; 0 where none was given */
     double up[3];            /* of observers; 0 where none was given */
+    luxel_room room;         /* of luxel room; its defaults */
     unsigned material;       /* the surface whose material they have that lie on none; 0 where none was given */
     luxel_settings settings; /* its tolerance is 0 unless one was asked for */
     const char *lights;      /* of --lights, names and numbers; NULL: it was not given */
     bool strict, json, quiet, list, dry_run, help, version;
+    bool judges; /* luxel grid --limits */
     struct option_analysis analysis;
     struct option_drawing drawing;
     struct option_sweep sweep;

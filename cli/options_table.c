@@ -13,6 +13,7 @@
 #include "message.h"
 #include "options.h"
 #include "photometry_room.h"
+#include "room_options.h"
 #include "text.h"
 
 static const char *const quantity_words[] = {"brightness", "irradiance", "luminance", "illuminance", NULL};
@@ -24,6 +25,7 @@ static const char *const bits_words[] = {"8", "16", NULL};
 static const char *const format_words[] = {"png", "npy",  "pfm",      "csv",   "exr",  "svg", "pdf", "md",
                                            "tex", "text", "markdown", "latex", "html", "ies", "ldt", NULL};
 static const char *const section_words[] = {"center", "maximum", NULL};
+static const char *const view_words[] = {"luminance", "red", "green", "blue", "cct", NULL};
 static const char *const spacing_words[] = {"0.25", "1", NULL};
 static const char *const diagram_words[] = {"polar", "cartesian", "cone", NULL};
 const char *const option_formats[] = {"text", "markdown", "latex", "html", NULL};
@@ -129,6 +131,11 @@ static bool take_quantity(struct options *options, const char *argument)
 const char *options_quantity_name(luxel_quantity quantity)
 {
     return quantity == LUXEL_IRRADIANCE ? "irradiance" : "brightness";
+}
+
+static bool take_channel(struct options *options, const char *argument)
+{
+    return take_word("--channel", argument, view_words, &options->analysis.view);
 }
 
 static bool take_precision(struct options *options, const char *argument)
@@ -403,7 +410,7 @@ enum {
              COMMAND_DERIVE | COMMAND_EXCHANGE,
     WRITING = COMMAND_RENDER | COMMAND_PROBE | COMMAND_GRID | COMMAND_SET | COMMAND_PROFILE | COMMAND_ISOPHOTES |
               COMMAND_COMPARE | COMMAND_FIGURE | COMMAND_EXPLAIN | COMMAND_REPORT | COMMAND_VARIANT |
-              COMMAND_PHOTOMETRY,
+              COMMAND_PHOTOMETRY | COMMAND_ROOM,
     TABLES = COMMAND_STATS | COMMAND_PROFILE | COMMAND_ISOPHOTES | COMMAND_COMPARE | COMMAND_GRADE
 };
 
@@ -437,6 +444,16 @@ static const struct option_row rows[] = {
      .help = N_(
          "what is up for the observers; the default is the axis that a room names (up), else the scene's observer.up, "
          "or (0, 0, 1) where it has none")},
+    {"limits", 0, NULL, COMMAND_GRID, SETS(judges),
+     .help = N_("rate the glare of the scene's observers, too, and end with 1 unless all limits are kept for certain")},
+    {"file", 0, N_("LAMP"), COMMAND_ROOM, KEEPS(room.file), .value = VALUE_FILE,
+     .help = N_("the photometry file of the luminaires, .ies or .ldt")},
+    {"array", 0, N_("N,M"), COMMAND_ROOM, TAKES(room_take_array), .help = N_("N columns along x and M rows along y")},
+    {"target", 0, N_("E"), COMMAND_ROOM, TAKES(room_take_target), .help = N_("illuminance to reach, lx; usually 500")},
+    {"reflectances", 0, N_("C,W,F"), COMMAND_ROOM, TAKES(room_take_reflectances),
+     .help = N_("those of ceiling, walls and floor; usually 0.7,0.5,0.2")},
+    {"plane", 0, N_("H"), COMMAND_ROOM, TAKES(room_take_plane), .help = N_("height of the plane in m; usually 0.75")},
+    {"maintenance", 0, N_("F"), COMMAND_ROOM, TAKES(room_take_maintenance), .help = N_("its factor; usually 0.8")},
     {"points", 0, N_("FILE"), COMMAND_PROBE | COMMAND_DERIVE, TAKES(take_points), .value = VALUE_FILE,
      .help =
          N_("probe the places of a table, CSV or .pts: points x, y of the screen, or free elements x, y, z, nx, ny, "
@@ -477,6 +494,10 @@ static const struct option_row rows[] = {
      .help = N_("the range of values of the histogram, the levels or the colours")},
     {"log", 0, NULL, COMMAND_STATS | COMMAND_ISOPHOTES | COMMAND_FIGURE, SETS(analysis.logarithmic),
      .help = N_("in steps of the logarithm")},
+    {"channel", 0, N_("NAME"), COMMAND_STATS | COMMAND_FIGURE, TAKES(take_channel), WORDS(view_words),
+     .help =
+         N_("of a picture in colour: its luminance (the default), a channel, red, green or blue, or cct, the colour "
+            "temperature in K")},
     {"label", 0, N_("TEXT"), COMMAND_FIGURE, KEEPS(drawing.label),
      .help = N_("the label of the colour bar, instead of the quantity with its unit")},
     {"contour", 0, NULL, COMMAND_FIGURE, SETS(drawing.contours),
@@ -548,19 +569,19 @@ static const struct option_row rows[] = {
     {"quantity", 0, N_("NAME"), COMPUTING, SHARED, TAKES(take_quantity), WORDS(quantity_words),
      .help = N_(
          "what to compute: brightness (default) or irradiance; luminance and illuminance are their photometric names")},
-    {"tolerance", 0, N_("T"), COMPUTING, SHARED, TAKES(take_tolerance),
+    {"tolerance", 0, N_("T"), COMPUTING | COMMAND_ROOM, SHARED, TAKES(take_tolerance),
      .help =
          N_("relative error that the value of a probe or of a grid's cell may have, above 0 and below 1; exit code 5 "
             "where it is not reached")},
     {"precision", 0, N_("NAME"), COMPUTING, SHARED, TAKES(take_precision), WORDS(precision_words),
      .help = N_("numbers of the picture: single (default) or double")},
-    {"threads", 0, N_("N"), COMPUTING, SHARED, TAKES(take_threads),
+    {"threads", 0, N_("N"), COMPUTING | COMMAND_ROOM, SHARED, TAKES(take_threads),
      .help = N_("threads to compute with, 1 to 1024; the default is as many as pay, no more than one per processor; "
                 "results do not depend on it")},
     {"light-error", 0, N_("E"), COMPUTING, SHARED, TAKES(take_light_error),
      .help = N_("error of a pixel allowed for taking many points together, relative to its value or to a thousandth of "
                 "the maximum, from 0 (the default: each point is summed) to below 1")},
-    {"reflected-error", 0, N_("R"), COMPUTING, SHARED, TAKES(take_reflected_error),
+    {"reflected-error", 0, N_("R"), COMPUTING | COMMAND_ROOM, SHARED, TAKES(take_reflected_error),
      .help =
          N_("error that reflected light may have, above 0 and below 1: relative to the value of a probe or of a grid's "
             "cell, the default 0.001, or to the maximum of a picture, the default 0.01; exit code 5 where it is not "

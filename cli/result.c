@@ -119,6 +119,14 @@ static void write_statistics(struct json *json, const luxel_statistics *statisti
     }
 }
 
+static void write_rgb(struct json *json, const luxel_color *color)
+{
+    json_open(json, "rgb", '{');
+    json_numbers(json, "value", color->rgb, 3);
+    json_numbers(json, "error", color->error, 3);
+    json_close(json, '}');
+}
+
 static void write_share(struct json *json, const struct light_strengths *lights, const luxel_light_share *share)
 {
     json_open(json, NULL, '{');
@@ -133,6 +141,8 @@ static void write_share(struct json *json, const struct light_strengths *lights,
         json_whole(json, "parts", share->parts);
     if (share->name)
         json_text(json, "name", share->name);
+    if (share->color)
+        write_rgb(json, share->color);
     json_close(json, '}');
 }
 
@@ -244,27 +254,24 @@ static void write_probe(struct json *json, const struct result *result, size_t p
     json_close(json, '}');
 }
 
-static void write_seen(struct json *json, const luxel_chromaticity *seen)
+void result_write_seen(struct json *json, const double rgb[3])
 {
-    write_numbers_if(json, "xy", seen->has_xy, seen->xy, 2);
-    write_number_if(json, "cct", seen->has_cct, seen->cct_k);
-    write_number_if(json, "duv", seen->has_cct, seen->duv);
+    luxel_chromaticity seen = {.has_xy = false};
+
+    if (rgb)
+        luxel_find_chromaticity(rgb, &seen);
+    write_numbers_if(json, "xy", seen.has_xy, seen.xy, 2);
+    write_number_if(json, "cct", seen.has_cct, seen.cct_k);
+    write_number_if(json, "duv", seen.has_cct, seen.duv);
 }
 
 void result_write_color(struct json *json, const luxel_color *color)
 {
-    luxel_chromaticity seen = {.has_xy = false};
-
-    if (color->exists) {
-        luxel_find_chromaticity(color->rgb, &seen);
-        json_open(json, "rgb", '{');
-        json_numbers(json, "value", color->rgb, 3);
-        json_numbers(json, "error", color->error, 3);
-        json_close(json, '}');
-    } else {
+    if (color->exists)
+        write_rgb(json, color);
+    else
         json_null(json, "rgb");
-    }
-    write_seen(json, &seen);
+    result_write_seen(json, color->exists ? color->rgb : NULL);
 }
 
 const char *result_color_text(const luxel_color *color, char buffer[TEXT_SIZE])

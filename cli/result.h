@@ -16,8 +16,8 @@ struct result {
     luxel_probes *probes;               /* count of them */
     size_t count;
     const luxel_derivatives *derivatives; /* NULL: none were asked for */
-    luxel_conventions_use use; /* what they were made of */
-    bool *surfaces;            /* that it points to */
+    luxel_conventions_use use;            /* what they were made of */
+    bool *surfaces;                       /* that it points to */
 };
 
 /*
@@ -41,6 +41,8 @@ void result_write_extremum(struct json *json, const char *key, const luxel_extre
 
 /* The channels of a value, its x, y, colour temperature and Duv, null where there are none; and the same in a line. */
 void result_write_color(struct json *json, const luxel_color *color);
+/* The last three of these alone; NULL: there is no colour. */
+void result_write_seen(struct json *json, const double rgb[3]);
 const char *result_color_text(const luxel_color *color, char buffer[TEXT_SIZE]);
 
 /* Writes what is reflected to a probe as the member `reflected`; nothing where the scene reflects no light. */

@@ -65,7 +65,7 @@ function tryScene(core, text, keys) {
     for (const irradiance of [true, false]) {
         core.quantity(irradiance);
         check(core.render(1), 'no picture of the other quantity');
-        check(core.probe(10, 20), 'no probe');
+        check(core.probe(10, 20) && core.lit(10, 20), 'no probe');
     }
     points.forEach(([x, y]) => core.probe(x, y));
     for (const [from, to] of [core.line(10, 20, 30), [[-100, 0], [100, 50]]])

@@ -130,6 +130,7 @@ static bool take_settings(const struct options *options, const luxel_language *l
     figure->points = !drawing->no_points;
     figure->stacked = drawing->stacked;
     figure->dark = drawing->dark;
+    figure->view = (luxel_color_view)analysis->view;
     if (analysis->wanted_levels > 0)
         figure->levels = analysis->wanted_levels;
     figure->level_list = analysis->levels;

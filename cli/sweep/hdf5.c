@@ -104,7 +104,7 @@ static const char *axis_name(size_t output, unsigned axis)
     static const char *const pictures[] = {"row", "column", "component"};
 
     switch (output) {
-    case LUXEL_STUDY_PROBES: return "point";
+    case LUXEL_STUDY_PROBES: return axis == 0 ? "point" : "component";
     case LUXEL_STUDY_STATISTICS: return "statistic";
     case LUXEL_STUDY_LIGHT_POSITIONS: return axis == 0 ? "light" : "component";
     case LUXEL_STUDY_OUTPUTS: return "parameter";

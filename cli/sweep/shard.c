@@ -113,14 +113,17 @@ static int add_positions(struct making *making, const luxel_scene *scene, uint64
     return array_add_doubles(array, row, 3 * lights);
 }
 
-/* Values of a picture, added to the array of its output. */
+/* Values of a picture, or their channels, added to the array of its output. */
 static int add_field(struct array *array, const luxel_field *field)
 {
+    const bool in_color = luxel_field_channels(field) > 1;
     const size_t pixels = (size_t)luxel_field_columns(field) * luxel_field_rows(field);
-    const float *singles = luxel_field_single(field);
+    const size_t numbers = pixels * luxel_field_channels(field);
+    const float *singles = in_color ? luxel_field_rgb_single(field) : luxel_field_single(field);
 
-    return singles ? array_add_singles(array, singles, pixels)
-                   : array_add_doubles(array, luxel_field_double(field), pixels);
+    return singles ? array_add_singles(array, singles, numbers)
+                   : array_add_doubles(array, in_color ? luxel_field_rgb_double(field) : luxel_field_double(field),
+                                       numbers);
 }
 
 static int add_statistics(struct making *making, const luxel_field *field)
@@ -170,7 +173,7 @@ static luxel_status add_picture(struct making *making, const luxel_scene *scene,
 
 static luxel_status add_probes(struct making *making, const luxel_scene *scene, int *failed)
 {
-    const size_t points = making->worker->sweep->points;
+    const size_t points = making->worker->sweep->points, channels = making->worker->sweep->in_color ? 3 : 1;
     double *row = making->worker->row;
 
     for (size_t k = 0; k < points; k++) {
@@ -182,11 +185,12 @@ static luxel_status add_probes(struct making *making, const luxel_scene *scene, 
         status = luxel_probe_screen(scene, NULL, x, y, making->worker->diagnostics, &probe);
         if (status != LUXEL_OK)
             return status;
-        row[k] = probe->has_value ? probe->value : (double)NAN;
+        for (size_t c = 0; c < channels; c++)
+            row[channels * k + c] = !probe->has_value ? (double)NAN : channels > 1 ? probe->color.rgb[c] : probe->value;
         making->missed = making->missed || (probe->has_reflected && !probe->reflected_reached);
         luxel_probe_free(probe);
     }
-    *failed = array_add_doubles(&making->arrays[LUXEL_STUDY_PROBES], row, points);
+    *failed = array_add_doubles(&making->arrays[LUXEL_STUDY_PROBES], row, channels * points);
     return LUXEL_OK;
 }
 
@@ -217,13 +221,14 @@ static luxel_status add_geometry(struct making *making, const luxel_scene *scene
     return status;
 }
 
-/* Whether the numbers of points and lights are those that the arrays have room for. */
+/* Whether the numbers of points, lights and channels are those that the arrays have room for. */
 static bool fits(const struct sweep *sweep, const luxel_scene *scene)
 {
     const bool points = luxel_scene_point_count(scene) == sweep->points;
     const bool lights = luxel_scene_light_count(scene) == sweep->lights;
 
-    return (points || wanted(sweep, LUXEL_STUDY_PROBES) == LUXEL_STUDY_NONE) &&
+    return luxel_scene_has_color(scene) == sweep->in_color &&
+           (points || wanted(sweep, LUXEL_STUDY_PROBES) == LUXEL_STUDY_NONE) &&
            (lights || wanted(sweep, LUXEL_STUDY_LIGHT_POSITIONS) == LUXEL_STUDY_NONE ||
             wanted(sweep, LUXEL_STUDY_LIGHT_POSITIONS) == LUXEL_STUDY_LP);
 }
@@ -298,8 +303,8 @@ static int fail_scene(struct making *making, uint64_t i, luxel_status status, in
             message_error(_("scene %llu has a value that is too large for its type; float32 holds it"),
                           (unsigned long long)i);
         } else if (failed == EDOM) {
-            message_error(_("scene %llu has another number of lights or points than the base scene, which outputs of "
-                            "them do not allow"),
+            message_error(_("scene %llu has another number of lights, points or channels than the base scene, which "
+                            "outputs of them do not allow"),
                           (unsigned long long)i);
         } else {
             message_error(_("%s cannot be written: %s"), sweep->folder.path, language_reason(failed));

@@ -44,6 +44,7 @@ void sweep_init(struct sweep *sweep, const luxel_study *study, const char *study
         .scenes = luxel_study_count(study),
         .points = luxel_scene_point_count(base),
         .lights = luxel_scene_light_count(base),
+        .in_color = luxel_scene_has_color(base),
         .by_instructions = sha256_has_instructions(),
     };
     sweep->shards = (sweep->scenes + shard - 1) / shard;
@@ -66,12 +67,19 @@ size_t sweep_scenes_of(const struct sweep *sweep, uint64_t shard)
     return left < size ? (size_t)left : size;
 }
 
+/* Whether the numbers of an output are red, green and blue. */
+static bool has_channels(const struct sweep *sweep, luxel_study_output output)
+{
+    return sweep->in_color &&
+           (output == LUXEL_STUDY_BRIGHTNESS || output == LUXEL_STUDY_IRRADIANCE || output == LUXEL_STUDY_PROBES);
+}
+
 void sweep_shape(const struct sweep *sweep, luxel_study_output output, size_t shape[ARRAY_DIMENSIONS])
 {
     memset(shape, 0, ARRAY_DIMENSIONS * sizeof *shape);
     switch (output) {
     case LUXEL_STUDY_NORMALS:
-    case LUXEL_STUDY_POSITIONS: shape[2] = 3; /* fall through */
+    case LUXEL_STUDY_POSITIONS:
     case LUXEL_STUDY_BRIGHTNESS:
     case LUXEL_STUDY_IRRADIANCE:
     case LUXEL_STUDY_MASK:
@@ -79,8 +87,13 @@ void sweep_shape(const struct sweep *sweep, luxel_study_output output, size_t sh
     case LUXEL_STUDY_SURFACES:
         shape[0] = sweep->rows;
         shape[1] = sweep->columns;
+        shape[2] =
+            output == LUXEL_STUDY_NORMALS || output == LUXEL_STUDY_POSITIONS || has_channels(sweep, output) ? 3 : 0;
         break;
-    case LUXEL_STUDY_PROBES: shape[0] = sweep->points; break;
+    case LUXEL_STUDY_PROBES:
+        shape[0] = sweep->points;
+        shape[1] = has_channels(sweep, output) ? 3 : 0;
+        break;
     case LUXEL_STUDY_STATISTICS: shape[0] = SWEEP_STATISTICS; break;
     case LUXEL_STUDY_LIGHT_POSITIONS:
         shape[0] = sweep->lights;

@@ -28,6 +28,7 @@ struct sweep {
     uint64_t scenes, shards;
     unsigned columns, rows;
     size_t points, lights; /* of the base scene, and so of every scene */
+    bool in_color;         /* whether values have channels, of the base scene, and so of every scene */
     bool by_instructions;  /* sums are */
     atomic_bool stop;      /* something failed, or the user has had enough */
     atomic_ullong done;    /* scenes since the start */

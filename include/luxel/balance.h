@@ -39,7 +39,7 @@ typedef struct luxel_balance_side {
     const char *part_name;    /* its name, as of luxel_scene_part_name(); NULL where the surface is one by itself */
     luxel_surface_side side;  /* which side of it; the walls of a room face it with their front */
     double area_m2;           /* of the side */
-    double reflectance;       /* how much of the light it sends back */
+    double reflectance;       /* how much of the light it sends back, in colour of the light that it gets */
     luxel_bounded direct;     /* the mean irradiance by light that comes from the sources */
     luxel_bounded irradiance; /* the mean irradiance by all light */
     void *reserved[4];        /* for later versions: NULL */
@@ -64,9 +64,9 @@ typedef struct luxel_balance {
 } luxel_balance;
 
 /*
- * Finds the balance of a committed scene with reflected light; NULL where the scene wants none.  `settings` NULL: the
- * defaults; of them count tolerance, reflected_error, threads and progress.  A bound that was not reached is advice,
- * "balance-error", too.  The balance is the caller's: free it with luxel_balance_free().
+ * Finds the balance of a committed scene with reflected light, in colour of the luminance; NULL where it wants none.
+ * `settings` NULL: the defaults; of them count tolerance, reflected_error, threads and progress.  A bound that was not
+ * reached is advice, "balance-error", too.  The balance is the caller's: free it with luxel_balance_free().
  * Errors as luxel_render() lists them.
  */
 LUXEL_API luxel_status luxel_find_balance(const luxel_scene *scene, const luxel_settings *settings,

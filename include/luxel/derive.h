@@ -42,17 +42,22 @@ typedef struct luxel_derivatives luxel_derivatives;
 
 /*
  * Derives the values at `count` places by `key_count` keys, which are paths such as lights[0].position or
- * surfaces[0].material.shininess of keys that take a number or numbers.  settings->tolerance 0 is 1e-11 here.
- * *derivatives is the caller's: free it with luxel_derivatives_free().  It takes some 20 probes of all places for each
- * number of a key.  Progress and cancelling as of luxel_render().
+ * surfaces[0].material.shininess of keys that take a number or numbers.  settings->tolerance 0 is 1e-11 here.  `probes`
+ * are what luxel_probe_places() tells of these places, so that they are not probed again, or NULL.  *derivatives is the
+ * caller's: free it with luxel_derivatives_free().  Each number of a key takes 4 to some 16 values of every place, of
+ * scenes that are prepared once for all of them.  Without places the keys alone are checked.  Progress and cancelling
+ * as of luxel_render().
  * LUXEL_ERROR_PATH: keys that do not exist, have no value in this scene, or take no numbers; all of them are reported.
- * Else errors as luxel_probe_places().
+ * LUXEL_ERROR_SCENE: there are points of the screen, and the scene shows nothing there (luxel_scene_check_view()).
+ * Else errors as luxel_evaluator_new(), and where light is reflected as luxel_probe_places().
  */
 LUXEL_API luxel_status luxel_derive_places(const luxel_scene *scene, const luxel_settings *settings,
-                                           const luxel_place *places, size_t count, const char *const *keys,
-                                           size_t key_count, luxel_diagnostics *diagnostics,
+                                           const luxel_place *places, const luxel_probes *probes, size_t count,
+                                           const char *const *keys, size_t key_count, luxel_diagnostics *diagnostics,
                                            luxel_derivatives **derivatives);
 
+/* The value at a place, with its bound; false: it has none. */
+LUXEL_API bool luxel_derivatives_value(const luxel_derivatives *derivatives, size_t place, luxel_bounded *value);
 /* How many numbers the i-th key takes: 3 of a position.  0 beyond the last key. */
 LUXEL_API size_t luxel_derivatives_numbers(const luxel_derivatives *derivatives, size_t key);
 /* The unit of the i-th key in UTF-8, "" where it has none; NULL beyond the last. */

@@ -191,6 +191,28 @@ typedef struct luxel_field_content {
 LUXEL_API luxel_status luxel_field_of_values(const luxel_field_content *content, luxel_diagnostics *diagnostics,
                                              luxel_field **field);
 
+/* What of a picture in colour is shown where one number a pixel can be. */
+typedef enum luxel_color_view {
+    LUXEL_VIEW_LUMINANCE, /* the values themselves */
+    LUXEL_VIEW_RED,       /* channels, in linear sRGB, which may be below 0 */
+    LUXEL_VIEW_GREEN,
+    LUXEL_VIEW_BLUE,
+    LUXEL_VIEW_CCT /* the colour temperature in K, as luxel_find_chromaticity() has it */
+} luxel_color_view;
+
+/* The word of a view, for options and messages: "luminance", "red", "green", "blue", "cct"; NULL: no such view. */
+LUXEL_API const char *luxel_color_view_word(luxel_color_view view);
+
+/*
+ * Makes the field of a view of a picture in colour: grey, without its scene, with statistics of its own, which know no
+ * reflected light.
+ * Where a pixel has no colour temperature it is off the mask of that view.
+ * LUXEL_ERROR_ARGUMENT: the field is grey and the view is not of the luminance, or there is no such.
+ * LUXEL_ERROR_MEMORY.  The field is the caller's.
+ */
+LUXEL_API luxel_status luxel_field_of_view(const luxel_field *field, luxel_color_view view,
+                                           luxel_diagnostics *diagnostics, luxel_field **shown);
+
 /* The extensions that luxel_field_write() knows: the i-th with its dot, such as ".png"; NULL beyond the last. */
 LUXEL_API const char *luxel_field_output_ending(size_t i);
 

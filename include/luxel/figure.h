@@ -66,6 +66,7 @@ typedef struct luxel_figure_settings {
     bool dark;                    /* light lines on a dark ground, for projectors; false */
     bool small_print;             /* the parameters under the picture; true */
     const luxel_language *language; /* NULL: English */
+    luxel_color_view view; /* of a picture in colour; luminance.  Others have no sections, and lines of pixels alone */
     size_t grid;       /* 0: the picture; else the plane of the scene's grid of this number, from 1 on; see below */
     void *reserved[4]; /* for later versions: NULL */
 } luxel_figure_settings;

@@ -87,7 +87,7 @@ typedef enum luxel_glare_reason {
     LUXEL_GLARE_BACKGROUND /* it comes from everywhere (ambient) and is part of the background */
 } luxel_glare_reason;
 
-/* One light as the observer sees it. */
+/* One light, or one place of its array, as the observer sees it. */
 typedef struct luxel_glare_source {
     size_t light;              /* index in the scene's list */
     const char *type;          /* the light's type, such as "luminaire" */
@@ -98,7 +98,9 @@ typedef struct luxel_glare_source {
     double seen;               /* the share of its light that surfaces let through, 0 to 1 */
     double position_index;     /* by the direction of its middle; NaN outside the field of view */
     double share;              /* of the glare, 0 to 1 */
-    void *reserved[4];         /* for later versions: NULL */
+    size_t place;              /* of the light's array, row by row */
+    size_t places;             /* how many that has; 1 without an array */
+    void *reserved[2];         /* for later versions: NULL */
 } luxel_glare_source;
 
 /* The unified glare rating of an observer. */
@@ -108,7 +110,7 @@ typedef struct luxel_glare {
     luxel_bounded background;    /* Lb: the irradiance of the eye by reflected and ambient light over pi */
     bool reached;                /* whether reflected light reached its bound; see luxel_settings */
     size_t source_count;         /* of the next */
-    luxel_glare_source *sources; /* the lights that give light, in the order of the scene */
+    luxel_glare_source *sources; /* the lights that give light, place by place, in the order of the scene */
 } luxel_glare;
 
 /*

@@ -123,11 +123,12 @@ LUXEL_API luxel_status luxel_find_grid_values(const luxel_scene *scene, const lu
 
 /* The least or the greatest value on a whole plane. */
 typedef struct luxel_grid_peak {
-    bool exists;           /* false where no place has a value, or colours reflect (see below); then the rest is 0 */
+    bool exists;           /* false where no place has a value; then the rest is 0 */
     double value;          /* in the grid's unit */
     double error;          /* bounds |value - truth at this very place| */
     double position_mm[3]; /* of the place */
     double on_plane_mm[2]; /* from the plane's middle, along up x axis and along up */
+    luxel_color color;     /* the value's channels, in a scene with channels: rgb */
     void *reserved[4];     /* for later versions: NULL */
 } luxel_grid_peak;
 
@@ -145,7 +146,7 @@ typedef struct luxel_grid_extrema {
  * is known of what is narrower than the places lie apart.  Where light jumps, at the edge of a shadow say, the place is
  * as near as the steps lead.  Of light that surfaces reflect to each other what luxel_find_grid() has found for the
  * plane is used, if it was the last one, and else found anew, so that the numbers may differ within their errors.
- * In a scene with channels: rgb whose materials have colours and reflect light none is looked for.
+ * In a scene with channels: rgb they are those of the luminance.
  * Errors as luxel_find_grid().
  */
 LUXEL_API luxel_status luxel_find_grid_extrema(const luxel_scene *scene, const luxel_settings *settings, size_t i,

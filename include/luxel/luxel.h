@@ -54,12 +54,14 @@
 #include <luxel/grid.h>
 #include <luxel/isophotes.h>
 #include <luxel/light.h>
+#include <luxel/limits.h>
 #include <luxel/mesh.h>
 #include <luxel/parameter.h>
 #include <luxel/photometry.h>
 #include <luxel/probe.h>
 #include <luxel/profile.h>
 #include <luxel/render.h>
+#include <luxel/room.h>
 #include <luxel/scene.h>
 #include <luxel/settings.h>
 #include <luxel/statistics.h>

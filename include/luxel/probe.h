@@ -26,7 +26,8 @@ typedef struct luxel_light_share {
     double specular;   /* its highlight */
     double error;      /* bounds the error of its share of the value */
     size_t parts;      /* points that an extended source was split into; 0: there is a closed form */
-    void *reserved[2]; /* for later versions: NULL */
+    const luxel_color *color; /* the channels of its share of the value; NULL in a grey scene */
+    void *reserved[1];        /* for later versions: NULL */
 } luxel_light_share;
 
 /*
@@ -118,7 +119,8 @@ LUXEL_API luxel_status luxel_probe_place(const luxel_scene *scene, const luxel_s
 /*
  * What the probe's material reflects towards its view of light that comes from all sides alike, as a share of that: the
  * directional albedo, above 1 where more is sent back than falls in.  It is that of the weights divided by pi, whether
- * or not the material is over_pi.  NaN: off every surface, seen from behind, or not one of this scene.
+ * or not the material is over_pi; in colour that of white light.  NaN: off every surface, seen from behind, or not one
+ * of this scene.
  */
 LUXEL_API double luxel_probe_albedo(const luxel_scene *scene, const luxel_probe *probe);
 

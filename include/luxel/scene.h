@@ -71,6 +71,7 @@ LUXEL_API luxel_status luxel_scene_keep_files(luxel_scene *scene, const luxel_sc
 /*
  * Changes one value: `assignment` is KEY=VALUE, where KEY is a path such as lights[0].intensity or
  * lights.0.intensity and VALUE is YAML.  Keys with defaults that the scene does not write yet are added.
+ * lights[*].intensity are those of all elements that have the key, of which there must be one.
  * LUXEL_ERROR_PATH: no '=', or no such key or element (the scene stays as it was).
  * LUXEL_ERROR_SCENE: VALUE is no YAML.  Whether the value is legal is for luxel_scene_commit() to say.
  */

@@ -21,12 +21,14 @@ from ._field import Field, compare, read
 from ._geometry import Geometry
 from ._glare import Glare, GlareSource, UgrReflectances, UgrRoom, UgrTable
 from ._grid import Grid
+from ._jacobian import Jacobian, STATES
 from ._language import set_language
 from ._photometry import Diagram, Greatest, LampSet, Opening, Photometry, PhotometryFigures
 from ._pictures import Figure, palettes
 from ._probe import Color, Probe, Probes, Share
 from ._results import (Alternative, Comparison, Extrema, Extremum, GridExtrema, GridExtremum, GridPeak, Histogram,
                        Isophote, Judgement, Light, Mesh, Peak, Profile, Statistics, Summary)
+from ._room import Limit, Observer, Room, RoomArray, room
 from ._scene import Scene, builtin_scenes, instruction_sets, schema, variant
 from ._luxel import version as _version
 
@@ -35,9 +37,10 @@ __version__ = _version()
 __all__ = [
     "Alternative", "Amount", "Balance", "Color", "Comparison", "Diagnostic", "Diagram", "Document", "Exchange",
     "ExchangeSide", "Extrema", "Extremum", "Field", "Figure", "Geometry", "Glare", "GlareSource", "Greatest", "Grid",
-    "GridExtrema", "GridExtremum", "GridPeak", "Histogram", "Isophote", "Judgement", "LampSet", "Light", "LitSide",
-    "LuxelError", "LuxelFileError", "LuxelKeyError", "LuxelMemoryError", "LuxelNotFoundError", "LuxelValueError",
-    "LuxelWarning", "Mesh", "Opening", "Peak", "Photometry", "PhotometryFigures", "Probe", "Probes", "Profile", "Scene",
-    "Share", "Statistics", "Summary", "UgrReflectances", "UgrRoom", "UgrTable", "builtin_scenes", "compare",
-    "instruction_sets", "palettes", "read", "schema", "set_language", "variant", "__version__",
+    "GridExtrema", "GridExtremum", "GridPeak", "Histogram", "Isophote", "Jacobian", "Judgement", "LampSet", "Light",
+    "Limit", "LitSide", "LuxelError", "LuxelFileError", "LuxelKeyError", "LuxelMemoryError", "LuxelNotFoundError",
+    "LuxelValueError", "LuxelWarning", "Mesh", "Observer", "Opening", "Peak", "Photometry", "PhotometryFigures",
+    "Probe", "Probes", "Profile", "Room", "RoomArray", "STATES", "Scene", "Share", "Statistics", "Summary",
+    "UgrReflectances", "UgrRoom", "UgrTable", "builtin_scenes", "compare", "instruction_sets", "palettes", "read",
+    "room", "schema", "set_language", "variant", "__version__",
 ]

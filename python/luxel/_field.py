@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any, Dict, List, Optional, Sequence, Tuple, Un
 from . import _luxel
 from ._arrays import Arithmetic, shared
 from ._results import Comparison, Extrema, Histogram, Isophote, Peak, Profile, Statistics, Summary, extremum, statistics
-from ._settings import PRECISIONS, QUANTITIES, Progress, Settings, choice, point, real, settings
+from ._settings import PRECISIONS, QUANTITIES, VIEWS, Progress, Settings, choice, point, real, settings
 
 if TYPE_CHECKING:
     from ._arrays import Bools, Floats
@@ -103,6 +103,14 @@ class Field(Arithmetic, _luxel.FieldHandle):
     def luminance(self) -> Any:
         """The luminance of a picture in colour, rows x columns, which its statistics are of; else the values."""
         return shared(_luxel.field_luminance(self))
+
+    def view(self, name: str) -> "Field":
+        """The field of a channel, "red", "green" or "blue", or of "cct", the colour temperature in K.
+
+        Where a pixel has no colour temperature it is off the mask of that.  Raises LuxelError of a grey picture.
+        """
+        field: Field = _luxel.field_view(Field, self, choice("name", name, VIEWS))
+        return field
 
     @property
     def mask(self) -> "Bools":

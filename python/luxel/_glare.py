@@ -20,7 +20,7 @@ CATALOGUE = (4.0, 8.0)
 
 
 class GlareSource(NamedTuple):
-    """One light as an observer sees it."""
+    """One light, or one place of its array, as an observer sees it."""
 
     light: int  #: index in the scene's list
     type: str
@@ -33,6 +33,7 @@ class GlareSource(NamedTuple):
     seen: float  #: the share of its light that surfaces let through
     position_index: Optional[float]  #: None outside the field of view
     share: float  #: of the glare, 0 to 1
+    place: Optional[int] = None  #: of its array, row by row, each a source; None without one
 
 
 class Glare(NamedTuple):
@@ -46,7 +47,9 @@ class Glare(NamedTuple):
 
     def _repr_html_(self) -> str:
         words = _luxel.glare_reasons()
-        rows = [[source.name or "lights[%d]" % source.light, source.type, _html.number(source.luminance, 6),
+        rows = [[(source.name or "lights[%d]" % source.light) +
+                 ("" if source.place is None else translate(", place %zu").replace("%zu", str(source.place + 1))),
+                 source.type, _html.number(source.luminance, 6),
                  _html.number(source.solid_angle, 4), "%.4g %%" % (100 * source.seen),
                  _html.number(source.position_index, 4),
                  "%.2f %%" % (100 * source.share) if source.status == "counts"

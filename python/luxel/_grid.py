@@ -10,6 +10,7 @@ from ._arrays import shared
 from ._balance import Amount
 from ._language import translate
 from ._results import GridExtrema, GridExtremum, GridPeak, Vector
+from ._room import Limit, limits
 from ._settings import Progress, Settings
 
 if TYPE_CHECKING:
@@ -102,6 +103,12 @@ class Grid:
         scene, index, how = self._again
         found = _luxel.grid_extrema(scene._handle, index, how[:-1] + (progress,))
         return GridExtrema(*(None if peak is None else GridPeak(*peak) for peak in found))
+
+    @property
+    def limits(self) -> Tuple[Limit, ...]:
+        """The limits of the grid (the key `limits`) in the scene as it was measured, and whether they are kept."""
+        scene, index, _ = self._again
+        return limits(_luxel.judge_grid(scene._handle, index, self._holder))
 
     def write(self, path: Union[str, "os.PathLike[str]"]) -> None:
         """Writes the cells to a .csv file.  Raises LuxelError where it cannot be written."""

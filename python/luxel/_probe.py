@@ -12,6 +12,16 @@ if TYPE_CHECKING:
     from ._arrays import Floats
 
 
+class Color(NamedTuple):
+    """The channels of a value in a scene with `channels: rgb`, and the colour that they are."""
+
+    rgb: Vector  #: red, green and blue in linear sRGB, whose luminance is the value
+    error: Vector  #: bounds of |channel - truth|
+    xy: Optional[Tuple[float, float]]  #: the chromaticity of 1931; None where the luminance is 0
+    cct: Optional[float]  #: the temperature of the nearest black body in u, v, in K; None where it means nothing
+    duv: Optional[float]  #: the distance from it in u, v, above 0 on the side of green
+
+
 class Share(NamedTuple):
     """What one light gives to a probe."""
 
@@ -23,16 +33,7 @@ class Share(NamedTuple):
     specular: float  #: its highlight
     error: float  #: bounds the error of its share of the value
     parts: int  #: points that an extended source was split into; 0: there is a closed form
-
-
-class Color(NamedTuple):
-    """The channels of a value in a scene with `channels: rgb`, and the colour that they are."""
-
-    rgb: Vector  #: red, green and blue in linear sRGB, whose luminance is the value
-    error: Vector  #: bounds of |channel - truth|
-    xy: Optional[Tuple[float, float]]  #: the chromaticity of 1931; None where the luminance is 0
-    cct: Optional[float]  #: the temperature of the nearest black body in u, v, in K; None where it means nothing
-    duv: Optional[float]  #: the distance from it in u, v, above 0 on the side of green
+    color: Optional[Color]  #: of its share of the value, in a scene with channels: rgb
 
 
 class Probe(NamedTuple):
@@ -66,12 +67,17 @@ class Probe(NamedTuple):
         return Probes([self])._repr_html_()
 
 
+def color(found: Any) -> Optional[Color]:
+    """The colour of a tuple of the library."""
+    return Color(*found) if found else None
+
+
 def probes(found: List[Any], unit: str) -> List[Probe]:
     """The probes of tuples of the library."""
     made = []
     for entry in found:
-        color = Color(*entry[-2]) if entry[-2] else None
-        fields: Any = (*entry[:-2], color, tuple(Share(*share) for share in entry[-1]), unit)
+        shares = tuple(Share(*share[:-1], color(share[-1])) for share in entry[-1])
+        fields: Any = (*entry[:-2], color(entry[-2]), shares, unit)
         made.append(Probe(*fields))
     return made
 

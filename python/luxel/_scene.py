@@ -8,19 +8,19 @@ from _thread import allocate_lock
 from typing import (TYPE_CHECKING, Any, Dict, Iterable, Iterator, List, Mapping, Optional, Sequence, Tuple, Union,
                     overload)
 
-from . import _exchange, _flow, _luxel
+from . import _exchange, _flow, _jacobian, _luxel
 from ._arrays import floats, spacing
 from ._balance import Balance, balance
 from ._document import Document
 from ._errors import Diagnostic, LuxelError, LuxelNotFoundError
 from ._field import Field, made, profile
 from ._geometry import Geometry, geometry
-from ._glare import Glare, glare, sight
 from ._grid import Grid
 from ._language import translate
 from ._pictures import Figure, drawing, look
 from ._probe import Probe, Probes, probes
 from ._results import Alternative, Judgement, Light, Mesh, Profile, Statistics, Vector, alternatives, statistics
+from ._room import Rated
 from ._settings import (QUANTITIES, Carried, Lights, Progress, choice, group, index_of, point as _point, real, reals,
                         settings)
 
@@ -34,6 +34,7 @@ Path = Union[str, "os.PathLike[str]"]
 Pair = Tuple[float, float]
 Edit = Tuple[str, str, int, int, Optional[str]]
 ARC_SAMPLES = 181
+_known_keys: List[str] = []
 
 
 def builtin_scenes() -> Dict[str, str]:
@@ -59,9 +60,6 @@ def _keys() -> List[str]:
     return _known_keys
 
 
-_known_keys: List[str] = []
-
-
 def variant(number: int) -> "Scene":
     """The variant of the exercise with this number, from 1 to 1 000 000: always the same scene for the same number."""
     return Scene.from_text(_luxel.variant_text(number), "variant %d" % number)
@@ -78,7 +76,7 @@ def _missing(path: str) -> LuxelNotFoundError:
     return LuxelNotFoundError("file", [entry], 1)
 
 
-class Scene(_exchange.Exchanging):
+class Scene(Rated, _exchange.Exchanging):
     """A scene, always a right one: what would make it wrong raises LuxelError and changes nothing.
 
     `Scene(source)` takes the name of a built-in scene or a file ("report" without an argument), a path, the text of a
@@ -96,6 +94,7 @@ class Scene(_exchange.Exchanging):
     _path: Optional[str]
     _name: str
     _carried: Optional[Carried]
+    jacobian = _jacobian.jacobian
 
     def __init__(self, source: "Union[str, bytes, os.PathLike[str], Mapping[str, Any], Scene]" = "report") -> None:
         if isinstance(source, Scene):
@@ -388,7 +387,7 @@ class Scene(_exchange.Exchanging):
 
     def _surface(self, surface: Union[str, int]) -> int:
         return index_of("surface", surface, [self["surfaces[%d].name" % i] if isinstance(surface, str) else None
-                                             for i in range(self.size("surfaces"))])
+                                             for i in range(max(self.size("surfaces"), 1))])
 
     def evaluate(self, places: "npt.ArrayLike", normals: "npt.ArrayLike", view: "Optional[npt.ArrayLike]" = None, *,
                  surface: Union[str, int] = 0, per_light: bool = False, quantity: Optional[str] = None,
@@ -469,21 +468,6 @@ class Scene(_exchange.Exchanging):
         how = settings(self._carried, None, None, threads, None, tolerance, progress=progress,
                        reflected_error=reflected_error)
         return balance(_luxel.find_balance(self._handle, how))
-
-    def glare(self, eye_mm: Sequence[float], view: Sequence[float], up: Optional[Sequence[float]] = None, *,
-              tolerance: Optional[float] = None, reflected_error: Optional[float] = None, threads: int = 0,
-              lights: Optional[Lights] = None, progress: Optional[Progress] = None) -> Glare:
-        """The unified glare rating (UGR) of an observer: where the eye is, and the way it looks.
-
-        The background is the light that surfaces reflect (the scene's key `reflections`) and ambient light; without
-        both there is no rating.  `up` is the observer's upward direction, else the scene's `observer.up`, else z.
-        ValueError: a direction is 0, `up` is along the view, or the scene is in radiometric units.
-        """
-        if self["units"] != "photometric":
-            raise ValueError("glare is rated by luminances, and the scene is in radiometric units: units: photometric")
-        how = settings(self._carried, None, None, threads, None, tolerance, progress=progress,
-                       reflected_error=reflected_error, lights=self._group(lights))
-        return glare(_luxel.rate_glare(self._handle, sight(eye_mm, view, up), how))
 
     def profile(self, start: Pair, end: Pair, samples: Optional[int] = None, *, arc: bool = False,
                 quantity: Optional[str] = None, tolerance: Optional[float] = None, threads: int = 0,

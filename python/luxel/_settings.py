@@ -8,6 +8,7 @@ from typing import (Any, Callable, Iterable, Optional, Sequence, SupportsFloat, 
 
 QUANTITIES = ("brightness", "irradiance")
 PRECISIONS = ("single", "double")
+VIEWS = ("luminance", "red", "green", "blue", "cct")
 
 #: Called at most 20 times a second with the share done, 0 to 1; returning False ends the work with a LuxelError.
 Progress = Callable[[float], Any]

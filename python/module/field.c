@@ -273,6 +273,27 @@ static PyObject *field_read(PyObject *module, PyObject *arguments)
     return field_handle(module, type, field, NULL);
 }
 
+static PyObject *field_view(PyObject *module, PyObject *arguments)
+{
+    PyObject *type, *handle;
+    int view;
+    luxel_field *shown = NULL;
+    luxel_diagnostics *diagnostics;
+
+    if (!PyArg_ParseTuple(arguments, "OOi", &type, &handle, &view))
+        return NULL;
+    const luxel_field *field = field_of(module, handle);
+
+    if (!field || !(diagnostics = diagnostics_begin()))
+        return NULL;
+    const luxel_status status = luxel_field_of_view(field, (luxel_color_view)view, diagnostics, &shown);
+    if (!diagnostics_end(&module_state(module)->language, status, diagnostics)) {
+        luxel_field_free(shown);
+        return NULL;
+    }
+    return field_handle(module, type, shown, NULL);
+}
+
 /* The buffers that a field is made of, in this order; None where there is none. */
 enum { VALUES, MASK, X_MM, Y_MM, PARTS };
 
@@ -362,6 +383,7 @@ const PyMethodDef field_functions[] = {
     FUNCTION("field_grey", field_grey, METH_VARARGS, "field: FieldHandle, levels: Any, /", "None"),
     FUNCTION("field_write", field_write, METH_VARARGS, "field: FieldHandle, path: bytes, bits: int, /", "None"),
     FUNCTION("field_bytes", field_bytes, METH_VARARGS, "field: FieldHandle, name: str, bits: int, /", "bytes"),
+    FUNCTION("field_view", field_view, METH_VARARGS, "type: Type[_Field], field: FieldHandle, view: int, /", "_Field"),
     FUNCTION("field_read", field_read, METH_VARARGS, "type: Type[_Field], path: bytes, /", "_Field"),
     FUNCTION("field_read_bytes", field_read_bytes, METH_VARARGS, "type: Type[_Field], bytes: bytes, name: str, /",
              "_Field"),

@@ -7,13 +7,13 @@
 
 static PyObject *source_tuple(const luxel_glare_source *source)
 {
-    return Py_BuildValue("(nsNidddNd)", (Py_ssize_t)source->light, source->type, text_or_none(source->name),
+    return Py_BuildValue("(nsNidddNdN)", (Py_ssize_t)source->light, source->type, text_or_none(source->name),
                          (int)source->reason, source->luminance, source->solid_angle, source->seen,
                          number_or_none(source->position_index == source->position_index, source->position_index),
-                         source->share);
+                         source->share, source->places > 1 ? PyLong_FromSize_t(source->place) : none());
 }
 
-static PyObject *glare_tuple(const luxel_glare *glare)
+PyObject *glare_tuple(const luxel_glare *glare)
 {
     PyObject *sources = PyList_New(0);
 

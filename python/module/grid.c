@@ -149,6 +149,23 @@ static const luxel_grid *grid_of(PyObject *module, PyObject *holder)
     return NULL;
 }
 
+/* judge_grid(scene, index, grid): its limits. */
+static PyObject *judge_grid(PyObject *module, PyObject *arguments)
+{
+    PyObject *handle, *holder;
+    Py_ssize_t index;
+    luxel_limit limits[LUXEL_MOST_LIMITS];
+    size_t count = 0;
+    const luxel_scene *scene;
+    const luxel_grid *grid;
+
+    if (!PyArg_ParseTuple(arguments, "OnO", &handle, &index, &holder) || !(scene = scene_of(module, handle)) ||
+        !(grid = grid_of(module, holder)))
+        return NULL;
+    luxel_judge_grid(scene, (size_t)index, grid, limits, &count);
+    return limits_list(limits, count);
+}
+
 /* Fills an array of rows x columns x 3 float64 with the centres of the cells. */
 static PyObject *grid_positions(PyObject *module, PyObject *arguments)
 {
@@ -196,6 +213,8 @@ const PyMethodDef grid_functions[] = {
              "Tuple[Any, Any]"),
     FUNCTION("grid_count", grid_count, METH_O, "scene: SceneHandle, /", "int"),
     FUNCTION("grid_positions", grid_positions, METH_VARARGS, "grid: Holder, places: Any, /", "None"),
+    FUNCTION("judge_grid", judge_grid, METH_VARARGS, "scene: SceneHandle, index: int, grid: Holder, /",
+             "List[Tuple[Any, ...]]"),
     FUNCTION("grid_write", grid_write, METH_VARARGS, "grid: Holder, path: bytes, /", "None"),
     {NULL, NULL, 0, NULL},
 };

@@ -34,10 +34,10 @@ static PyMethodDef own_functions[] = {
 static int add_functions(PyObject *module)
 {
     static const PyMethodDef *const lists[] = {
-        scene_functions,      edit_functions,     render_functions,   field_functions,
-        reading_functions,    profile_functions,  probe_functions,    evaluate_functions,
-        grid_functions,       balance_functions,  document_functions, exercise_functions,
-        photometry_functions, geometry_functions, glare_functions,    exchange_functions};
+        scene_functions,    edit_functions,     render_functions,     field_functions,    reading_functions,
+        profile_functions,  probe_functions,    evaluate_functions,   grid_functions,     balance_functions,
+        document_functions, exercise_functions, photometry_functions, geometry_functions, glare_functions,
+        derive_functions,   room_functions,     exchange_functions};
 
     for (size_t i = 0; i < sizeof lists / sizeof *lists; i++)
         if (PyModule_AddFunctions(module, (PyMethodDef *)lists[i]) < 0)

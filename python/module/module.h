@@ -96,6 +96,10 @@ PyObject *text_or_none(const char *text);
 PyObject *number_or_none(bool given, double number);
 PyObject *triple_or_none(bool given, const double vector[3]);
 
+/* What luxel._glare and luxel._room make classes of. */
+PyObject *glare_tuple(const luxel_glare *glare);
+PyObject *limits_list(const luxel_limit *limits, size_t count);
+
 /* The bytes of a file that the library made in memory, which are freed; `good` false: an exception is set. */
 PyObject *file_of(bool good, unsigned char *bytes, size_t length);
 
@@ -108,7 +112,7 @@ int append(PyObject *list, PyObject *item);
 extern const PyMethodDef scene_functions[], edit_functions[], render_functions[], field_functions[],
     reading_functions[], profile_functions[], probe_functions[], evaluate_functions[], grid_functions[],
     balance_functions[], document_functions[], exercise_functions[], photometry_functions[], geometry_functions[],
-    glare_functions[], exchange_functions[];
+    glare_functions[], derive_functions[], room_functions[], exchange_functions[];
 extern PyType_Spec scene_spec, field_spec, view_spec, holder_spec;
 
 #endif

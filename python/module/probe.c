@@ -5,22 +5,6 @@
 #include "failure.h"
 #include "work.h"
 
-static PyObject *share_tuple(const luxel_light_share *share)
-{
-    return Py_BuildValue("(nsNddddn)", (Py_ssize_t)share->light, share->type, text_or_none(share->name),
-                         share->irradiance, share->diffuse, share->specular, share->error, (Py_ssize_t)share->parts);
-}
-
-static PyObject *shares_list(const luxel_probe *probe)
-{
-    PyObject *list = PyList_New(0);
-
-    for (size_t i = 0; list && i < probe->share_count; i++)
-        if (append(list, share_tuple(&probe->shares[i])) < 0)
-            Py_CLEAR(list);
-    return list;
-}
-
 static PyObject *index_or_none(bool given, size_t index)
 {
     return given ? PyLong_FromSize_t(index) : none();
@@ -41,6 +25,23 @@ static PyObject *color_or_none(const luxel_color *color)
     return Py_BuildValue("(NNNNN)", triple_or_none(true, color->rgb), triple_or_none(true, color->error),
                          pair_or_none(seen.has_xy, seen.xy[0], seen.xy[1]), number_or_none(seen.has_cct, seen.cct_k),
                          number_or_none(seen.has_cct, seen.duv));
+}
+
+static PyObject *share_tuple(const luxel_light_share *share)
+{
+    return Py_BuildValue("(nsNddddnN)", (Py_ssize_t)share->light, share->type, text_or_none(share->name),
+                         share->irradiance, share->diffuse, share->specular, share->error, (Py_ssize_t)share->parts,
+                         share->color ? color_or_none(share->color) : none());
+}
+
+static PyObject *shares_list(const luxel_probe *probe)
+{
+    PyObject *list = PyList_New(0);
+
+    for (size_t i = 0; list && i < probe->share_count; i++)
+        if (append(list, share_tuple(&probe->shares[i])) < 0)
+            Py_CLEAR(list);
+    return list;
 }
 
 /* `albedo`: NaN, or what is not told. */

@@ -35,6 +35,9 @@ luxel_status lx_probe_in_color(const luxel_scene *scene, const luxel_settings *s
 luxel_status lx_probes_new(const luxel_scene *scene, const luxel_settings *settings, size_t count,
                            luxel_diagnostics *diagnostics, luxel_probes **probes);
 
+/* Gives each share of such probes a colour, without light; false: memory ran out. */
+bool lx_probes_add_colors(luxel_probes *probes);
+
 /* The probes, to be filled. */
 luxel_probe *lx_probes_list(luxel_probes *probes);
 /* Takes all that a probe tells of its place over as number i of such probes, with room for the shares of all lights. */

@@ -87,10 +87,10 @@ static void light_elements(struct batch *batch)
         light_by_lobes(batch);
 }
 
-/* Whether a place is a free element like another that begins a batch. */
+/* Whether a place is a free element like another that begins a batch; where there are mirrors none is like another. */
 static bool is_alike(const struct evaluating *work, const luxel_place *place, const luxel_place *first)
 {
-    return place->is_element && lx_is_place(place) &&
+    return work->evaluator->world.prepared->mirrors.count == 0 && place->is_element && lx_is_place(place) &&
            place->surface < lx_material_count(work->evaluator->world.prepared->scene) &&
            place->has_view == first->has_view;
 }

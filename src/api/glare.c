@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * The unified glare rating of an observer in a scene.  Each light is one source: the middle and the area of what its
- * emitters show to the eye tell its solid angle and where in the field of view it is; what part of it surfaces hide is
- * told by the irradiance that it gives there with and without their shadows.  The background is the irradiance of the
- * eye by reflected and ambient light.
+ * The unified glare rating of an observer in a scene.  Each light, or each place of its array, is one source: the
+ * middle and the area of what its emitters show to the eye tell its solid angle and where in the field of view it is;
+ * what part of it surfaces hide is told by the irradiance that it gives there with and without their shadows.  The
+ * background is the irradiance of the eye by reflected and ambient light.
  */
 #include <luxel/glare.h>
 
@@ -15,7 +15,6 @@
 #include "../base/diagnostics.h"
 #include "../base/glare.h"
 #include "../base/memory.h"
-#include "../base/number.h"
 #include "../base/phrase.h"
 #include "../base/vector.h"
 #include "../light/array.h"
@@ -23,6 +22,7 @@
 #include "../scene/observer.h"
 #include "../scene/scene.h"
 #include "../world/evaluate.h"
+#include "coloring.h"
 #include "glare_light.h"
 #include "reflecting.h"
 
@@ -123,15 +123,15 @@ static struct lx_element element_at(const struct lx_prepared *prepared, const st
     return lx_element_at(prepared, &place);
 }
 
-/* The irradiance of an element at the eye by one light, 0 where that lies on the eye; moves `next`. */
-static lx_bounded light_eye(const struct lx_world *world, const struct eye *eye, const double normal[3], size_t light,
-                            size_t *next)
+/* The irradiance of an element at the eye by emitters, 0 where one lies on the eye. */
+static lx_bounded light_eye(const struct lx_world *world, const struct eye *eye, const double normal[3], size_t first,
+                            size_t end)
 {
     const struct lx_element element = element_at(world->prepared, eye, normal);
     struct lx_elements elements;
     struct lx_received received;
     lx_elements_of_one(world->prepared, &element, &elements);
-    lx_world_light_of(world, &elements, light, LX_WANT_IRRADIANCE, NULL, next, &received);
+    lx_world_light_between(world, &elements, first, end, LX_WANT_IRRADIANCE, NULL, &received);
     return received.on_element[0] ? lx_exact(0) : lx_column_get(&received.irradiance, 0);
 }
 
@@ -156,24 +156,21 @@ static lx_bounded weigh(const struct lx_light_seen *seen, lx_bounded open, lx_bo
                   plain(solid_angle / (source->position_index * source->position_index)));
 }
 
-static luxel_status rate_light(struct rating *rating, size_t light, size_t *next, luxel_glare_source *source,
-                               lx_bounded *share)
+/* Rates emitters of the session as a source; `whole`: the same without parts. */
+static lx_bounded rate_source(struct rating *rating, const struct lx_emitters *whole, size_t first, size_t end,
+                              luxel_glare_source *source)
 {
-    const struct lx_prepared *prepared = &rating->session->prepared;
     const struct eye *eye = &rating->eye;
-    struct lx_light_seen seen;
     const struct lx_world without_shadows = {.prepared = &rating->open, .kernels = rating->session->world.kernels};
-    size_t again = *next;
-    if (!lx_see_light(&prepared->scene->lights.items[light], eye->place_mm, &seen))
-        return LUXEL_ERROR_MEMORY;
+    struct lx_light_seen seen;
+    lx_see_emitters(whole, eye->place_mm, &seen);
     const double *normal = seen.distance_m > 0 ? seen.towards : eye->ahead;
-    *share = lx_exact(0);
     source->position_index = seen.distance_m > 0
                                  ? lx_position_index(lx_dot(seen.towards, eye->ahead), lx_dot(seen.towards, eye->aside),
                                                      lx_dot(seen.towards, eye->above))
                                  : (double)NAN;
-    const lx_bounded open = light_eye(&without_shadows, eye, normal, light, &again);
-    const lx_bounded shadowed = light_eye(&rating->session->world, eye, normal, light, next);
+    const lx_bounded open = light_eye(&without_shadows, eye, normal, first, end);
+    const lx_bounded shadowed = light_eye(&rating->session->world, eye, normal, first, end);
     if (seen.is_uniform) {
         source->reason = LUXEL_GLARE_BACKGROUND;
         rating->ambient = lx_add(rating->ambient, shadowed);
@@ -182,10 +179,52 @@ static luxel_status rate_light(struct rating *rating, size_t light, size_t *next
     } else if (!(seen.area_m2 > 0)) {
         source->reason = LUXEL_GLARE_NO_AREA;
     } else {
-        *share = weigh(&seen, open, shadowed, source);
-        rating->sum = lx_add(rating->sum, *share);
+        const lx_bounded share = weigh(&seen, open, shadowed, source);
+        rating->sum = lx_add(rating->sum, share);
+        return share;
     }
-    return LUXEL_OK;
+    return lx_exact(0);
+}
+
+/* The emitters of one of the places of a light. */
+static struct lx_emitters of_place(const struct lx_emitters *emitters, size_t places, size_t place)
+{
+    struct lx_emitters these = *emitters;
+    if (places == 1 || emitters->point_set_count > 0)
+        return these;
+    these.count = emitters->count / places;
+    these.items += place * these.count;
+    these.extended = emitters->extended / places;
+    return these;
+}
+
+/* Rates a light place by place; `next`, the first of its emitters, moves behind them. */
+static luxel_status rate_light(struct rating *rating, size_t light, size_t *next)
+{
+    const struct lx_prepared *prepared = &rating->session->prepared;
+    const struct lx_item *item = &prepared->scene->lights.items[light];
+    const struct lx_light_common *common = item->common;
+    const size_t places = lx_light_places(item), first = *next;
+    luxel_glare *glare = rating->glare;
+    struct lx_emitters whole = {.is_whole = true};
+    struct lx_emitter room;
+    luxel_status status =
+        lx_light_lower(item, prepared->scene->maintenance, &whole) == 0 ? LUXEL_OK : LUXEL_ERROR_MEMORY;
+    while (*next < prepared->emitters.count && lx_emitter_at(&prepared->emitters, *next, &room)->light == light)
+        (*next)++;
+    const size_t each = (*next - first) / places;
+    for (size_t place = 0; place < places && status == LUXEL_OK; place++) {
+        const struct lx_emitters these = of_place(&whole, places, place);
+        luxel_glare_source *source = &glare->sources[glare->source_count];
+        *source = (luxel_glare_source){.light = light, .type = item->variant->name, .place = place, .places = places};
+        if (common->name && !(source->name = lx_copy_text(common->name, strlen(common->name))))
+            status = LUXEL_ERROR_MEMORY;
+        else
+            rating->shares[glare->source_count++] =
+                rate_source(rating, &these, first + place * each, first + (place + 1) * each, source);
+    }
+    lx_emitters_clear(&whole);
+    return status;
 }
 
 /* Reads the lights of the group that gives light; they come first, so that names can be freed. */
@@ -194,21 +233,16 @@ static luxel_status rate_lights(struct rating *rating)
     const struct lx_list *lights = &rating->session->prepared.scene->lights;
     luxel_glare *glare = rating->glare;
     luxel_status status = LUXEL_OK;
-    size_t next = 0;
-    glare->sources = lx_new_array(lights->count + 1, sizeof *glare->sources);
-    rating->shares = lx_new_array(lights->count + 1, sizeof *rating->shares);
+    size_t next = 0, most = 1;
+    for (size_t i = 0; i < lights->count; i++)
+        most += rating->session->prepared.on[i] ? lx_light_places(&lights->items[i]) : 0;
+    glare->sources = lx_new_array(most, sizeof *glare->sources);
+    rating->shares = lx_new_array(most, sizeof *rating->shares);
     if (!glare->sources || !rating->shares)
         return LUXEL_ERROR_MEMORY;
-    for (size_t i = 0; i < lights->count && status == LUXEL_OK; i++) {
-        const struct lx_light_common *common = lights->items[i].common;
-        if (!rating->session->prepared.on[i])
-            continue;
-        luxel_glare_source *source = &glare->sources[glare->source_count];
-        *source = (luxel_glare_source){.light = i, .type = lights->items[i].variant->name};
-        if (common->name && !(source->name = lx_copy_text(common->name, strlen(common->name))))
-            return LUXEL_ERROR_MEMORY;
-        status = rate_light(rating, i, &next, source, &rating->shares[glare->source_count++]);
-    }
+    for (size_t i = 0; i < lights->count && status == LUXEL_OK; i++)
+        if (rating->session->prepared.on[i])
+            status = rate_light(rating, i, &next);
     for (size_t i = 0; i < glare->source_count && rating->sum.value > 0; i++)
         glare->sources[i].share = rating->shares[i].value / rating->sum.value;
     return status;
@@ -232,6 +266,40 @@ static void take_reflected(void *data, size_t i, lx_bounded irradiance)
     ((struct rating *)data)->reflected = irradiance;
 }
 
+/* What surfaces reflect to the eye, in a session that may have shared what it knows. */
+static luxel_status reflect(struct rating *rating, luxel_diagnostics *diagnostics)
+{
+    const luxel_settings *settings = &rating->session->settings;
+    struct lx_control control = {.rows = 1, .progress = settings->progress, .data = settings->progress_data};
+    const struct lx_reflecting reflecting = {&control, 1, ask_eye, take_reflected, rating, NULL, NULL, NULL};
+    return lx_reflect_places(rating->session, &reflecting, false, diagnostics);
+}
+
+/* The luminance of that where it is a sum of parts. */
+static luxel_status reflect_parts(const luxel_scene *scene, struct rating *rating, luxel_diagnostics *diagnostics)
+{
+    luxel_settings settings = rating->session->settings;
+    struct lx_color_parts parts;
+    settings.quantity = LUXEL_IRRADIANCE;
+    luxel_status status = lx_color_parts_make(scene, &settings, diagnostics, &parts);
+    for (size_t p = 0; p < parts.count && status == LUXEL_OK; p++) {
+        const struct lx_color_part *part = &parts.list[p];
+        luxel_settings own = part->settings;
+        struct lx_part_progress progress;
+        struct lx_session session;
+        struct rating of_part = {.session = &session, .eye = rating->eye, .ambient = rating->ambient};
+        lx_part_progress_begin(&progress, p, parts.count, &settings, &own);
+        status = lx_session_open_world(part->scene, &own, diagnostics, &session);
+        if (status == LUXEL_OK)
+            status = reflect(&of_part, diagnostics);
+        rating->reflected =
+            lx_add_part(rating->reflected, part->luminance, of_part.reflected.value, of_part.reflected.error);
+        lx_session_clear(&session);
+    }
+    lx_color_parts_clear(&parts);
+    return status;
+}
+
 /* UGR and its bound: between the least sum over the greatest background and the other way round. */
 static void conclude(const struct rating *rating, lx_bounded background)
 {
@@ -250,14 +318,14 @@ static void conclude(const struct rating *rating, lx_bounded background)
         16 * DBL_EPSILON * (1 + fabs(glare->rating.value));
 }
 
-static luxel_status rate(struct rating *rating, luxel_diagnostics *diagnostics)
+static luxel_status rate(const luxel_scene *scene, struct rating *rating, luxel_diagnostics *diagnostics)
 {
     const luxel_settings *settings = &rating->session->settings;
-    struct lx_control control = {.rows = 1, .progress = settings->progress, .data = settings->progress_data};
-    const struct lx_reflecting reflecting = {&control, 1, ask_eye, take_reflected, rating, NULL, NULL, NULL};
     luxel_status status = rate_lights(rating);
     if (status == LUXEL_OK && lx_wants_reflections(rating->session->prepared.scene))
-        status = lx_reflect_places(rating->session, &reflecting, false, diagnostics);
+        status = lx_is_sum_of_channels(lx_scene_parameters(scene), LUXEL_IRRADIANCE)
+                     ? reflect_parts(scene, rating, diagnostics)
+                     : reflect(rating, diagnostics);
     const lx_bounded background = lx_add(rating->reflected, rating->ambient);
     rating->glare->reached = rating->reflected.error <= lx_reflected_error_of(settings) * fabs(background.value);
     if (status == LUXEL_OK)
@@ -265,18 +333,13 @@ static luxel_status rate(struct rating *rating, luxel_diagnostics *diagnostics)
     return status == LUXEL_ERROR_MEMORY ? lx_out_of_memory(diagnostics) : status;
 }
 
-/* Each source of an array would have a place of its own in the field of view. */
-static luxel_status refuse_arrays(const struct lx_prepared *prepared, luxel_diagnostics *diagnostics)
+/* Images of lamps in mirrors would have places of their own in the field of view. */
+static luxel_status refuse_mirrors(const struct lx_prepared *prepared, luxel_diagnostics *diagnostics)
 {
-    const struct lx_list *lights = &prepared->scene->lights;
-    for (size_t i = 0; i < lights->count; i++)
-        if (prepared->on[i] && lx_light_places(&lights->items[i]) > 1) {
-            char number[LX_NUMBER_SIZE];
-            lx_report(diagnostics, LUXEL_SEVERITY_ERROR, NULL, LX_MSG_GLARE_OF_ARRAY,
-                      LX_ARGS(lx_write_number((double)i, number)));
-            return LUXEL_ERROR_SCENE;
-        }
-    return LUXEL_OK;
+    if (prepared->mirrors.count == 0)
+        return LUXEL_OK;
+    lx_report(diagnostics, LUXEL_SEVERITY_ERROR, NULL, LX_MSG_GLARE_OF_MIRRORS, NULL);
+    return LUXEL_ERROR_SCENE;
 }
 
 luxel_status luxel_find_glare(const luxel_scene *scene, const luxel_settings *settings, const luxel_glare_sight *sight,
@@ -291,20 +354,18 @@ luxel_status luxel_find_glare(const luxel_scene *scene, const luxel_settings *se
         return status;
     status = lx_session_open_world(scene, settings, diagnostics, &session);
     if (status == LUXEL_OK)
-        status = lx_refuse_sum(scene, LUXEL_IRRADIANCE, LX_N("glare"), diagnostics);
-    if (status == LUXEL_OK)
-        status = refuse_arrays(&session.prepared, diagnostics);
+        status = refuse_mirrors(&session.prepared, diagnostics);
     if (status == LUXEL_OK && !open_eye(session.prepared.scene, sight, &rating.eye)) {
         lx_report(diagnostics, LUXEL_SEVERITY_ERROR, NULL, LX_MSG_MISSING_ARGUMENT, LX_ARGS("sight"));
         status = LUXEL_ERROR_ARGUMENT;
     }
-    if (status == LUXEL_OK)
+    if (status == LUXEL_OK && !lx_is_sum_of_channels(lx_scene_parameters(scene), LUXEL_IRRADIANCE))
         status = lx_reflect_shared(scene, &session, diagnostics);
     if (status == LUXEL_OK) {
         rating.open = session.prepared;
         rating.open.shadows_on_free = rating.open.shadows_extended = false;
         rating.glare = lx_new_array(1, sizeof *rating.glare);
-        status = rating.glare ? rate(&rating, diagnostics) : lx_out_of_memory(diagnostics);
+        status = rating.glare ? rate(scene, &rating, diagnostics) : lx_out_of_memory(diagnostics);
     }
     lx_session_clear(&session);
     free(rating.shares);

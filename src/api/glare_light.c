@@ -5,7 +5,6 @@
 #include "../base/pose.h"
 #include "../base/vector.h"
 #include "../format/lamp/photometry_area.h"
-#include "../light/array.h"
 #include "../light/distribution.h"
 #include "../light/solid/elliptic.h"
 #include "../light/solid/extended.h"
@@ -27,31 +26,24 @@ static double area_seen(const struct lx_emitter *emitter, const double from_sour
 }
 
 /* All emitters together; points of a cloud are many sources and show no area. */
-bool lx_see_light(const struct lx_item *item, const double eye_mm[3], struct lx_light_seen *seen)
+void lx_see_emitters(const struct lx_emitters *emitters, const double eye_mm[3], struct lx_light_seen *seen)
 {
-    struct lx_emitters emitters = {.is_whole = true};
     struct lx_emitter room;
     double middle[3], from_source[3];
     *seen = (struct lx_light_seen){.radiance = lx_exact(0)};
-    if (lx_light_lower(item, &emitters) != 0) {
-        lx_emitters_clear(&emitters);
-        return false;
+    const bool is_one = emitters->count == 1 || emitters->extended == emitters->count;
+    seen->is_uniform = emitters->count == 1 && lx_is_uniform(lx_emitter_at(emitters, 0, &room));
+    if (!is_one || emitters->count == 0 || !lx_emitters_place(emitters, middle))
+        return;
+    for (int i = 0; i < 3; i++)
+        seen->towards[i] = (middle[i] - eye_mm[i]) / 1e3;
+    seen->distance_m = lx_normalize(seen->towards);
+    for (int i = 0; i < 3; i++)
+        from_source[i] = -seen->towards[i];
+    for (size_t i = 0; i < emitters->count && seen->distance_m > 0; i++) {
+        const struct lx_emitter *emitter = lx_emitter_at(emitters, i, &room);
+        seen->area_m2 += area_seen(emitter, from_source);
+        if (lx_is_extended(emitter) && lx_has_closed_form(emitter))
+            seen->radiance = emitter->radiance;
     }
-    const bool is_one = emitters.count == 1 || emitters.extended == emitters.count;
-    seen->is_uniform = emitters.count == 1 && lx_is_uniform(lx_emitter_at(&emitters, 0, &room));
-    if (is_one && emitters.count > 0 && lx_emitters_place(&emitters, middle)) {
-        for (int i = 0; i < 3; i++)
-            seen->towards[i] = (middle[i] - eye_mm[i]) / 1e3;
-        seen->distance_m = lx_normalize(seen->towards);
-        for (int i = 0; i < 3; i++)
-            from_source[i] = -seen->towards[i];
-        for (size_t i = 0; i < emitters.count && seen->distance_m > 0; i++) {
-            const struct lx_emitter *emitter = lx_emitter_at(&emitters, i, &room);
-            seen->area_m2 += area_seen(emitter, from_source);
-            if (lx_is_extended(emitter) && lx_has_closed_form(emitter))
-                seen->radiance = emitter->radiance;
-        }
-    }
-    lx_emitters_clear(&emitters);
-    return true;
 }

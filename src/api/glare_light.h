@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: MIT */
-/* A light as an eye sees it that takes it for one source: where it is, how far and how large. */
+/* Emitters as an eye sees them that takes them for one source: where that is, how far and how large. */
 #ifndef LX_API_GLARE_LIGHT_H
 #define LX_API_GLARE_LIGHT_H
 
 #include "../base/bounded.h"
-#include "../parameter/table.h"
+#include "../light/emitter.h"
 
 struct lx_light_seen {
     double towards[3], distance_m; /* the unit direction to its middle; a distance of 0: it has none */
@@ -13,7 +13,7 @@ struct lx_light_seen {
     bool is_uniform;               /* it comes from everywhere */
 };
 
-/* Looks at an item of the list `lights`; false: memory ran out. */
-bool lx_see_light(const struct lx_item *item, const double eye_mm[3], struct lx_light_seen *seen);
+/* Looks at the emitters of a light, or of one place of its array, that were lowered with `is_whole`. */
+void lx_see_emitters(const struct lx_emitters *emitters, const double eye_mm[3], struct lx_light_seen *seen);
 
 #endif

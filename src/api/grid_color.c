@@ -6,6 +6,7 @@
 #include "../base/diagnostics.h"
 #include "../base/memory.h"
 #include "../world/evaluate.h"
+#include "color_worlds.h"
 #include "coloring.h"
 #include "grid.h"
 #include "session.h"
@@ -85,12 +86,7 @@ static void finish_sum(luxel_grid *grid)
 static void add_channels(luxel_color *colors, const struct lx_color_part *part, const luxel_grid *from)
 {
     for (size_t i = 0; i < cells_of(from); i++)
-        for (int c = 0; c < LX_CHANNELS; c++) {
-            const lx_bounded so_far = {colors[i].rgb[c], colors[i].error[c]};
-            const lx_bounded sum = lx_add_part(so_far, part->rgb[c], from->values[i], from->errors[i]);
-            colors[i].rgb[c] = sum.value;
-            colors[i].error[c] = lx_reported(sum).error;
-        }
+        lx_color_add(part, (lx_bounded){from->values[i], from->errors[i]}, &colors[i]);
 }
 
 /* A grid of one part, added to what is made; beside a grid that is known already the values alone count. */

@@ -15,11 +15,11 @@
 #include "../base/rows.h"
 #include "../base/vector.h"
 #include "../flux/candidate_rays.h"
-#include "../scene/colours.h"
 #include "../scene/scene.h"
 #include "../world/bodies.h"
 #include "../world/evaluate.h"
 #include "../world/world.h"
+#include "color_worlds.h"
 #include "grid_measuring.h"
 #include "reflecting.h"
 #include "refuse.h"
@@ -60,11 +60,19 @@ struct search {
     unsigned n[2];      /* of the lattice */
     struct node *nodes; /* of the lattice, then where rays end */
     size_t count;
+    const struct lx_color_worlds *worlds; /* whose sum it is; NULL: it is the world's own light */
+    size_t adding;                        /* the part whose reflected light is found */
 };
 
+/* The world that a part of the light is asked of. */
+static const struct lx_world *world_of(const struct search *search, size_t part)
+{
+    return search->worlds ? &search->worlds->sessions[part].world : &search->world;
+}
+
 /* The elements of some nodes, at most a batch of them. */
-static void place_nodes(const struct search *search, const struct node *nodes, unsigned count,
-                        struct lx_elements *elements)
+static void place_nodes(const struct search *search, const struct lx_world *world, const struct node *nodes,
+                        unsigned count, struct lx_elements *elements)
 {
     lx_elements_begin(elements, &search->measure.lobe, true);
     for (unsigned i = 0; i < count; i++) {
@@ -73,14 +81,22 @@ static void place_nodes(const struct search *search, const struct node *nodes, u
         lx_elements_append_place(elements, lx_exact3(place_mm), search->cells.normal, NULL);
     }
     lx_elements_end(elements);
-    lx_world_settle(&search->world, &(struct lx_settling){.has_normals = true}, elements);
+    lx_world_settle(world, &(struct lx_settling){.has_normals = true}, elements);
+}
+
+/* Asks one world for the light at some nodes. */
+static void ask(const struct search *search, const struct lx_world *world, const struct node *nodes, unsigned count,
+                bool is_caller, struct lx_received *received)
+{
+    const struct lx_asking asking = {.control = search->control, .is_caller = is_caller};
+    struct lx_elements elements;
+    place_nodes(search, world, nodes, count, &elements);
+    lx_plane_light(world, &search->measure, &elements, &asking, received);
 }
 
 /* The irradiance of some nodes, at most a batch of them. */
 static void look(const struct search *search, struct node *nodes, unsigned count, bool is_caller)
 {
-    const struct lx_asking asking = {.control = search->control, .is_caller = is_caller};
-    struct lx_elements elements;
     struct lx_received received;
     bool is_any = false;
     for (unsigned i = 0; i < count; i++) {
@@ -89,13 +105,17 @@ static void look(const struct search *search, struct node *nodes, unsigned count
         nodes[i].has_value = !lx_body_around(&search->bodies, place_mm);
         is_any = is_any || nodes[i].has_value;
     }
-    if (!is_any)
-        return;
-    place_nodes(search, nodes, count, &elements);
-    lx_plane_light(&search->world, &search->measure, &elements, &asking, &received);
-    for (unsigned i = 0; i < count; i++) {
-        nodes[i].value = lx_received_on_plane(&search->world, &received, i);
-        nodes[i].has_value = nodes[i].has_value && !received.on_element[i] && isfinite(nodes[i].value.value);
+    for (size_t p = 0; is_any && p < (search->worlds ? search->worlds->parts.count : 1); p++) {
+        const struct lx_world *world = world_of(search, p);
+        ask(search, world, nodes, count, is_caller, &received);
+        for (unsigned i = 0; i < count; i++) {
+            const lx_bounded light = lx_received_on_plane(world, &received, i);
+            const lx_bounded before = p > 0 ? nodes[i].value : lx_exact(0);
+            nodes[i].value =
+                search->worlds ? lx_add_part(before, search->worlds->parts.list[p].luminance, light.value, light.error)
+                               : light;
+            nodes[i].has_value = nodes[i].has_value && !received.on_element[i] && isfinite(nodes[i].value.value);
+        }
     }
 }
 
@@ -392,16 +412,20 @@ static bool element_of(const void *data, size_t i, struct lx_element *element, d
     struct lx_elements elements;
     if (!search->nodes[i].has_value)
         return false;
-    place_nodes(search, &search->nodes[i], 1, &elements);
-    *element = lx_elements_get(search->world.prepared, &elements, 0);
+    const struct lx_world *world = world_of(search, search->adding);
+    place_nodes(search, world, &search->nodes[i], 1, &elements);
+    *element = lx_elements_get(world->prepared, &elements, 0);
     *direct = search->nodes[i].value.value;
     return true;
 }
 
 static void take_reflected(void *data, size_t i, lx_bounded irradiance)
 {
-    struct node *node = &((struct search *)data)->nodes[i];
-    node->value = lx_add(node->value, irradiance);
+    const struct search *search = data;
+    struct node *node = &search->nodes[i];
+    node->value = search->worlds ? lx_add_part(node->value, search->worlds->parts.list[search->adding].luminance,
+                                               irradiance.value, irradiance.error)
+                                 : lx_add(node->value, irradiance);
 }
 
 /* Adds what is reflected to the nodes of the lattice, by the solution that was found for the plane, if there is one. */
@@ -423,6 +447,58 @@ static luxel_status add_reflected(const luxel_scene *scene, struct lx_session *s
     return lx_reflect_places(session, &reflecting, !is_shared && session->world.reflected, diagnostics);
 }
 
+/* ---- in colour ---- */
+
+/* Adds what is reflected in the parts to the nodes. */
+static luxel_status add_parts(struct search *search, size_t grid, luxel_diagnostics *diagnostics)
+{
+    luxel_status status = LUXEL_OK;
+    const struct lx_color_worlds *worlds = search->worlds;
+    for (search->adding = 0; search->adding < worlds->parts.count && status == LUXEL_OK; search->adding++)
+        status = add_reflected(worlds->parts.list[search->adding].scene, &worlds->sessions[search->adding], grid,
+                               search, diagnostics);
+    return status;
+}
+
+/* The channels at a peak, by the parts, whose worlds know what is reflected. */
+static void color_peak(const struct search *search, luxel_grid_peak *peak)
+{
+    const struct node node = {.at = {peak->on_plane_mm[0], peak->on_plane_mm[1]}};
+    if (!peak->exists)
+        return;
+    for (size_t p = 0; p < search->worlds->parts.count; p++) {
+        const struct lx_world *world = world_of(search, p);
+        struct lx_received received;
+        ask(search, world, &node, 1, true, &received);
+        lx_color_add(&search->worlds->parts.list[p], lx_received_on_plane(world, &received, 0), &peak->color);
+    }
+}
+
+/* The channels of both peaks, by parts whose worlds know what is reflected, or find it here. */
+static luxel_status color_peaks(struct search *search, size_t grid, bool reflects, luxel_diagnostics *diagnostics,
+                                luxel_grid_extrema *extrema)
+{
+    luxel_grid_peak *const peaks[] = {&extrema->minimum, &extrema->maximum};
+    struct node nodes[2] = {{.has_value = false}, {.has_value = false}};
+    struct lx_control control = {.rows = 1};
+    luxel_status status = LUXEL_OK;
+    search->control = &control;
+    if (reflects && !world_of(search, 0)->reflected) {
+        struct search both = *search;
+        both.nodes = nodes;
+        both.count = LX_COUNT(nodes);
+        for (size_t i = 0; i < LX_COUNT(nodes); i++) {
+            memcpy(nodes[i].at, peaks[i]->on_plane_mm, sizeof nodes[i].at);
+            nodes[i].value = (lx_bounded){peaks[i]->value, peaks[i]->error};
+            nodes[i].has_value = peaks[i]->exists;
+        }
+        status = add_parts(&both, grid, diagnostics);
+    }
+    for (size_t i = 0; i < LX_COUNT(peaks) && status == LUXEL_OK; i++)
+        color_peak(search, peaks[i]);
+    return status;
+}
+
 /* ---- the plane ---- */
 
 static luxel_status run(const luxel_scene *scene, struct lx_session *session, size_t i, const struct lx_grid *grid,
@@ -442,7 +518,9 @@ static luxel_status run(const luxel_scene *scene, struct lx_session *session, si
     search->threads = session->settings.threads;
     if (!look_at_all(search, control.rows, true))
         return LUXEL_CANCELLED;
-    const luxel_status status = reflects ? add_reflected(scene, session, i, search, diagnostics) : LUXEL_OK;
+    const luxel_status status = !reflects        ? LUXEL_OK
+                                : search->worlds ? add_parts(search, i, diagnostics)
+                                                 : add_reflected(scene, session, i, search, diagnostics);
     if (status != LUXEL_OK)
         return status;
     search->world.reflected = session->world.reflected; /* places that are looked at from now on have it */
@@ -451,6 +529,33 @@ static luxel_status run(const luxel_scene *scene, struct lx_session *session, si
         !atomic_load(&control.stop))
         return lx_out_of_memory(diagnostics);
     return atomic_load(&control.stop) ? LUXEL_CANCELLED : LUXEL_OK;
+}
+
+/* Looks for the extrema of a scene in colour, of the parts' sum or of its own light, and for their channels. */
+static luxel_status run_in_color(const luxel_scene *scene, struct lx_session *session, size_t i,
+                                 const struct lx_grid *grid, struct search *search, luxel_diagnostics *diagnostics,
+                                 luxel_grid_extrema *extrema)
+{
+    luxel_grid_peak *const peaks[] = {&extrema->minimum, &extrema->maximum};
+    struct lx_color_worlds worlds;
+    luxel_status status = lx_color_worlds_begin(scene, &session->settings, diagnostics, &worlds);
+    if (status == LUXEL_OK && worlds.parts.is_sum) {
+        status = lx_color_worlds_open(&worlds, diagnostics);
+        search->worlds = &worlds;
+    }
+    if (status == LUXEL_OK)
+        status = run(scene, session, i, grid, search, diagnostics, extrema);
+    for (size_t k = 0; k < LX_COUNT(peaks) && status == LUXEL_OK && worlds.parts.is_single; k++)
+        if (peaks[k]->exists)
+            lx_color_add(&worlds.parts.list[0], (lx_bounded){peaks[k]->value, peaks[k]->error}, &peaks[k]->color);
+    if (status == LUXEL_OK && !worlds.parts.is_sum && !worlds.parts.is_single) {
+        status = lx_color_worlds_open(&worlds, diagnostics);
+        search->worlds = &worlds;
+    }
+    if (status == LUXEL_OK && !worlds.parts.is_single)
+        status = color_peaks(search, i, lx_wants_reflections(session->prepared.scene), diagnostics, extrema);
+    lx_color_worlds_clear(&worlds);
+    return status;
 }
 
 luxel_status luxel_find_grid_extrema(const luxel_scene *scene, const luxel_settings *settings, size_t i,
@@ -463,17 +568,18 @@ luxel_status luxel_find_grid_extrema(const luxel_scene *scene, const luxel_setti
     const struct lx_grid *grid = status == LUXEL_OK ? lx_asked_grid(scene, i, extrema, "extrema", diagnostics) : NULL;
     if (status == LUXEL_OK && !grid)
         status = LUXEL_ERROR_ARGUMENT;
-    const bool is_sum = status == LUXEL_OK && lx_is_sum_of_channels(lx_scene_parameters(scene), LUXEL_IRRADIANCE);
-    if (status == LUXEL_OK && !is_sum) {
+    const bool in_color = status == LUXEL_OK && luxel_scene_has_color(scene);
+    if (status == LUXEL_OK) {
         search.world.kernels = session.world.kernels;
         search.world.reflect = session.world.reflect;
         search.hasty = session.prepared;
         if (!lx_wants_reflections(session.prepared.scene)) /* else nothing is asked again */
             search.hasty.tolerance = fmax(session.prepared.tolerance, WHILE_SEARCHING);
-        status = lx_reflect_shared(scene, &session, diagnostics);
+        if (!(in_color && lx_is_sum_of_channels(lx_scene_parameters(scene), LUXEL_IRRADIANCE)))
+            status = lx_reflect_shared(scene, &session, diagnostics);
     }
-    if (status == LUXEL_OK && !is_sum)
-        status = run(scene, &session, i, grid, &search, diagnostics, &found);
+    if (status == LUXEL_OK)
+        status = (in_color ? run_in_color : run)(scene, &session, i, grid, &search, diagnostics, &found);
     free(search.nodes);
     lx_bodies_clear(&search.bodies);
     lx_session_clear(&session);

@@ -18,7 +18,8 @@
 /* From this share of the mean on the sampling error is said to be one. */
 static const double COARSE = 0.01;
 
-/* Light of luminous openings is an integral at each place: that over a plane would take a million of them. */
+/* Light of luminous openings is an integral at each place: that over a plane would take a million of them.  Nor is
+ * light over mirrors integrated. */
 static bool has_openings(const struct lx_emitters *emitters)
 {
     for (size_t i = 0; i < lx_item_count(emitters); i++)
@@ -113,7 +114,7 @@ void lx_integrate_plane(const struct lx_measuring *measuring)
     const struct lx_asking asking = {.control = measuring->control, .is_caller = true};
     const bool photometric = strcmp(grid->unit, "lx") == 0, radiometric = strcmp(grid->unit, "W/m²") == 0;
     if ((!photometric && !radiometric) || grid->measured + grid->enclosed != (size_t)grid->columns * grid->rows ||
-        has_openings(&measuring->world.prepared->emitters))
+        measuring->world.prepared->mirrors.count > 0 || has_openings(&measuring->world.prepared->emitters))
         return;
     struct lx_flux flux =
         lx_plane_flux(measuring->world.prepared, &measuring->made->cells, grid->average.value, &asking);

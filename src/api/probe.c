@@ -19,6 +19,7 @@
 #include "../world/bodies.h"
 #include "../world/camera.h"
 #include "../world/evaluate.h"
+#include "../world/mirrors.h"
 #include "coloring.h"
 #include "probe_pixels.h"
 #include "reflecting.h"
@@ -29,6 +30,7 @@ struct luxel_probes {
     luxel_light_share *shares; /* of all probes, one after the other */
     luxel_light_share *named;  /* what each begins with: one for each light that is on, with its words */
     size_t named_count;
+    luxel_color *colors;  /* of all shares; NULL: they have none */
     char **surface_names; /* of all surfaces */
     size_t surface_count;
     size_t count;
@@ -55,18 +57,26 @@ void luxel_probes_free(luxel_probes *probes)
         free(probes->surface_names[i]);
     free(probes->shares);
     free(probes->named);
+    free(probes->colors);
     free((void *)probes->surface_names);
     free(probes);
 }
 
 double luxel_probe_albedo(const luxel_scene *scene, const luxel_probe *probe)
 {
+    double channels[LX_CHANNELS];
     if (!scene || !luxel_scene_is_committed(scene) || !probe || !probe->on_surface ||
         probe->surface >= lx_scene_parameters(scene)->surfaces.count)
         return (double)NAN;
-    const double *n = probe->normal, *v = probe->view;
+    const double *n = probe->normal, *v = probe->view, n_dot_v = n[0] * v[0] + n[1] * v[1] + n[2] * v[2];
     const struct lx_scene_material at = lx_material_of(lx_scene_parameters(scene), probe->surface, probe->part);
-    return lx_material_albedo(at.material, n[0] * v[0] + n[1] * v[1] + n[2] * v[2]);
+    if (!luxel_scene_has_color(scene) || !lx_has_color(at.material))
+        return lx_material_albedo(at.material, n_dot_v);
+    for (unsigned c = 0; c < LX_CHANNELS; c++) {
+        const struct lx_material seen = lx_material_in_channel(at.material, c + 1);
+        channels[c] = lx_material_albedo(&seen, n_dot_v);
+    }
+    return luxel_rgb_luminance(channels);
 }
 
 void luxel_probe_free(luxel_probe *probe)
@@ -245,7 +255,7 @@ static void probe_element(const struct probing *probing, const luxel_place *plac
 static void probe_free_element(const struct probing *probing, const luxel_place *place, luxel_probe *probe)
 {
     const struct lx_prepared *prepared = &probing->session->prepared;
-    const struct lx_element element = lx_element_at(prepared, place);
+    const struct lx_element asked = lx_element_at(prepared, place), element = lx_element_shown(prepared, &asked);
     const struct lx_prepared_surface *around = lx_surface_around(prepared, place->position_mm);
     probe_element(probing, place, &element, probe);
     probe->is_enclosed = around != NULL;
@@ -423,6 +433,15 @@ luxel_status lx_probes_new(const luxel_scene *scene, const luxel_settings *setti
         on ? new_probes(lx_scene_parameters(scene), on, count, diagnostics, probes) : lx_out_of_memory(diagnostics);
     free(on);
     return status;
+}
+
+bool lx_probes_add_colors(luxel_probes *probes)
+{
+    const size_t count = probes->count * probes->named_count;
+    probes->colors = lx_new_array(count, sizeof *probes->colors);
+    for (size_t i = 0; probes->colors && i < count; i++)
+        probes->shares[i].color = &probes->colors[i];
+    return probes->colors;
 }
 
 luxel_probe *lx_probes_list(luxel_probes *probes)

@@ -2,20 +2,11 @@
 /* Probes in colour: the sums of grey ones, with the bounds of their errors. */
 #include <math.h>
 
+#include "../base/diagnostics.h"
 #include "../world/evaluate.h"
+#include "color_worlds.h"
 #include "coloring.h"
 #include "session.h"
-
-/* Adds a part's value to the channels of a probe. */
-static void add_channels(luxel_probe *probe, const struct lx_color_part *part, double value, double error)
-{
-    for (int c = 0; c < LX_CHANNELS; c++) {
-        const lx_bounded so_far = {probe->color.rgb[c], probe->color.error[c]};
-        const lx_bounded sum = lx_add_part(so_far, part->rgb[c], value, error);
-        probe->color.rgb[c] = sum.value;
-        probe->color.error[c] = lx_reported(sum).error;
-    }
-}
 
 /* Adds what one light gives: its irradiance is the same in each channel of the materials. */
 static void add_share(luxel_light_share *share, const struct lx_color_part *part, const luxel_light_share *from)
@@ -26,6 +17,31 @@ static void add_share(luxel_light_share *share, const struct lx_color_part *part
     share->specular += part->luminance * from->specular;
     share->error += (fabs(part->luminance) * from->error + 8 * LX_ROUNDING * made) * LX_BOUND_SLACK;
     share->parts = from->parts;
+}
+
+/* The colour of what a light gives, in the probes that are made. */
+static luxel_color *color_of(const luxel_light_share *share)
+{
+    return (luxel_color *)share->color;
+}
+
+/* Adds the shares of a part to those of a probe; `is_sum`: of their luminance as well. */
+static void add_shares(luxel_probe *probe, const struct lx_color_part *part, const luxel_probe *from, bool is_sum)
+{
+    for (size_t s = 0, own = 0; s < from->share_count; s++) {
+        const luxel_light_share *share = &from->shares[s];
+        const double value =
+            part->settings.quantity == LUXEL_IRRADIANCE ? share->irradiance : share->diffuse + share->specular;
+        while (own < probe->share_count && probe->shares[own].light != share->light)
+            own++;
+        if (own == probe->share_count)
+            return;
+        if (from->has_value)
+            lx_color_add(part, (lx_bounded){value, share->error + LX_ROUNDING * fabs(value)},
+                         color_of(&probe->shares[own]));
+        if (is_sum)
+            add_share(&probe->shares[own], part, share);
+    }
 }
 
 /* Adds a part to the value of a probe, and to all that it consists of. */
@@ -48,12 +64,6 @@ static void add_value(luxel_probe *probe, const struct lx_color_part *part, cons
     if (from->source_on_element && !probe->source_on_element) {
         probe->source_on_element = true;
         probe->blocking_light = from->blocking_light;
-    }
-    for (size_t s = 0, own = 0; s < from->share_count; s++) {
-        while (own < probe->share_count && probe->shares[own].light != from->shares[s].light)
-            own++;
-        if (own < probe->share_count)
-            add_share(&probe->shares[own], part, &from->shares[s]);
     }
 }
 
@@ -79,7 +89,9 @@ static void add_probes(luxel_probes *probes, const struct lx_color_parts *parts,
         if (parts->is_sum && one->on_surface)
             add_value(probe, &parts->list[p], one);
         if (one->has_value)
-            add_channels(probe, &parts->list[p], one->value, one->error);
+            lx_color_add(&parts->list[p], (lx_bounded){one->value, one->error}, &probe->color);
+        if (one->on_surface)
+            add_shares(probe, &parts->list[p], one, parts->is_sum);
     }
 }
 
@@ -89,6 +101,11 @@ static void finish(luxel_probes *probes, const struct lx_color_parts *parts)
     for (size_t i = 0; i < luxel_probes_count(probes); i++) {
         luxel_probe *probe = &lx_probes_list(probes)[i];
         probe->color.exists = probe->has_value;
+        for (size_t s = 0; s < probe->share_count; s++) {
+            luxel_color *color = color_of(&probe->shares[s]);
+            color->exists = probe->has_value;
+            *color = color->exists ? *color : (luxel_color){.exists = false};
+        }
         if (!probe->has_value)
             probe->color = (luxel_color){.exists = false};
         if (!probe->has_value && parts->is_sum)
@@ -111,6 +128,8 @@ luxel_status lx_probe_in_color(const luxel_scene *scene, const luxel_settings *s
     if (status == LUXEL_OK)
         status = parts.is_sum ? lx_probes_new(scene, settings, count, diagnostics, &made)
                               : lx_probe_grey(scene, &own, places, count, diagnostics, &made);
+    if (status == LUXEL_OK && !lx_probes_add_colors(made))
+        status = lx_out_of_memory(diagnostics);
     for (size_t p = 0; p < parts.count && status == LUXEL_OK; p++) {
         luxel_settings of_part = parts.list[p].settings;
         luxel_probes *from = made;

@@ -7,8 +7,10 @@
 #include "../base/diagnostics.h"
 #include "../base/memory.h"
 #include "../base/number.h"
+#include "../field/gather.h"
 #include "coloring.h"
 #include "reflecting.h"
+#include "render_tints.h"
 #include "rendering.h"
 
 static bool tell(double done, void *data)
@@ -41,19 +43,62 @@ static void put(const struct luxel_field *field, void *values, size_t i, double 
         ((float *)values)[i] = (float)value;
 }
 
-/* Adds a part's picture to the channels of a field and, where that is the sum, to its values. */
-static void add_part(struct luxel_field *field, const struct lx_color_part *part, const struct luxel_field *from,
-                     bool is_sum)
+/* Makes room for the channels of a field, all 0. */
+static luxel_status add_channels(struct luxel_field *field, luxel_diagnostics *diagnostics)
 {
+    const size_t size = field->precision == LUXEL_DOUBLE ? sizeof(double) : sizeof(float);
+    field->rgb = lx_new_array((size_t)field->columns * field->rows * LX_CHANNELS, size);
+    return field->rgb ? LUXEL_OK : lx_out_of_memory(diagnostics);
+}
+
+/* How large a part's channels are, in white light: by the greatest value and factor, and what they come to. */
+struct size {
+    double most[LX_CHANNELS], shown[LX_CHANNELS];
+};
+
+/* Adds a part's picture to the channels of a field and, where that is the sum, to its values.  `tints`, unless NULL,
+ * are factors of the pixels. */
+static void add_part(struct luxel_field *field, const struct lx_color_part *part, const struct luxel_field *from,
+                     bool is_sum, const struct lx_tints *tints, struct size *size)
+{
+    static const double white[LX_CHANNELS] = {1, 1, 1};
     const size_t pixels = (size_t)field->columns * field->rows;
+    const bool is_highlight = lx_scene_parameters(part->scene)->channel == LX_CHANNEL_HIGHLIGHT;
     for (size_t i = 0; i < pixels; i++) {
+        const double *factors = tints ? tints->list[tints->of_pixels[i]].factors[is_highlight] : white;
         const double value = get(field, from->values, i);
-        for (size_t c = 0; c < LX_CHANNELS; c++)
-            put(field, field->rgb, LX_CHANNELS * i + c,
-                get(field, field->rgb, LX_CHANNELS * i + c) + part->rgb[c] * value);
+        double shares[LX_CHANNELS];
+        for (size_t c = 0; c < LX_CHANNELS; c++) {
+            shares[c] = part->rgb[c] * factors[c] * value;
+            size->shown[c] = fmax(size->shown[c], factors[c] * value);
+            put(field, field->rgb, LX_CHANNELS * i + c, get(field, field->rgb, LX_CHANNELS * i + c) + shares[c]);
+        }
         if (is_sum)
-            put(field, field->values, i, get(field, field->values, i) + part->luminance * value);
+            put(field, field->values, i, get(field, field->values, i) + luxel_rgb_luminance(shares));
     }
+    for (size_t c = 0; c < LX_CHANNELS && tints && from->statistics.maximum.exists; c++)
+        size->most[c] = tints->greatest[is_highlight][c] * from->statistics.maximum.value;
+}
+
+/*
+ * Whether the parts of each group of lights add up to channels as exact as pictures are.  Each is as exact as a picture
+ * of its own greatest value, which a pixel of a darker colour may show: the channel must reach half of what both come
+ * to at most, as pictures are twice as exact as they need be.
+ */
+static bool do_fit(const struct lx_color_parts *parts, const struct size *sizes)
+{
+    for (size_t i = 0; i < parts->count; i++)
+        for (size_t c = 0; c < LX_CHANNELS; c++) {
+            double most = 0, shown = 0;
+            for (size_t k = 0; k < parts->count; k++)
+                if (parts->list[k].group == parts->list[i].group) {
+                    most += sizes[k].most[c];
+                    shown = fmax(shown, sizes[k].shown[c]);
+                }
+            if (most > 2 * shown)
+                return false;
+        }
+    return true;
 }
 
 /* What is known of reflected light in a sum: its error as a share of the maximum. */
@@ -68,6 +113,30 @@ static void note_reflected(struct reflected *reflected, const struct lx_color_pa
     const luxel_statistics *statistics = &from->statistics;
     reflected->is_known = statistics->has_reflected;
     reflected->error += fabs(part->luminance) * statistics->reflected_error * statistics->maximum.value;
+}
+
+/* The least value where light arrives, which a session of the scene tells. */
+static luxel_status find_reached(const struct lx_session *session, struct luxel_field *field,
+                                 luxel_diagnostics *diagnostics)
+{
+    luxel_statistics *statistics = &field->statistics;
+    const struct lx_strip all = lx_whole_strip(field);
+    struct lx_reaching reaching = {.is_open = false};
+    const luxel_status status =
+        statistics->has_reflected ? LUXEL_OK : lx_reaching_open(&reaching, session, 1, diagnostics);
+    /* what is reflected arrives wherever there is any */
+    if (reaching.is_plain || (statistics->has_reflected && session->settings.minimum_reached))
+        statistics->minimum_reached = statistics->minimum;
+    for (unsigned row = 0; row < field->rows && reaching.is_open && status == LUXEL_OK; row++) {
+        struct lx_row_statistics gathered = {.reached = HUGE_VAL};
+        lx_reaching_row(&reaching, 0, field, &all, row, &gathered);
+        const size_t pixel = (size_t)row * field->columns + gathered.reached_column;
+        if (gathered.reached < HUGE_VAL &&
+            !(statistics->minimum_reached.exists && gathered.reached >= statistics->minimum_reached.value))
+            statistics->minimum_reached = lx_extremum_at(field, pixel, gathered.reached);
+    }
+    lx_reaching_clear(&reaching);
+    return status;
 }
 
 static luxel_status finish_sum(struct luxel_field *field, const luxel_settings *settings, struct reflected *reflected,
@@ -90,17 +159,11 @@ static luxel_status finish_sum(struct luxel_field *field, const luxel_settings *
     return LUXEL_OK;
 }
 
-/* The field that a sum becomes: that of the scene itself, all 0. */
-static luxel_status new_sum(const luxel_scene *scene, const luxel_settings *settings, luxel_diagnostics *diagnostics,
+/* The field that a sum becomes, all 0, by a session of the scene with a plan. */
+static luxel_status new_sum(const luxel_scene *scene, const struct lx_session *session, luxel_diagnostics *diagnostics,
                             struct luxel_field **field)
 {
-    struct lx_session session;
-    luxel_status status = lx_session_open_world(scene, settings, diagnostics, &session);
-    if (status == LUXEL_OK)
-        status = luxel_scene_check_view(scene, diagnostics);
-    if (status == LUXEL_OK)
-        status = lx_new_frame(&session, scene, diagnostics, field);
-    lx_session_clear(&session);
+    const luxel_status status = lx_new_frame(session, scene, diagnostics, field);
     if (status != LUXEL_OK)
         return status;
     struct lx_strip all = {.rows = (*field)->rows};
@@ -109,36 +172,99 @@ static luxel_status new_sum(const luxel_scene *scene, const luxel_settings *sett
     (*field)->mask = all.mask;
     if (failed)
         return lx_out_of_memory(diagnostics);
-    memset(all.values, 0,
-           (size_t)(*field)->columns * (*field)->rows *
-               ((*field)->precision == LUXEL_DOUBLE ? sizeof(double) : sizeof(float)));
+    const size_t size = (*field)->precision == LUXEL_DOUBLE ? sizeof(double) : sizeof(float);
+    memset(all.values, 0, (size_t)(*field)->columns * (*field)->rows * size);
     return LUXEL_OK;
 }
 
 /* Renders the parts and adds them up. */
 static luxel_status add_parts(const struct lx_color_parts *parts, const luxel_settings *settings,
-                              luxel_diagnostics *diagnostics, struct luxel_field *field)
+                              const struct lx_tints *tints, struct size *sizes, luxel_diagnostics *diagnostics,
+                              struct luxel_field *field, struct reflected *reflected)
 {
     const size_t before = parts->is_sum ? 0 : 1, all = parts->count + before;
-    struct reflected reflected = {.is_known = false};
-    if (parts->is_single)
-        add_part(field, &parts->list[0], field, false);
-    for (size_t i = 0; i < parts->count && !parts->is_single; i++) {
+    for (size_t i = 0; i < parts->count; i++) {
         luxel_settings own = parts->list[i].settings;
         struct lx_part_progress progress;
         struct luxel_field *from = NULL;
         lx_part_progress_begin(&progress, i + before, all, settings, &own);
+        own.minimum_reached = false;
         const luxel_status status = lx_render_grey(parts->list[i].scene, &own, i == 0 ? diagnostics : NULL, &from);
         if (status != LUXEL_OK)
             return status == LUXEL_ERROR_MEMORY && i > 0 ? lx_out_of_memory(diagnostics) : status;
-        add_part(field, &parts->list[i], from, parts->is_sum);
-        note_reflected(&reflected, &parts->list[i], from);
+        add_part(field, &parts->list[i], from, parts->is_sum, tints, &sizes[i]);
+        note_reflected(reflected, &parts->list[i], from);
         memcpy(field->mask, from->mask, (size_t)field->columns * field->rows);
         luxel_field_free(from);
     }
-    return parts->is_sum
-               ? finish_sum(field, settings ? settings : &(luxel_settings){.stride = 1}, &reflected, diagnostics)
-               : LUXEL_OK;
+    return LUXEL_OK;
+}
+
+/* Adds the parts of one kind up: those of channels, or of lobes, which may turn out not to fit. */
+static luxel_status add_up(const luxel_scene *scene, const struct lx_session *session, bool by_lobes,
+                           luxel_diagnostics *diagnostics, struct luxel_field *field, struct reflected *reflected,
+                           bool *fits)
+{
+    struct lx_color_parts parts;
+    struct lx_tints tints = {.list = NULL};
+    luxel_status status =
+        (by_lobes ? lx_color_lobes_make : lx_color_parts_make)(scene, &session->settings, diagnostics, &parts);
+    struct size *sizes = lx_new_array(parts.count, sizeof *sizes);
+    if (status == LUXEL_OK && (!sizes || (by_lobes && lx_tints_make(session, field, &tints))))
+        status = lx_out_of_memory(diagnostics);
+    if (status == LUXEL_OK)
+        status = add_parts(&parts, &session->settings, by_lobes ? &tints : NULL, sizes, diagnostics, field, reflected);
+    *fits = status != LUXEL_OK || do_fit(&parts, sizes);
+    lx_tints_clear(&tints);
+    free(sizes);
+    lx_color_parts_clear(&parts);
+    return status;
+}
+
+/* Renders a picture that is a sum; what does not fit is begun anew. */
+static luxel_status render_sum(const luxel_scene *scene, const luxel_settings *settings, luxel_diagnostics *diagnostics,
+                               luxel_field **made)
+{
+    struct lx_session session;
+    struct reflected reflected = {.is_known = false};
+    luxel_status status = lx_session_open(scene, settings, diagnostics, &session);
+    bool by_lobes = status == LUXEL_OK && lx_is_sum_of_lobes(lx_scene_parameters(scene), settings->quantity);
+    for (bool fits = false; status == LUXEL_OK && !fits; by_lobes = false) {
+        luxel_field_free(*made);
+        status = new_sum(scene, &session, diagnostics, made);
+        if (status == LUXEL_OK)
+            status = add_channels(*made, diagnostics);
+        if (status == LUXEL_OK)
+            status = add_up(scene, &session, by_lobes, diagnostics, *made, &reflected, &fits);
+    }
+    if (status == LUXEL_OK)
+        status = finish_sum(*made, &session.settings, &reflected, diagnostics);
+    if (status == LUXEL_OK)
+        status = find_reached(&session, *made, diagnostics);
+    lx_session_clear(&session);
+    return status;
+}
+
+/* Renders a picture whose materials are grey: its values are those of the grey scene. */
+static luxel_status render_lights(const luxel_scene *scene, const luxel_settings *settings,
+                                  const struct lx_color_parts *parts, luxel_diagnostics *diagnostics,
+                                  luxel_field **made)
+{
+    luxel_settings own = *settings;
+    struct lx_part_progress progress;
+    struct reflected unused = {.is_known = false};
+    struct size *sizes = lx_new_array(parts->count, sizeof *sizes);
+    if (!parts->is_single)
+        lx_part_progress_begin(&progress, 0, parts->count + 1, settings, &own);
+    luxel_status status = sizes ? lx_render_grey(scene, &own, diagnostics, made) : lx_out_of_memory(diagnostics);
+    if (status == LUXEL_OK)
+        status = add_channels(*made, diagnostics);
+    if (status == LUXEL_OK && parts->is_single)
+        add_part(*made, &parts->list[0], *made, false, NULL, sizes);
+    else if (status == LUXEL_OK)
+        status = add_parts(parts, settings, NULL, sizes, diagnostics, *made, &unused);
+    free(sizes);
+    return status;
 }
 
 luxel_status lx_render_in_color(const luxel_scene *scene, const luxel_settings *settings,
@@ -147,20 +273,12 @@ luxel_status lx_render_in_color(const luxel_scene *scene, const luxel_settings *
     struct lx_color_parts parts = {.count = 0};
     struct luxel_field *made = NULL;
     luxel_settings own;
-    struct lx_part_progress progress;
     luxel_status status = lx_settings_check(scene, settings, diagnostics, &own);
     if (status == LUXEL_OK)
         status = lx_color_parts_make(scene, settings, diagnostics, &parts);
-    if (status == LUXEL_OK && !parts.is_single)
-        lx_part_progress_begin(&progress, 0, parts.count + 1, settings, &own);
     if (status == LUXEL_OK)
-        status = parts.is_sum ? new_sum(scene, settings, diagnostics, &made)
-                              : lx_render_grey(scene, &own, diagnostics, &made);
-    if (status == LUXEL_OK) {
-        made->rgb = lx_new_array((size_t)made->columns * made->rows * LX_CHANNELS,
-                                 made->precision == LUXEL_DOUBLE ? sizeof(double) : sizeof(float));
-        status = made->rgb ? add_parts(&parts, settings, diagnostics, made) : lx_out_of_memory(diagnostics);
-    }
+        status = parts.is_sum ? render_sum(scene, &own, diagnostics, &made)
+                              : render_lights(scene, &own, &parts, diagnostics, &made);
     lx_color_parts_clear(&parts);
     if (status == LUXEL_OK)
         *field = made;

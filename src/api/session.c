@@ -127,6 +127,13 @@ luxel_status lx_session_prepare(const luxel_scene *scene, const luxel_settings *
         return LUXEL_OK;
     if (atomic_load(&control.stop))
         return LUXEL_CANCELLED;
+    if (prepared->mirrors.is_short) {
+        char most[LX_NUMBER_SIZE];
+        lx_report(diagnostics, LUXEL_SEVERITY_ERROR, NULL, LX_MSG_TOO_MANY_MIRRORS,
+                  LX_ARGS(lx_write_number(lx_scene_parameters(scene)->mirrors, most)));
+        lx_hint(diagnostics, LX_MSG_HINT_FEWER_MIRRORS, NULL);
+        return LUXEL_ERROR_MEMORY;
+    }
     if (!prepared->emitters.is_short)
         return lx_out_of_memory(diagnostics);
     lx_report(diagnostics, LUXEL_SEVERITY_ERROR, NULL, LX_MSG_TOO_MANY_PARTS, NULL);

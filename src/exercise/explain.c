@@ -4,6 +4,7 @@
 
 #include <stdlib.h>
 
+#include "../api/coloring.h"
 #include "../base/diagnostics.h"
 #include "../base/number.h"
 #include "../base/phrase.h"
@@ -20,6 +21,7 @@ struct explaining {
     const luxel_scene *scene;
     const luxel_settings *settings;
     const luxel_probe *probe;
+    const luxel_probe *white; /* by white light on materials without colours: the same in a grey scene */
     const char *unit;
     luxel_quantity quantity;
 };
@@ -91,9 +93,13 @@ static void add_lights(const struct explaining *explaining, const struct lx_step
             LX_N("The factors {0} of the material stand as one number each, {1} being 1, or 1/π where "
                  "the scene says over_pi, and {2} being 1 unless the highlight is normalized."),
             LX_SPANS(LX_MATH("p\\, k_d,\\; p\\, k_s\\, c,\\; p\\, k_a"), LX_MATH("p"), LX_MATH("c")));
+    if (probe->color.exists && probe->share_count > 0)
+        lx_explain_color_rule(steps);
     for (size_t i = 0; i < probe->share_count; i++) {
         if (is_told(explaining, i)) {
-            lx_explain_light(steps, &probe->shares[i]);
+            lx_explain_light(steps, &explaining->white->shares[i]);
+            if (probe->color.exists)
+                lx_explain_light_color(steps, &explaining->white->shares[i], &probe->shares[i]);
         } else {
             rest += share_value(explaining, &probe->shares[i]);
             left++;
@@ -196,34 +202,55 @@ static void add_alternatives(const struct explaining *explaining, const luxel_al
 
 /* ---- the whole ---- */
 
-static luxel_status explain_value(const struct explaining *explaining, luxel_diagnostics *diagnostics)
+/* The steps of a value, by a scene prepared so that materials have no colours. */
+static luxel_status explain_steps(const struct explaining *explaining, const struct lx_prepared *prepared,
+                                  luxel_diagnostics *diagnostics)
 {
     const luxel_probe *probe = explaining->probe;
-    struct lx_prepared prepared;
     struct lx_element element;
     luxel_alternatives *alternatives = NULL;
-    luxel_status status =
-        lx_refuse_sum(explaining->scene, explaining->quantity, LX_N("the way to a value"), diagnostics);
-    if (status != LUXEL_OK)
-        return status;
-    if (lx_prepare(lx_scene_parameters(explaining->scene), explaining->settings, NULL, &prepared))
-        status = lx_out_of_memory(diagnostics);
-    if (status == LUXEL_OK)
-        status = luxel_find_alternatives(explaining->scene, explaining->settings, probe->x_mm, probe->y_mm, diagnostics,
-                                         &alternatives);
-    if (status == LUXEL_OK && lx_element_seen(&prepared, probe->x_mm, probe->y_mm, &element)) {
-        struct lx_steps steps = {explaining->document, &prepared, &element, explaining->quantity, explaining->scene};
+    const luxel_status status = luxel_find_alternatives(explaining->scene, explaining->settings, probe->x_mm,
+                                                        probe->y_mm, diagnostics, &alternatives);
+    if (status == LUXEL_OK && lx_element_seen(prepared, probe->x_mm, probe->y_mm, &element)) {
+        struct lx_steps steps = {explaining->document, prepared, &element, explaining->quantity, explaining->scene};
         add_result(explaining);
         lx_explain_place(&steps, probe->x_mm, probe->y_mm);
         add_lights(explaining, &steps);
         if (probe->has_reflected)
             add_bounces(explaining, alternatives);
         add_sum(explaining);
+        if (probe->color.exists)
+            lx_explain_color(&steps, probe, probe->share_count <= MOST_LIGHTS);
         if (!probe->has_reflected)
             add_alternatives(explaining, alternatives);
     }
     luxel_alternatives_free(alternatives);
-    lx_prepared_clear(&prepared);
+    return status;
+}
+
+static luxel_status explain_value(struct explaining *explaining, luxel_diagnostics *diagnostics)
+{
+    const luxel_place place = {.screen_mm = {explaining->probe->x_mm, explaining->probe->y_mm}};
+    const luxel_scene *scene = explaining->scene;
+    struct lx_prepared prepared;
+    luxel_scene *view = NULL;
+    luxel_probes *white = NULL;
+    luxel_status status = LUXEL_OK;
+    if (lx_is_sum_of_channels(lx_scene_parameters(scene), explaining->quantity)) {
+        view = lx_scene_without_colors(scene);
+        status = view ? lx_probe_grey(view, explaining->settings, &place, 1, diagnostics, &white)
+                      : lx_out_of_memory(diagnostics);
+    }
+    explaining->white = white ? luxel_probes_get(white, 0) : explaining->probe;
+    if (status == LUXEL_OK) {
+        if (lx_prepare(lx_scene_parameters(view ? view : scene), explaining->settings, NULL, &prepared))
+            status = lx_out_of_memory(diagnostics);
+        if (status == LUXEL_OK)
+            status = explain_steps(explaining, &prepared, diagnostics);
+        lx_prepared_clear(&prepared);
+    }
+    luxel_probes_free(white);
+    free(view);
     return status;
 }
 

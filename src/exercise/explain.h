@@ -35,4 +35,11 @@ void lx_explain_light(const struct lx_steps *steps, const luxel_light_share *sha
 /* Which surfaces hide how much of a light of so many emitters, if any do. */
 void lx_explain_shadows(const struct lx_steps *steps, const luxel_light_share *share, size_t emitters);
 
+/* In a scene in colour: what the steps of lights leave out; the channels of a light, of its parts in white and of its
+ * share in colour; their sum, and the colour of that. */
+void lx_explain_color_rule(const struct lx_steps *steps);
+void lx_explain_light_color(const struct lx_steps *steps, const luxel_light_share *white,
+                            const luxel_light_share *share);
+void lx_explain_color(const struct lx_steps *steps, const luxel_probe *probe, bool shows_terms);
+
 #endif

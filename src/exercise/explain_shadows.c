@@ -11,7 +11,7 @@
 /* Lights of more parts, or more parts by surfaces, would be computed for too long. */
 enum { MOST_EMITTERS = 64, MOST_LIGHTINGS = 1 << 20 };
 
-/* The irradiance that a light gives the element. */
+/* The irradiance that a light gives the element directly. */
 static double irradiance_of(const struct lx_prepared *prepared, const struct lx_element *element, size_t light)
 {
     const struct lx_emitters *emitters = &prepared->emitters;
@@ -21,7 +21,7 @@ static double irradiance_of(const struct lx_prepared *prepared, const struct lx_
         const struct lx_emitter *emitter = lx_emitter_at(emitters, i, &room);
         if (emitter->light != light)
             continue;
-        const struct lx_lighting lighting = lx_light_element(prepared, element, emitter);
+        const struct lx_lighting lighting = lx_light_directly(prepared, element, emitter);
         sum += lighting.on_element ? 0 : lighting.irradiance.value;
     }
     return sum;

@@ -12,6 +12,7 @@
 #include "../light/distribution.h"
 #include "../light/placed.h"
 #include "../parameter/words.h"
+#include "../scene/colours.h"
 #include "../world/albedo.h"
 #include "../world/camera.h"
 #include "explain.h"
@@ -126,14 +127,37 @@ static void explain_height(const struct lx_steps *steps, const struct lx_surface
     lx_end_formula(steps->document, &text);
 }
 
+static double albedo_of(const struct lx_steps *steps, const struct lx_material *material)
+{
+    return lx_material_albedo(material, lx_dot3(steps->element->normal, steps->element->view).value);
+}
+
+/* What a material of colours reflects in each channel. */
+static void explain_albedos(const struct lx_steps *steps, const struct lx_material *material)
+{
+    char numbers[LX_CHANNELS][LX_NUMBER_SIZE];
+    for (unsigned c = 0; c < LX_CHANNELS; c++) {
+        const struct lx_material seen = lx_material_in_channel(material, c + 1);
+        lx_write_digits(100 * albedo_of(steps, &seen), 4, numbers[c]);
+    }
+    lx_document_paragraph(steps->document,
+                          LX_N("Of light that came from all sides alike the material would send {0} % of red, {1} % of "
+                               "green and {2} % of blue this way."),
+                          LX_SPANS(LX_PLAIN(numbers[0]), LX_PLAIN(numbers[1]), LX_PLAIN(numbers[2])));
+}
+
 /* What the material reflects in all. */
 static void explain_albedo(const struct lx_steps *steps)
 {
-    const struct lx_element *element = steps->element;
+    const struct lx_material *material = steps->element->own->material;
     char number[LX_NUMBER_SIZE];
-    const double albedo = lx_material_albedo(element->own->material, lx_dot3(element->normal, element->view).value);
+    const double albedo = albedo_of(steps, material);
     if (!(albedo >= 0))
         return;
+    if (lx_is_in_color(lx_scene_parameters(steps->scene)) && lx_has_color(material)) {
+        explain_albedos(steps, material);
+        return;
+    }
     lx_document_paragraph(steps->document,
                           albedo > 1 ? LX_N("Of light that came from all sides alike the material would send {0} % "
                                             "this way: more than falls in, as highlights do that nothing keeps in "
@@ -149,23 +173,31 @@ void lx_explain_place(const struct lx_steps *steps, double x_mm, double y_mm)
     const struct lx_element *element = steps->element;
     const struct lx_surface_words *words = element->own->kind->words;
     const bool parallel = !camera->is_perspective, is_own = camera->frame.is_own;
+    char count[LX_NUMBER_SIZE];
     lx_document_heading(steps->document, 1, LX_N("The point of the surface"), NULL);
-    lx_document_paragraph(steps->document,
-                          parallel && is_own ? LX_N("The line of sight runs along −z through the point of the screen "
-                                                    "(orthographic projection) and meets the surface first here:")
-                          : parallel ? LX_N("The line of sight runs at right angles through the point of the screen "
-                                            "(orthographic projection) and meets the surface first here:")
-                                     : LX_N("The line of sight runs from the observer through the point of the screen "
-                                            "(perspective projection) and meets the surface first here:"),
-                          NULL);
-    if (words && words->height && parallel && is_own)
+    if (element->mirrors > 0)
+        lx_document_paragraph(steps->document,
+                              LX_N("The line of sight meets a mirror. Over {0} in a row it goes on to this point, "
+                                   "whose light is what the mirror shows:"),
+                              LX_SPANS(LX_PLAIN(lx_write_number(element->mirrors, count))));
+    else
+        lx_document_paragraph(
+            steps->document,
+            parallel && is_own ? LX_N("The line of sight runs along −z through the point of the screen (orthographic "
+                                      "projection) and meets the surface first here:")
+            : parallel ? LX_N("The line of sight runs at right angles through the point of the screen (orthographic "
+                              "projection) and meets the surface first here:")
+                       : LX_N("The line of sight runs from the observer through the point of the screen (perspective "
+                              "projection) and meets the surface first here:"),
+            NULL);
+    if (element->mirrors == 0 && words && words->height && parallel && is_own)
         explain_height(steps, words, x_mm, y_mm);
     lx_show_formula(steps->document, "\\mathbf{P} = @\\;\\mathrm{mm}", &element->place_mm);
     lx_document_paragraph(steps->document, LX_N("The normal there and the view vector:"), NULL);
     const char *normal = words ? words->normal : NULL;
     lx_show_formula(steps->document, "\\mathbf{N} = $$@", normal ? normal : "", normal ? " = " : "", &element->normal);
     lx_show_formula(steps->document,
-                    camera->is_parallel
+                    camera->is_parallel || element->mirrors > 0
                         ? "\\mathbf{V} = @"
                         : "\\mathbf{V} = \\frac{\\mathbf{O} - \\mathbf{P}}{|\\mathbf{O} - \\mathbf{P}|} = @",
                     &element->view);
@@ -398,8 +430,9 @@ static void explain_sum(const struct lx_steps *steps, const luxel_light_share *s
         lx_document_paragraph(steps->document, LX_N("The integral over the source has a closed form."), NULL);
     lx_add_notation(&text, "E = #", share->irradiance);
     if (steps->quantity == LUXEL_BRIGHTNESS)
-        lx_add_notation(&text, lx_lobe_is_rough(steps->element->lobe) ? ", \\qquad B_d = p\\, k_d \\int D\\, dE = #"
-                                                                      : ", \\qquad B_d = p\\, k_d E = #",
+        lx_add_notation(&text,
+                        lx_lobe_is_rough(steps->element->lobe) ? ", \\qquad B_d = p\\, k_d \\int D\\, dE = #"
+                                                               : ", \\qquad B_d = p\\, k_d E = #",
                         share->diffuse);
     if (steps->quantity == LUXEL_BRIGHTNESS && lx_lobe_kind_of(steps->element->lobe)->value)
         lx_add_notation(&text, ", \\qquad B_s = #", share->specular);
@@ -437,7 +470,51 @@ static void explain_strength(const struct lx_steps *steps, size_t light)
                      LX_TERM_SPAN(lx_unit_word(LX_UNIT_INTENSITY, photometric)), sent, in_flux));
 }
 
+/* What a light gives directly, of all that it gives. */
+static luxel_light_share direct_share(const struct lx_steps *steps, const luxel_light_share *share)
+{
+    const struct lx_emitters *emitters = &steps->prepared->emitters;
+    luxel_light_share direct = *share;
+    direct.irradiance = direct.diffuse = direct.specular = 0;
+    for (size_t i = 0; i < emitters->count; i++) {
+        struct lx_emitter room;
+        const struct lx_emitter *emitter = lx_emitter_at(emitters, i, &room);
+        if (emitter->light != share->light)
+            continue;
+        const struct lx_lighting lighting = lx_light_directly(steps->prepared, steps->element, emitter);
+        direct.irradiance += lighting.irradiance.value;
+        direct.diffuse += lighting.diffuse.value;
+        direct.specular += lighting.specular.value;
+    }
+    return direct;
+}
+
+/* What comes over mirrors beside that. */
+static void explain_images(const struct lx_steps *steps, const luxel_light_share *direct,
+                           const luxel_light_share *share)
+{
+    const bool is_irradiance = steps->quantity == LUXEL_IRRADIANCE;
+    const double all = is_irradiance ? share->irradiance : share->diffuse + share->specular;
+    const double known = is_irradiance ? direct->irradiance : direct->diffuse + direct->specular;
+    lx_document_paragraph(steps->document,
+                          LX_N("So much comes directly. Over mirrors the light comes as from its images, of which the "
+                               "mirrors' outlines leave a part; with what these give it is:"),
+                          NULL);
+    lx_show_formula(steps->document, is_irradiance ? "E = # + # = #" : "B = # + # = #", known, all - known, all);
+}
+
+static void explain_direct_light(const struct lx_steps *steps, const luxel_light_share *share);
+
 void lx_explain_light(const struct lx_steps *steps, const luxel_light_share *share)
+{
+    const luxel_light_share direct = direct_share(steps, share);
+    const bool is_mirrored = steps->prepared->mirrors.count > 0 && direct.irradiance != share->irradiance;
+    explain_direct_light(steps, is_mirrored ? &direct : share);
+    if (is_mirrored)
+        explain_images(steps, &direct, share);
+}
+
+static void explain_direct_light(const struct lx_steps *steps, const luxel_light_share *share)
 {
     const struct lx_emitters *emitters = &steps->prepared->emitters;
     struct lx_emitter room, made;
@@ -471,7 +548,7 @@ void lx_explain_light(const struct lx_steps *steps, const luxel_light_share *sha
         return;
     }
     struct lx_sample sample = lx_emitter_sample(first, steps->element->place_mm);
-    struct lx_lighting lighting = lx_light_element(steps->prepared, steps->element, first);
+    struct lx_lighting lighting = lx_light_directly(steps->prepared, steps->element, first);
     struct lx_reflection free =
         lx_lobe_reflect(steps->element->lobe, steps->element->normal, steps->element->view, sample.towards);
     double seen = sample.e_perp.value * (free.diffuse.value + free.specular.value);

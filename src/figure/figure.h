@@ -46,6 +46,7 @@ struct lx_figure {
     luxel_scene *copy;      /* of the scene, which the rest points into */
     struct lx_rendered own; /* empty where it was given one */
     const luxel_field *field;
+    luxel_field *view;             /* that, where it is a view of the picture in colour; else NULL */
     struct lx_figure_plane *plane; /* NULL: it shows the picture */
     double size_mm[2];             /* of the map, whose middle is at (0, 0) */
     struct lx_scale axes[2];       /* what is written along its sides, which may run downwards */

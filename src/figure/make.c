@@ -4,6 +4,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include <luxel/colour.h>
+
 #include "../base/diagnostics.h"
 #include "../base/memory.h"
 #include "../base/phrase.h"
@@ -60,6 +62,7 @@ void lx_figure_free(struct lx_figure *figure)
         free(figure->section_titles[i]);
     lx_plane_free(figure->plane);
     luxel_isophotes_free(figure->isophotes);
+    luxel_field_free(figure->view);
     lx_rendered_clear(&figure->own);
     luxel_scene_free(figure->copy);
     free(figure);
@@ -102,6 +105,24 @@ static luxel_status check_settings(const luxel_figure_settings *settings, luxel_
     return LX_CHECK_RESERVE(settings, diagnostics);
 }
 
+/* Whether the scene has what the view shows, and no more is asked of it than it has. */
+static luxel_status check_view(const struct lx_figure *figure, luxel_diagnostics *diagnostics)
+{
+    const luxel_figure_settings *settings = &figure->settings;
+    const char *word = luxel_color_view_word(settings->view);
+    if (!word)
+        return lx_setting_out_of_range(diagnostics, "view", (double)settings->view, LX_N("0 to 4"));
+    if (settings->view == LUXEL_VIEW_LUMINANCE)
+        return LUXEL_OK;
+    if (settings->grid > 0 || settings->section != LUXEL_SECTION_NONE)
+        return lx_refuse(diagnostics, LX_MSG_VIEW_OF_PICTURE, LX_ARGS(word));
+    if (luxel_scene_has_color(figure->copy))
+        return LUXEL_OK;
+    lx_report(diagnostics, LUXEL_SEVERITY_ERROR, NULL, LX_MSG_NO_CHANNELS, LX_ARGS(word));
+    lx_hint(diagnostics, LX_MSG_HINT_CHANNELS_RGB, NULL);
+    return LUXEL_ERROR_ARGUMENT;
+}
+
 /* ---- range and levels ---- */
 
 /* The range that was asked for, or the scene's own; where it is logarithmic four decades, fewer where the smallest
@@ -120,8 +141,10 @@ static void choose_scale(struct lx_figure *figure, const luxel_summary *summary)
     } else if (range->choice == -1 && !figure->plane) {
         scale->low = range->low;
         scale->high = range->high;
-    } else if (range->choice == LX_RANGE_MINMAX) {
+    } else if (range->choice == LX_RANGE_MINMAX || settings->view == LUXEL_VIEW_CCT) {
         scale->low = summary->minimum.value;
+    } else if (settings->view != LUXEL_VIEW_LUMINANCE) {
+        scale->low = fmin(0, summary->minimum.value);
     }
     if (!(scale->high > scale->low))
         scale->high = scale->low + fmax(1, fabs(scale->low));
@@ -188,7 +211,7 @@ static luxel_status make_sections(struct lx_figure *figure, const luxel_evaluato
 /* Whether the true maximum is wanted: to be marked, or for its sections. */
 static bool wants_extrema(const luxel_figure_settings *settings)
 {
-    return settings->extrema || settings->section == LUXEL_SECTION_MAXIMUM;
+    return settings->view == LUXEL_VIEW_LUMINANCE && (settings->extrema || settings->section == LUXEL_SECTION_MAXIMUM);
 }
 
 luxel_settings lx_whole_picture(const luxel_settings *settings)
@@ -238,7 +261,7 @@ static luxel_status show_picture(struct lx_figure *figure, const struct lx_rende
 static luxel_status compute(struct lx_figure *figure, const luxel_settings *settings,
                             const struct lx_rendered *rendered, luxel_diagnostics *diagnostics)
 {
-    const bool is_plane = figure->settings.grid > 0;
+    const bool is_plane = figure->settings.grid > 0, is_view = figure->settings.view != LUXEL_VIEW_LUMINANCE;
     const struct lx_rendered *shown = rendered && !is_plane ? rendered : &figure->own;
     luxel_summary summary;
     luxel_status status = LUXEL_OK;
@@ -247,6 +270,10 @@ static luxel_status compute(struct lx_figure *figure, const luxel_settings *sett
     if (status == LUXEL_OK)
         status = is_plane ? lx_figure_plane(figure, settings, diagnostics) : show_picture(figure, shown, diagnostics);
     figure->field = shown->field;
+    if (status == LUXEL_OK && is_view) {
+        status = luxel_field_of_view(shown->field, figure->settings.view, diagnostics, &figure->view);
+        figure->field = figure->view;
+    }
     if (status == LUXEL_OK)
         status = luxel_field_summary(figure->field, NULL, diagnostics, &summary);
     if (status == LUXEL_OK) {
@@ -254,7 +281,7 @@ static luxel_status compute(struct lx_figure *figure, const luxel_settings *sett
         choose_levels(figure);
     }
     if (status == LUXEL_OK && figure->settings.bands != LUXEL_BANDS_SMOOTH)
-        status = luxel_find_isophotes(figure->field, lx_figure_is_slow(figure) ? NULL : shown->evaluator,
+        status = luxel_find_isophotes(figure->field, is_view || lx_figure_is_slow(figure) ? NULL : shown->evaluator,
                                       figure->levels, figure->level_count, diagnostics, &figure->isophotes);
     if (status == LUXEL_OK && figure->plane && figure->isophotes)
         status = lx_plane_move_lines(figure, settings, diagnostics);
@@ -291,5 +318,8 @@ luxel_status lx_figure_make(const luxel_scene *scene, const luxel_settings *sett
     if (status != LUXEL_OK)
         return status;
     made->scene = lx_scene_parameters(made->copy);
+    status = check_view(made, diagnostics);
+    if (status != LUXEL_OK)
+        return status;
     return compute(made, settings, rendered, diagnostics);
 }

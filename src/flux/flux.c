@@ -159,7 +159,7 @@ static bool is_behind(const struct plane *plane, const struct lx_emitter *emitte
 static bool in_closed_form(const struct plane *plane, const struct lx_emitter *emitter, lx_bounded *flux)
 {
     const struct lx_profile *profile = &emitter->profile;
-    lx_bounded strength = lx_exact(emitter->strength);
+    const lx_bounded strength = lx_strength(emitter);
     if (lx_is_uniform(emitter)) {
         *flux = lx_mul(strength, area_m2(plane->cells));
         return true;

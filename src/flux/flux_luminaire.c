@@ -350,7 +350,7 @@ static lx_bounded integrate(struct fan *fan)
     const double edges = fan->edges.count > 0 ? 8 * (double)fan->edges.count * PLACES : 0;
     const lx_bounded turned = {integral.value,
                                integral.error + integral.inherited + (edges + ROUNDINGS) * integral.value};
-    return lx_mul(lx_mul(turned, lx_rounded(DEGREE, 0, 2)), lx_exact(fan->asked->emitter->strength));
+    return lx_mul(lx_mul(turned, lx_rounded(DEGREE, 0, 2)), lx_strength(fan->asked->emitter));
 }
 
 /* Its height above the plane, negative behind it; false: it may be in it. */

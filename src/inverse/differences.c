@@ -69,8 +69,12 @@ void lx_differences_add(struct lx_differences *differences, double step, const d
 
 bool lx_differences_are_done(const struct lx_differences *differences)
 {
-    const struct lx_tableau *slope = &differences->slope;
-    return differences->is_missing || (slope->rows >= FEWEST_ROWS && slope->noise[0] >= slope->error);
+    const struct lx_tableau *slope = &differences->slope, *gap = &differences->gap;
+    if (differences->is_missing)
+        return true;
+    /* values along a line, from side to side, are done at once */
+    const bool is_line = !differences->is_one_sided && slope->rows > 1 && fabs(gap->value[0]) <= gap->noise[0];
+    return (is_line || slope->rows >= FEWEST_ROWS) && slope->noise[0] >= slope->error;
 }
 
 luxel_derivative lx_differences_conclude(const struct lx_differences *differences)

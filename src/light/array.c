@@ -141,7 +141,7 @@ static int append_array(const struct lx_array *array, const struct lx_emitters *
     return failed;
 }
 
-int lx_light_lower(const struct lx_item *light, struct lx_emitters *emitters)
+static int lower(const struct lx_item *light, struct lx_emitters *emitters)
 {
     const struct lx_light_kind *kind = (const struct lx_light_kind *)light->variant;
     const struct lx_array *array = lx_array_of(light);
@@ -159,4 +159,11 @@ int lx_light_lower(const struct lx_item *light, struct lx_emitters *emitters)
     emitters->is_short = emitters->is_short || one.is_short;
     lx_emitters_clear(&one);
     return failed;
+}
+
+int lx_light_lower(const struct lx_item *light, double maintenance, struct lx_emitters *emitters)
+{
+    const size_t items = lx_item_count(emitters), point_sets = emitters->point_set_count;
+    const int failed = lower(light, emitters);
+    return failed || maintenance == 1 ? failed : lx_emitters_scale(emitters, items, point_sets, maintenance);
 }

@@ -32,7 +32,8 @@ const struct lx_array *lx_array_of(const struct lx_item *light);
 /* How many places a light has: 1 without an array. */
 size_t lx_light_places(const struct lx_item *light);
 
-/* Appends the emitters of a light at all its places; 0, or -1 when memory or room ran out, or the work is to stop. */
-int lx_light_lower(const struct lx_item *light, struct lx_emitters *emitters);
+/* Appends the emitters of a light at all its places, their strength by the scene's maintenance factor; 0, or -1 when
+ * memory or room ran out, or the work is to stop. */
+int lx_light_lower(const struct lx_item *light, double maintenance, struct lx_emitters *emitters);
 
 #endif

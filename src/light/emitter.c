@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* Lists of emitters. */
+#include <float.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -113,6 +114,41 @@ int lx_emitters_append_point_set(struct lx_emitters *emitters, const struct lx_p
     return 0;
 }
 
+/* The cloud may be that of other scenes, too, and is copied. */
+static int scale_point_set(struct lx_point_set *set, double factor)
+{
+    struct lx_cloud *scaled = lx_cloud_new(set->cloud->count);
+    if (!scaled)
+        return -1;
+    scaled->intensities = set->cloud->intensities;
+    scaled->tree = set->cloud->tree ? lx_kept_slot_new() : NULL;
+    for (size_t i = 0; i < scaled->count; i++) {
+        double *row = (double *)scaled->values + LX_CLOUD_COLUMNS * i;
+        lx_cloud_row(set->cloud, i, row);
+        row[3] *= factor;
+    }
+    release_cloud(set);
+    set->cloud = scaled;
+    set->is_owned = true;
+    set->strength_error += DBL_EPSILON;
+    return 0;
+}
+
+int lx_emitters_scale(struct lx_emitters *emitters, size_t items, size_t point_sets, double factor)
+{
+    int failed = 0;
+    for (size_t i = items; i < lx_item_count(emitters); i++) {
+        struct lx_emitter *emitter = &emitters->items[i];
+        const lx_bounded strength = lx_mul(lx_strength(emitter), lx_exact(factor));
+        emitter->strength = strength.value;
+        emitter->strength_error = strength.error;
+        emitter->radiance = lx_mul(emitter->radiance, lx_exact(factor));
+    }
+    for (size_t i = point_sets; i < emitters->point_set_count && !failed; i++)
+        failed = scale_point_set(&emitters->point_sets[i], factor);
+    return failed;
+}
+
 lx_bounded3 lx_point_set_axis(const struct lx_point_set *set, const double place_mm[3])
 {
     return lx_unit3(lx_sub3(lx_exact3(set->aim_mm), lx_exact3(place_mm)));
@@ -125,6 +161,7 @@ static void set_point(const struct lx_point_set *set, size_t row, struct lx_emit
     lx_cloud_row(set->cloud, row, values);
     memcpy(point->position_mm, values, sizeof point->position_mm);
     point->strength = values[3];
+    point->strength_error = set->strength_error * values[3];
     if (set->is_aimed)
         point->profile.axis = lx_point_set_axis(set, point->position_mm);
 }

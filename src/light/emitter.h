@@ -65,6 +65,12 @@ struct lx_emitter {
     lx_bounded3 axis;   /* unit: the way a disk shines; along a cylinder */
 };
 
+/* Irradiance or intensity with its bound. */
+static inline lx_bounded lx_strength(const struct lx_emitter *emitter)
+{
+    return (lx_bounded){emitter->strength, emitter->strength_error};
+}
+
 /* The polynomial law at a distance. */
 static inline double lx_by_polynomial(const double coefficients[3], double distance_m)
 {
@@ -131,7 +137,8 @@ struct lx_point_set {
     struct lx_emitter model;      /* all else */
     bool is_aimed;
     double aim_mm[3];
-    size_t first, end; /* which emitters of the list they are */
+    double strength_error; /* relative: by how much each row's strength may be off */
+    size_t first, end;     /* which emitters of the list they are */
 };
 
 /*
@@ -176,6 +183,9 @@ int lx_emitters_append(struct lx_emitters *emitters, const struct lx_emitter *em
 /* Appends as many points as its cloud has rows, and takes over the cloud where it is to own it; `first` and `end`
  * are set here.  The same answers. */
 int lx_emitters_append_point_set(struct lx_emitters *emitters, const struct lx_point_set *set);
+/* Multiplies the strength of the emitters behind the first `items` items and `point_sets` point sets; 0, or -1 when
+ * memory ran out. */
+int lx_emitters_scale(struct lx_emitters *emitters, size_t items, size_t point_sets, double factor);
 void lx_emitters_clear(struct lx_emitters *emitters);
 
 /* For lx_emitter_at(). */

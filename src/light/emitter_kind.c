@@ -41,8 +41,7 @@ static struct lx_sample sample_point(const struct lx_emitter *emitter, lx_bounde
     if (distance.value <= distance.error)
         return (struct lx_sample){.on_element = true};
     lx_bounded3 towards = lx_unit3(offset);
-    lx_bounded strength = {emitter->strength, emitter->strength_error};
-    lx_bounded e_perp = lx_mul(strength, attenuation(emitter, metres(distance)));
+    lx_bounded e_perp = lx_mul(lx_strength(emitter), attenuation(emitter, metres(distance)));
     return (struct lx_sample){
         .towards = towards,
         .e_perp = lx_mul(e_perp, lx_profile_value(&emitter->profile, towards)),
@@ -52,13 +51,13 @@ static struct lx_sample sample_point(const struct lx_emitter *emitter, lx_bounde
 static struct lx_sample sample_direction(const struct lx_emitter *emitter, lx_bounded3 place_mm)
 {
     (void)place_mm;
-    return (struct lx_sample){.towards = emitter->towards, .e_perp = lx_exact(emitter->strength)};
+    return (struct lx_sample){.towards = emitter->towards, .e_perp = lx_strength(emitter)};
 }
 
 static struct lx_sample sample_uniform(const struct lx_emitter *emitter, lx_bounded3 place_mm)
 {
     (void)place_mm;
-    return (struct lx_sample){.e_perp = lx_exact(emitter->strength)};
+    return (struct lx_sample){.e_perp = lx_strength(emitter)};
 }
 
 const struct lx_emitter_kind lx_uniform_emitter = {.name = "uniform", .sample = sample_uniform};

@@ -304,7 +304,7 @@ int lx_opening_emit(const struct lx_opening *opening, const struct lx_emitter *p
     struct lx_shapes shapes = {0};
     int result = make_shapes(opening, point, &shapes);
     const lx_bounded density =
-        result == 0 ? lx_div((lx_bounded){point->strength, point->strength_error}, area_of(&shapes)) : lx_exact(0);
+        result == 0 ? lx_div(lx_strength(point), area_of(&shapes)) : lx_exact(0);
     for (size_t i = 0; i < shapes.emitters.count && result == 0; i++) {
         struct lx_emitter *emitter = &shapes.emitters.items[i];
         emitter->radiance = density;

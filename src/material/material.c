@@ -160,6 +160,15 @@ static const struct lx_parameter material_parameters[] = {
         .legal = LX_BETWEEN(0, 1),
         .meaning = "the factors of the highlight in red, green and blue, in scenes with channels rgb",
     },
+    {
+        .name = "mirror",
+        .label = "Mirror",
+        .type = LX_BOOLEAN,
+        .offset = offsetof(struct lx_material, mirror),
+        .initial = "false",
+        .meaning = "whether it is a mirror, which reflects all light to one side and has no brightness of its own: of "
+                   "rectangles, walls of rooms and sides of boxes alone",
+    },
 };
 
 static const struct lx_rule material_rules[] = {

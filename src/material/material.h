@@ -16,6 +16,7 @@ struct lx_material {
     bool over_pi;
     int highlight; /* enum lx_highlight */
     bool normalized;
+    bool mirror; /* of flat fronts: nothing else of it counts */
     double color[3], specular_color[3]; /* factors of diffuse and ambient, and of specular, in each channel */
 };
 

@@ -68,7 +68,8 @@ struct lx_planned_surface {
     struct lx_lobe_single glossy_single; /* the lobe's two parts */
     struct lx_lobe_double glossy_exact, matte_exact;
     struct lx_smooth smooth;
-    bool by_reference; /* kernels do not know its lobe: there is nothing of it but what stands before the lights */
+    bool by_reference; /* kernels do not know its lobe, or there are mirrors: there is nothing of it but what stands
+                        * before the lights */
 };
 
 struct lx_plan {

@@ -6,6 +6,7 @@
 
 #include "../base/memory.h"
 #include "../world/among.h"
+#include "../world/camera.h"
 #include "../world/world.h"
 #include "openings.h"
 #include "shader_memory.h"
@@ -292,6 +293,20 @@ static double light_one(const struct lx_prepared *prepared, const struct lx_elem
     return sum;
 }
 
+/* What a mirror shows at an element of it: what the sight of it meets there, lit as the picture lights that. */
+static double light_in_mirror(const struct lx_plan *plan, const struct lx_prepared *prepared,
+                              const struct lx_element *element, const struct lx_asking *asking)
+{
+    double place[3], screen[2];
+    struct lx_element shown;
+    lx_values3(element->place_mm, place);
+    if (!lx_project(&prepared->camera, place, screen) || !lx_element_seen(prepared, screen[0], screen[1], &shown) ||
+        shown.shown != LX_SHOWN)
+        return 0;
+    shown.lobe = &plan->surfaces[shown.own - prepared->surfaces].lobe;
+    return light_one(prepared, &shown, asking);
+}
+
 /* Sums all light over the gathered block, in batches of the world. */
 static void light_by_reference(const struct lx_plan *plan, const struct lx_planned_surface *surface,
                                struct lx_shader_memory *memory, size_t count, const struct lx_asking *asking)
@@ -302,6 +317,7 @@ static void light_by_reference(const struct lx_plan *plan, const struct lx_plann
     const struct lx_world world = {.prepared = &prepared, .kernels = lx_element_kernels_of(plan->kernels)};
     struct lx_elements elements;
     struct lx_received received;
+    const bool is_mirror = plan->prepared->surfaces[surface - plan->surfaces].is_mirror;
     prepared.tolerance = plan->tolerance;
     plan->kernels->set_all(memory->sum, lx_padded(count), 0);
     for (size_t start = 0; start < count && (!memory->portion || memory->portion->lights); start += LX_BATCH) {
@@ -318,12 +334,16 @@ static void light_by_reference(const struct lx_plan *plan, const struct lx_plann
             lx_elements_append(&prepared, &elements, &element);
         }
         lx_elements_end(&elements);
-        lx_world_light(&world, &elements, LX_WANT_BRIGHTNESS, asking, &received);
+        if (!is_mirror)
+            lx_world_light(&world, &elements, LX_WANT_BRIGHTNESS, asking, &received);
         for (size_t i = start; i < end; i++) {
             const struct lx_element element = lx_elements_get(&prepared, &elements, i - start);
-            memory->sum[i] = received.on_element[i - start]
-                                 ? light_one(&prepared, &element, asking)
-                                 : received.diffuse.value[i - start] + received.specular.value[i - start];
+            if (is_mirror)
+                memory->sum[i] = light_in_mirror(plan, &prepared, &element, asking);
+            else
+                memory->sum[i] = received.on_element[i - start]
+                                     ? light_one(&prepared, &element, asking)
+                                     : received.diffuse.value[i - start] + received.specular.value[i - start];
         }
     }
 }

@@ -279,6 +279,24 @@ static bool reaches_into(const struct lx_emitter *emitter, const struct lx_prepa
     return true;
 }
 
+/* Whether a node of a face is in a box or on its sides; but not on what a side that is a plate lies on, as the bottom
+ * does on a floor: that plate has what light there is inside, and a polynomial of the floor's goes above 0 under it. */
+static bool has_node(const struct lx_closed_box *box, const struct lx_matte_face *face, const double place_mm[3])
+{
+    double at[3];
+    bool is_on = false, is_side = false;
+    locate(box, place_mm, at);
+    for (int way = 0; way < 3; way++) {
+        if (fabs(at[way]) > box->half_mm[way] + box->touch_mm)
+            return false;
+        is_on = is_on || (fabs(at[way]) > box->half_mm[way] - box->touch_mm &&
+                          box->plates[2 * way + (at[way] > 0)] != SIZE_MAX);
+    }
+    for (int side = 0; side < 6; side++)
+        is_side = is_side || box->plates[side] == face->surface;
+    return is_side || !is_on;
+}
+
 /* Whether there may be light in a box: from a source that reaches into it, or on its inner sides or something in it. */
 static bool is_lit_inside(const struct lx_radiosity *reflected, const struct lx_closed_box *box)
 {
@@ -290,15 +308,10 @@ static bool is_lit_inside(const struct lx_radiosity *reflected, const struct lx_
     }
     for (size_t t = 0; t < reflected->tile_count; t++) {
         const struct lx_tile *tile = &reflected->tiles[t];
-        for (int q = 0; q < LX_RULE_NODES; q++) {
-            double at[3];
-            bool is_within = tile->direct.nodes[q] > 0;
-            locate(box, tile->cell.place_mm[q], at);
-            for (int way = 0; way < 3; way++)
-                is_within = is_within && fabs(at[way]) <= box->half_mm[way] + box->touch_mm;
-            if (is_within && !is_outer(box, &reflected->faces[tile->face]))
+        const struct lx_matte_face *face = &reflected->faces[tile->face];
+        for (int q = 0; q < LX_RULE_NODES && !is_outer(box, face); q++)
+            if (tile->direct.nodes[q] > 0 && has_node(box, face, tile->cell.place_mm[q]))
                 return true;
-        }
     }
     return false;
 }

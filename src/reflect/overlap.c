@@ -90,6 +90,8 @@ void lx_overlap_find(struct lx_radiosity *reflected)
     const struct lx_window whole = {{0, 0}, {1, 1}};
     struct lx_matte_face *faces = reflected->faces;
     for (size_t f = 0; f < reflected->face_count; f++)
+        faces[f].is_overlaid = false;
+    for (size_t f = 0; f < reflected->face_count; f++)
         for (size_t g = 0; g < f; g++)
             if ((!faces[f].is_overlaid || !faces[g].is_overlaid) && lies_on(reflected, &faces[f], &whole, &faces[g]))
                 faces[f].is_overlaid = faces[g].is_overlaid = true;

@@ -360,5 +360,6 @@ int lx_tiling_drop(struct lx_radiosity *reflected, const bool *is_lit)
     lx_closed_boxes_darken(reflected, stays);
     const int failed = lx_groups_drop(reflected, stays);
     free(stays);
+    lx_overlap_find(reflected); /* the inner bottom of a box, which lies on what the box stands on, may be gone */
     return failed;
 }

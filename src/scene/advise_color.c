@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "../base/number.h"
+#include "../format/lamp/lamp_color.h"
 #include "../light/light.h"
 #include "colours.h"
 #include "materials.h"
@@ -49,17 +50,25 @@ static bool tell_colors(struct lx_walk *walk, const struct lx_scene_parameters *
     return any;
 }
 
-/* The kelvins that a photometry file tells of its lamps: the first number of the text; 0: none. */
-static double kelvins_of(const luxel_photometry *photometry)
+/* Tells what a file says of its lamp's colour, at the key that names it. */
+static void tell_lamp(struct lx_walk *walk, const struct lx_step *step, lx_node_id node, const char *file,
+                      const struct lx_lamp_color *color)
 {
-    for (size_t i = 0; i < photometry->lamp_set_count; i++) {
-        const char *text = photometry->lamp_sets[i].temperature;
-        text += strcspn(text, "0123456789");
-        double kelvin = 0;
-        if (lx_read_number(text, strspn(text, "0123456789"), &kelvin) && kelvin >= 1000 && kelvin <= 25000)
-            return kelvin;
+    const struct lx_place place = lx_document_place(walk->document, node);
+    struct lx_text list = {0};
+    for (size_t i = 0; i < color->count; i++) {
+        char number[LX_NUMBER_SIZE];
+        lx_text_printf(&list, "%s%s", i > 0 ? ", " : "", lx_write_number(color->kelvins[i], number));
     }
-    return 0;
+    const char *kelvins = list.bytes ? list.bytes : "";
+    if (color->count > 1)
+        lx_walk_tell(walk, LUXEL_SEVERITY_ADVICE, place, step, LX_MSG_LAMP_COLORS, LX_ARGS(file, kelvins));
+    else if (color->code[0])
+        lx_walk_tell(walk, LUXEL_SEVERITY_ADVICE, place, step, LX_MSG_LAMP_COLOR_CODE,
+                     LX_ARGS(file, color->code, kelvins));
+    else
+        lx_walk_tell(walk, LUXEL_SEVERITY_ADVICE, place, step, LX_MSG_LAMP_COLOR, LX_ARGS(file, kelvins));
+    lx_text_clear(&list);
 }
 
 /* Lamps whose files tell a colour temperature that the scene does not have. */
@@ -73,13 +82,11 @@ static void advise_lamps(struct lx_walk *walk, const struct lx_scene_parameters 
         if (light->color.given || !light->enabled || !kind->photometry)
             continue;
         const luxel_photometry *photometry = kind->photometry(item->parameters, &file);
-        const double kelvin = photometry ? kelvins_of(photometry) : 0;
+        const struct lx_lamp_color color =
+            photometry ? lx_lamp_color_of(photometry) : (struct lx_lamp_color){.count = 0};
         const struct lx_step up = {NULL, "lights", 0}, element = {&up, NULL, i}, step = {&element, "file", 0};
-        char number[LX_NUMBER_SIZE];
-        if (kelvin > 0)
-            lx_walk_tell(walk, LUXEL_SEVERITY_ADVICE,
-                         lx_document_place(walk->document, node_of(walk->document, "lights", i, "file")), &step,
-                         LX_MSG_LAMP_COLOR, LX_ARGS(file, lx_write_number(kelvin, number)));
+        if (color.count > 0)
+            tell_lamp(walk, &step, node_of(walk->document, "lights", i, "file"), file, &color);
     }
 }
 

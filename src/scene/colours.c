@@ -2,6 +2,7 @@
 /* Parting a scene in colour into grey computations, by the colours of its lights and the channels of its materials. */
 #include "colours.h"
 
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -54,36 +55,52 @@ bool lx_is_sum_of_channels(const struct lx_scene_parameters *scene, luxel_quanti
     return lx_is_in_color(scene) && part_channels(scene, quantity, like) > 1;
 }
 
-luxel_status lx_refuse_sum(const luxel_scene *scene, luxel_quantity quantity, const char *what,
-                           luxel_diagnostics *diagnostics)
+/* What a colour counts for in a channel, or in one of those behind them. */
+static double factor_in(const double color[LX_CHANNELS], unsigned channel)
 {
-    if (!luxel_scene_is_committed(scene) || !lx_is_sum_of_channels(&scene->parameters, quantity))
-        return LUXEL_OK;
-    lx_report(diagnostics, LUXEL_SEVERITY_ERROR, NULL, LX_MSG_COLORED_MATERIALS, LX_ARGS(LX_TERM(what)));
-    lx_hint(diagnostics, LX_MSG_HINT_CHANNELS_GREY, NULL);
-    return LUXEL_ERROR_ARGUMENT;
+    return channel > LX_CHANNELS ? fmax(color[0], fmax(color[1], color[2]))
+           : channel > 0         ? color[channel - 1]
+                                 : luxel_rgb_luminance(color);
 }
 
 struct lx_material lx_material_in_channel(const struct lx_material *material, unsigned channel)
 {
     struct lx_material made = *material;
-    const double diffuse = channel > 0 ? material->color[channel - 1] : luxel_rgb_luminance(material->color);
-    const double specular =
-        channel > 0 ? material->specular_color[channel - 1] : luxel_rgb_luminance(material->specular_color);
+    const double diffuse = channel == LX_CHANNEL_HIGHLIGHT ? 0 : factor_in(material->color, channel);
     made.diffuse *= diffuse;
     made.ambient *= diffuse;
-    made.specular *= specular;
+    made.specular *= factor_in(material->specular_color, channel);
+    if (channel == LX_CHANNEL_DIFFUSE)
+        made.model = LX_LAMBERT;
     return made;
+}
+
+/* A view that is ahead of its text, which is not that of a channel. */
+static luxel_scene *new_view(const luxel_scene *scene)
+{
+    luxel_scene *view = lx_new_array(1, sizeof *view);
+    if (view)
+        *view = *scene;
+    if (view)
+        view->is_ahead = true;
+    return view;
 }
 
 luxel_scene *lx_scene_in_channel(const luxel_scene *scene, unsigned channel)
 {
-    luxel_scene *view = lx_new_array(1, sizeof *view);
-    if (!view)
-        return NULL;
-    *view = *scene;
-    view->parameters.channel = channel;
-    view->is_ahead = true; /* of its text, which is not that of a channel */
+    luxel_scene *view = new_view(scene);
+    if (view)
+        view->parameters.channel = channel;
+    return view;
+}
+
+luxel_scene *lx_scene_without_colors(const luxel_scene *scene)
+{
+    luxel_scene *view = new_view(scene);
+    if (view) {
+        view->parameters.channels = LX_GREY;
+        view->parameters.reflections = (struct lx_choice_or_whole){.choice = LX_REFLECTIONS_NONE};
+    }
     return view;
 }
 
@@ -151,34 +168,40 @@ static struct lx_color_part part_of(const struct colors *colors, size_t g, int c
     return part;
 }
 
-luxel_status lx_color_parts_make(const luxel_scene *scene, const luxel_settings *settings,
-                                 luxel_diagnostics *diagnostics, struct lx_color_parts *parts)
+/* The views of a scene that parts are of: in which channel of the materials, 0 being the scene itself, and for which
+ * channel of a value and all that are like it. */
+struct division {
+    size_t count;
+    unsigned views[LX_CHANNELS];
+    int channels[LX_CHANNELS], like[LX_CHANNELS];
+};
+
+static luxel_status make_parts(const luxel_scene *scene, const luxel_settings *settings,
+                               const struct division *division, luxel_diagnostics *diagnostics,
+                               struct lx_color_parts *parts)
 {
     const struct lx_scene_parameters *parameters = &scene->parameters;
     const size_t lights = parameters->lights.count;
     const luxel_settings wanted = settings ? *settings : (luxel_settings){.stride = 1};
-    int like[LX_CHANNELS];
-    const size_t channels = part_channels(parameters, wanted.quantity, like);
     struct colors colors = {.lights = lx_new_array(lights + 1, sizeof *colors.lights),
                             .groups = lx_new_array(lights + 1, sizeof *colors.groups)};
     bool *on = lx_lights_on(parameters, settings);
-    *parts = (struct lx_color_parts){.is_sum = channels > 1, .lights = colors.lights};
+    *parts = (struct lx_color_parts){.is_sum = division->views[0] > 0, .lights = colors.lights};
     bool is_made = colors.lights && colors.groups && on;
     if (is_made)
         group_lights(&parameters->lights, on, &colors);
     if (is_made)
-        parts->list = lx_new_array(channels * colors.count, sizeof *parts->list);
+        parts->list = lx_new_array(division->count * colors.count, sizeof *parts->list);
     is_made = is_made && parts->list;
-    for (int c = 0; c < LX_CHANNELS && is_made; c++) {
-        if (like[c] != c)
-            continue;
-        if (parts->is_sum && !(parts->views[c] = lx_scene_in_channel(scene, (unsigned)c + 1)))
+    for (size_t v = 0; v < division->count && is_made; v++) {
+        if (parts->is_sum && !(parts->views[v] = lx_scene_in_channel(scene, division->views[v])))
             is_made = false;
         for (size_t g = 0; g < colors.count && is_made; g++) {
             struct lx_color_part *part = &parts->list[parts->count++];
-            *part = part_of(&colors, g, c, like);
-            part->scene = parts->is_sum ? parts->views[c] : scene;
+            *part = part_of(&colors, g, division->channels[v], division->like);
+            part->scene = parts->is_sum ? parts->views[v] : scene;
             part->settings = wanted;
+            part->group = g;
             if (colors.count > 1) {
                 part->settings.lights = colors.lights + colors.groups[g].first;
                 part->settings.light_count = colors.groups[g].count;
@@ -189,6 +212,44 @@ luxel_status lx_color_parts_make(const luxel_scene *scene, const luxel_settings 
     free(colors.groups);
     free(on);
     return is_made ? LUXEL_OK : lx_out_of_memory(diagnostics);
+}
+
+luxel_status lx_color_parts_make(const luxel_scene *scene, const luxel_settings *settings,
+                                 luxel_diagnostics *diagnostics, struct lx_color_parts *parts)
+{
+    struct division division = {.count = 0};
+    const luxel_quantity quantity = settings ? settings->quantity : LUXEL_BRIGHTNESS;
+    const size_t channels = part_channels(&scene->parameters, quantity, division.like);
+    for (int c = 0; c < LX_CHANNELS; c++)
+        if (division.like[c] == c) {
+            division.channels[division.count] = c;
+            division.views[division.count++] = channels > 1 ? (unsigned)c + 1 : 0;
+        }
+    return make_parts(scene, settings, &division, diagnostics, parts);
+}
+
+/* A model of the diffuse part that is not linear in its reflectance is none that colours could be factors of. */
+bool lx_is_sum_of_lobes(const struct lx_scene_parameters *scene, luxel_quantity quantity)
+{
+    struct lx_scene_material at = {.material = NULL};
+    if (!lx_is_sum_of_channels(scene, quantity) || quantity == LUXEL_IRRADIANCE ||
+        scene->reflections.choice != LX_REFLECTIONS_NONE)
+        return false;
+    while (lx_next_material(scene, &at))
+        if (lx_has_color(at.material) && LX_LAMBERT + at.material->diffuse_model == LX_EON)
+            return false;
+    return true;
+}
+
+luxel_status lx_color_lobes_make(const luxel_scene *scene, const luxel_settings *settings,
+                                 luxel_diagnostics *diagnostics, struct lx_color_parts *parts)
+{
+    struct division division = {.count = 1, .views = {LX_CHANNEL_DIFFUSE, LX_CHANNEL_HIGHLIGHT}};
+    struct lx_scene_material at = {.material = NULL};
+    while (lx_next_material(&scene->parameters, &at))
+        if (at.material->specular > 0 && at.material->model != LX_LAMBERT)
+            division.count = 2;
+    return make_parts(scene, settings, &division, diagnostics, parts);
 }
 
 void lx_color_parts_clear(struct lx_color_parts *parts)

@@ -16,11 +16,15 @@
 
 enum { LX_CHANNELS = 3 };
 
+/* Behind the channels of materials, from 1: what they scatter, and their highlights, by the greatest of each. */
+enum { LX_CHANNEL_DIFFUSE = LX_CHANNELS + 1, LX_CHANNEL_HIGHLIGHT };
+
 /* A grey computation, and what its value counts for. */
 struct lx_color_part {
     const luxel_scene *scene; /* the scene itself, or, of one channel of its materials, a view of it */
     luxel_settings settings;  /* with the lights of the part as their group */
     double rgb[LX_CHANNELS], luminance;
+    size_t group; /* which colour of lights it is of */
 };
 
 struct lx_color_parts {
@@ -38,10 +42,6 @@ bool lx_is_in_color(const struct lx_scene_parameters *scene);
 /* Whether a quantity of it is a sum over the channels of materials, so that no single computation tells it. */
 bool lx_is_sum_of_channels(const struct lx_scene_parameters *scene, luxel_quantity quantity);
 
-/* Reports a result, by its words, that is not known of a quantity which is such a sum; else LUXEL_OK. */
-luxel_status lx_refuse_sum(const luxel_scene *scene, luxel_quantity quantity, const char *what,
-                           luxel_diagnostics *diagnostics);
-
 /* Whether a material has colours other than white. */
 static inline bool lx_has_color(const struct lx_material *material)
 {
@@ -51,7 +51,7 @@ static inline bool lx_has_color(const struct lx_material *material)
     return false;
 }
 
-/* What a material is in a channel, from 1; 0: by the luminance of its colours. */
+/* What a material is in a channel, from 1, or in one of those behind them; 0: by the luminance of its colours. */
 struct lx_material lx_material_in_channel(const struct lx_material *material, unsigned channel);
 
 /* The channels of a light at luminance 1. */
@@ -61,11 +61,20 @@ void lx_light_channels(const struct lx_light_common *light, double rgb[LX_CHANNE
  * it returns.  LUXEL_OK, LUXEL_ERROR_MEMORY, which is reported. */
 luxel_status lx_color_parts_make(const luxel_scene *scene, const luxel_settings *settings,
                                  luxel_diagnostics *diagnostics, struct lx_color_parts *parts);
+/* Whether a quantity is a sum of such parts of another kind, of the whole light of a group each: of what the materials
+ * scatter, and of their highlights, which take their colours pixel by pixel. */
+bool lx_is_sum_of_lobes(const struct lx_scene_parameters *scene, luxel_quantity quantity);
+/* Makes these; views[0] is that of what is scattered, and views[1], if any, of the highlights. */
+luxel_status lx_color_lobes_make(const luxel_scene *scene, const luxel_settings *settings,
+                                 luxel_diagnostics *diagnostics, struct lx_color_parts *parts);
 void lx_color_parts_clear(struct lx_color_parts *parts);
 
 /* A view of the scene in channel `channel` from 1, which shares all with it and must not outlive it: free() it.  NULL:
  * memory ran out. */
 luxel_scene *lx_scene_in_channel(const luxel_scene *scene, unsigned channel);
+
+/* A view likewise of the direct light in it, of which no material has a colour. */
+luxel_scene *lx_scene_without_colors(const luxel_scene *scene);
 
 /* Adds a part's share of a channel, or of the luminance, to a sum. */
 static inline lx_bounded lx_add_part(lx_bounded sum, double weight, double value, double error)

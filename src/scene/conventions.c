@@ -171,15 +171,17 @@ static const char *word_of_value(const struct lx_parameter *parameter, const voi
         return whole->choice < 0 ? lx_write_number(whole->whole, buffer) : parameter->choices[whole->choice];
     if (strcmp(parameter->name, "maintenance_factor") == 0)
         return lx_write_number(*(const double *)value, buffer);
-    if (parameter->type == LX_BOOLEAN && booleans)
+    if (parameter->type == LX_BOOLEAN && (booleans || strcmp(parameter->name, "mirror") == 0))
         return *(const bool *)value ? "true" : "false";
     return NULL;
 }
 
-/* Direct light alone, sources as their files say, rooms that stand upright and Lambert's law are no conventions. */
+/* Direct light alone, sources as their files say, rooms that stand upright, Lambert's law and no mirrors are no
+ * conventions. */
 static bool goes_without_saying(const struct lx_parameter *parameter, const char *word)
 {
-    static const char *const names[] = {"channels", "reflections", "maintenance_factor", "up", "diffuse_model"};
+    static const char *const names[] = {"channels", "reflections", "maintenance_factor", "up", "diffuse_model",
+                                        "mirror"};
     for (size_t i = 0; i < sizeof names / sizeof names[0]; i++)
         if (strcmp(parameter->name, names[i]) == 0)
             return strcmp(word, parameter->initial) == 0;

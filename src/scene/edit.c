@@ -4,6 +4,7 @@
  * the scene's own and only linked in at the end, so a failure leaves nothing behind; what a change replaces
  * stays as garbage until it outweighs the scene, and is then left out by copying.
  */
+#include <stdlib.h>
 #include <string.h>
 
 #include "../base/memory.h"
@@ -102,10 +103,8 @@ static void compact(luxel_scene *scene)
     scene->compact_bytes = lx_document_bytes(&copy);
 }
 
-luxel_status luxel_scene_set(luxel_scene *scene, const char *assignment, luxel_diagnostics *diagnostics)
+static luxel_status set(luxel_scene *scene, const char *assignment, luxel_diagnostics *diagnostics)
 {
-    if (!scene || !assignment)
-        return LUXEL_ERROR_ARGUMENT;
     struct lx_place place = {.source = "-s", .text = assignment, .length = strlen(assignment)};
     const char *equals = strchr(assignment, '=');
     if (!equals)
@@ -120,4 +119,91 @@ luxel_status luxel_scene_set(luxel_scene *scene, const char *assignment, luxel_d
         compact(scene);
     }
     return status;
+}
+
+/* ---- all elements of a list ---- */
+
+/* Where an assignment names all elements of a list; NULL: nowhere. */
+static const char *find_all(const char *assignment)
+{
+    const char *all = strstr(assignment, "[*]"), *equals = strchr(assignment, '=');
+    return all && equals && all < equals ? all : NULL;
+}
+
+/* How many elements the list before `all` has; what is wrong with it is reported at the assignment. */
+static luxel_status count_elements(const luxel_scene *scene, const char *assignment, const char *all, size_t *count,
+                                   luxel_diagnostics *diagnostics)
+{
+    char *list = lx_copy_text(assignment, (size_t)(all - assignment));
+    struct lx_path path;
+    if (!list)
+        return lx_out_of_memory(diagnostics);
+    const struct lx_place place = {.source = "-s", .text = list, .length = strlen(list)};
+    const luxel_status status = lx_follow_list(scene, &place, diagnostics, &path, count);
+    free(list);
+    return status;
+}
+
+/* Sets the key of all elements that have it; `set_count` tells how many. */
+static luxel_status set_each(luxel_scene *scene, const char *assignment, const char *all, size_t count,
+                             luxel_diagnostics *diagnostics, size_t *set_count)
+{
+    luxel_status status = LUXEL_OK;
+    for (size_t i = 0; i < count && status == LUXEL_OK; i++) {
+        struct lx_text text = {0};
+        struct lx_path path;
+        lx_text_printf(&text, "%.*s[%zu]%s", (int)(all - assignment), assignment, i, all + strlen("[*]"));
+        char *one = lx_text_take(&text);
+        if (!one)
+            return lx_out_of_memory(diagnostics);
+        const struct lx_place place = {.source = "-s", .text = one, .length = strlen(one)};
+        const size_t key_length = (size_t)(strchr(one, '=') - one);
+        /* that none has it is told of the last */
+        luxel_diagnostics *told = *set_count == 0 && i + 1 == count ? diagnostics : NULL;
+        const luxel_status found = lx_follow_path(scene, &place, key_length, told, &path);
+        if (found == LUXEL_OK) {
+            status = set(scene, one, diagnostics);
+            *set_count += status == LUXEL_OK;
+        } else if (told) {
+            status = found;
+        }
+        free(one);
+    }
+    return status;
+}
+
+/* All of them, or none. */
+static luxel_status set_all(luxel_scene *scene, const char *assignment, const char *all, luxel_diagnostics *diagnostics)
+{
+    struct lx_place place = {.source = "-s", .text = assignment, .length = strlen(assignment)};
+    struct lx_document before;
+    size_t count = 0, set_count = 0;
+    luxel_status status = count_elements(scene, assignment, all, &count, diagnostics);
+    if (status != LUXEL_OK)
+        return status;
+    if (count == 0) {
+        char *list = lx_copy_text(assignment, (size_t)(all - assignment));
+        place.end = (size_t)(all - assignment);
+        lx_report(diagnostics, LUXEL_SEVERITY_ERROR, &place, LX_MSG_NO_ELEMENTS, LX_ARGS(list ? list : ""));
+        free(list);
+        return LUXEL_ERROR_PATH;
+    }
+    if (lx_document_copy(&scene->document, &before) < 0)
+        return lx_out_of_memory(diagnostics);
+    status = set_each(scene, assignment, all, count, diagnostics, &set_count);
+    if (status == LUXEL_OK || set_count == 0) {
+        lx_document_clear(&before);
+    } else {
+        lx_document_clear(&scene->document);
+        scene->document = before;
+    }
+    return status;
+}
+
+luxel_status luxel_scene_set(luxel_scene *scene, const char *assignment, luxel_diagnostics *diagnostics)
+{
+    if (!scene || !assignment)
+        return LUXEL_ERROR_ARGUMENT;
+    const char *all = find_all(assignment);
+    return all ? set_all(scene, assignment, all, diagnostics) : set(scene, assignment, diagnostics);
 }

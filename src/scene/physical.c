@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /*
  * What reflected light asks of a scene, beyond what each of its keys may be: surfaces whose sides are known and
- * that send back less than they get, as reflectances and not as weights, and lights whose law is physical.
+ * that send back less than they get, as reflectances and not as weights, and lights whose law is physical; and mirrors,
+ * which have to be flat, and do not go with it.
  */
 #include <string.h>
 
@@ -174,8 +175,33 @@ static void check_meshes(struct lx_walk *walk, const luxel_scene *scene)
     }
 }
 
+/* Mirrors: on what is no mirror, and with reflected light. */
+static void check_mirrors(struct lx_walk *walk, const luxel_scene *scene)
+{
+    const struct lx_scene_parameters *parameters = &scene->parameters;
+    const bool reflects = parameters->reflections.choice != LX_REFLECTIONS_NONE;
+    struct lx_scene_material at = {.material = NULL};
+    while (lx_next_material(parameters, &at)) {
+        const struct lx_surface_kind *kind = kind_of(scene, at.surface);
+        if (!at.material->mirror || (!reflects && (kind->is_mirror || kind->part_names)))
+            continue;
+        report_material(walk, &at, "mirror", reflects ? LX_MSG_MIRROR_REFLECTS : LX_MSG_MIRROR_NOT_FLAT,
+                        reflects ? NULL : kind->variant.name);
+        lx_hint(walk->diagnostics, reflects ? LX_MSG_HINT_NO_MIRROR : LX_MSG_HINT_FLAT_MIRROR, NULL);
+    }
+    for (size_t i = 0; i < parameters->surfaces.count && reflects; i++) {
+        const struct lx_surface_kind *kind = kind_of(scene, i);
+        if (!kind->is_mirror || !kind->is_mirror(parameters->surfaces.items[i].parameters))
+            continue;
+        report_surface(walk, i, "mirror", LX_MSG_MIRROR_REFLECTS, NULL, NULL);
+        lx_hint(walk->diagnostics, LX_MSG_HINT_NO_MIRROR, NULL);
+    }
+}
+
 void lx_validate_reflections(struct lx_walk *walk, const luxel_scene *scene)
 {
+    if (is_sound(&scene->parameters))
+        check_mirrors(walk, scene);
     if (scene->parameters.reflections.choice == LX_REFLECTIONS_NONE)
         return;
     if (is_sound(&scene->parameters)) {

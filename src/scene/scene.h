@@ -12,6 +12,7 @@
 #include "../light/colour.h"
 #include "../material/material.h"
 #include "../parameter/table.h"
+#include "limits.h"
 
 enum lx_units { LX_RADIOMETRIC, LX_PHOTOMETRIC };
 
@@ -62,6 +63,7 @@ struct lx_grid {
     unsigned n[2];         /* columns, rows; as the spacing says where they are not given */
     int spacing;
     int measure; /* enum lx_measure */
+    struct lx_grid_limits limits;
 };
 
 /* The keys that every surface and every light has beside those of its kind. */
@@ -86,14 +88,17 @@ struct lx_scene_parameters {
     int channels;                          /* enum lx_channels */
     int shadows;                           /* enum lx_shadows */
     struct lx_choice_or_whole reflections; /* enum lx_reflections, or the number of bounces */
+    unsigned mirrors;                      /* how many in a row are counted */
+    double maintenance;                    /* of all lights */
     struct lx_screen screen;
     struct lx_observer observer;
     struct lx_list surfaces; /* variants are lx_surface_kind, common lx_surface_common */
     struct lx_list lights;   /* variants are lx_light_kind, common lx_light_common */
     struct lx_points points;
     struct lx_picture picture;
-    struct lx_groups grids; /* of struct lx_grid */
-    unsigned channel;       /* of materials' colours, from 1; 0: their luminance (colours.h); no key */
+    struct lx_groups grids;           /* of struct lx_grid */
+    struct lx_groups glare_observers; /* of struct lx_glare_observer: the key `observers` */
+    unsigned channel;                 /* of materials' colours, from 1; 0: their luminance (colours.h); no key */
 };
 
 extern const struct lx_table lx_scene_table;

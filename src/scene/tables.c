@@ -246,6 +246,14 @@ static const struct lx_parameter grid_parameters[] = {
                    "the surface of a small body there: on the side of a cylinder along the axis, on that half of "
                    "it which faces along up, on a sphere, or on the half of a sphere that looks along the axis",
     },
+    {
+        .name = "limits",
+        .label = "Limits",
+        .type = LX_GROUP,
+        .offset = offsetof(struct lx_grid, limits),
+        .group = &lx_grid_limits_table,
+        .meaning = "what the values are to keep: pass, fail, or undecided where their bounds span the limit",
+    },
 };
 
 static const struct lx_rule grid_rules[] = {
@@ -354,6 +362,27 @@ static const struct lx_parameter scene_parameters[] = {
             "physical laws of attenuation",
     },
     {
+        .name = "mirrors",
+        .label = "Mirrors in a row",
+        .type = LX_WHOLE,
+        .offset = offsetof(struct lx_scene_parameters, mirrors),
+        .initial = "4",
+        .legal = LX_BETWEEN(1, 64),
+        .advised = {LX_BETWEEN(1, 8)},
+        .meaning = "how many mirrors in a row light and sights are followed by; what more of them give is in the bound",
+    },
+    {
+        .name = "maintenance_factor",
+        .label = "Maintenance factor",
+        .type = LX_REAL,
+        .offset = offsetof(struct lx_scene_parameters, maintenance),
+        .initial = "1",
+        .legal = {.given = true, .low = 0, .high = 1, .low_open = true},
+        .advised = {LX_BETWEEN(0.5, 1)},
+        .meaning = "the share of its light that every light still gives when the installation is due to be cleaned and "
+                   "its lamps changed; the maintenance_factor of a luminaire multiplies it",
+    },
+    {
         .name = "screen",
         .label = "Screen",
         .type = LX_GROUP,
@@ -416,6 +445,15 @@ static const struct lx_parameter scene_parameters[] = {
         .initial = "[]",
         .group = &grid_table,
         .meaning = "measuring planes of luxel grid: the irradiance at the centres of their cells",
+    },
+    {
+        .name = "observers",
+        .label = "Observers",
+        .type = LX_GROUPS,
+        .offset = offsetof(struct lx_scene_parameters, glare_observers),
+        .initial = "[]",
+        .group = &lx_glare_observer_table,
+        .meaning = "who is asked by luxel grid --limits how much the lights dazzle; they have no say in pictures",
     },
 };
 

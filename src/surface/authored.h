@@ -19,6 +19,7 @@ struct lx_plate_parameters {
     double center_mm[3];
     double size_mm[2];
     double axis[3], up[3];
+    bool mirror;
 };
 
 #endif

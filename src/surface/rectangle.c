@@ -57,6 +57,15 @@ static const struct lx_parameter plate_parameters[] = {
         .meaning = "the direction along which the height runs, made perpendicular to axis; where it is not given and "
                    "the axis runs along y, (0, 0, 1)",
     },
+    {
+        .name = "mirror",
+        .label = "Mirror",
+        .type = LX_BOOLEAN,
+        .offset = offsetof(struct lx_plate_parameters, mirror),
+        .initial = "false",
+        .meaning = "whether its front is a mirror, whatever its material: lamps' images in it light what it faces, and "
+                   "it shows what sights that it mirrors meet; of walls the material has this key",
+    },
 };
 
 static void check_plate(const struct lx_check *check, void *parameters)
@@ -87,6 +96,11 @@ static struct lx_shape plate_shape(const void *parameters)
     for (int i = 0; i < 2; i++)
         shape.half_mm[i] = plate->size_mm[i] / 2 + shape.touch_mm;
     return shape;
+}
+
+static bool plate_is_mirror(const void *parameters)
+{
+    return ((const struct lx_plate_parameters *)parameters)->mirror;
 }
 
 static double plate_farthest(const void *parameters, const double direction[3])
@@ -305,6 +319,7 @@ const struct lx_surface_kind lx_plate_kind = {
     .blocks = plate_blocks,
     .gather = plate_gather,
     .holds = plate_holds,
+    .is_mirror = plate_is_mirror,
     .standing = lx_plane_standing,
     .faces = lx_plane_faces,
     .is_dark = lx_plane_is_dark,

@@ -142,6 +142,8 @@ struct lx_surface_kind {
     unsigned part_count;
     void (*part)(const void *parameters, unsigned i, struct lx_part *part);
 
+    /* Whether its own keys make its front a mirror, as a material may, too.  NULL: it cannot be one. */
+    bool (*is_mirror)(const void *parameters);
     /* Whether it takes light from its own elements, as what is hollow or folded does: then `blocks` and `takes` are
      * asked for these, too, and have to leave out where the way begins.  Only for shapes without kernels of their own,
      * LX_GENERAL. */

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /*
  * The directional albedo: the diffuse part's has a closed form.  Powers of a cosine are integrated in polar coordinates
- * around the vector that stands still, in which the integral around it has one, too; other lobes in both angles around
- * the normal, in which V is turned by pi, so that the mirrored V lies where panels begin.
+ * around the vector that stands still, in which the integral around it has one, too; facets in polar coordinates around
+ * the normal, which are changed so that their peak is as wide as all else.
  */
 #include "albedo.h"
 
@@ -12,7 +12,7 @@
 #include "../material/lobe.h"
 #include "integral/adaptive.h"
 
-enum { OUTER_PANELS = 256, INNER_PANELS = 256 };
+enum { PANELS = 256 };
 
 /* Absolute, of each integral. */
 static const double TOLERANCE = 2e-12;
@@ -67,53 +67,74 @@ static double sum_power(const struct lx_lobe *lobe, double n_dot_v)
     struct circles circles = {.lobe = lobe, .cosine = n_dot_v, .sine = sin(slant)};
     circles.ends[1] = (M_PI / 2 - slant) / (by_half ? 2 : 1);
     circles.ends[2] = by_half ? (M_PI / 2 + slant) / 2 : M_PI / 2;
-    struct lx_panel memory[OUTER_PANELS] = {{.interval = 0, .from = 0, .to = 1}, {.interval = 1, .from = 0, .to = 1}};
-    struct lx_panels panels = {memory, 2, OUTER_PANELS};
+    struct lx_panel memory[PANELS] = {{.interval = 0, .from = 0, .to = 1}, {.interval = 1, .from = 0, .to = 1}};
+    struct lx_panels panels = {memory, 2, PANELS};
     const struct lx_integrand integrand = {.at = by_circle, .target = target, .data = &circles};
     return lx_integrate_panels(&integrand, &panels).value;
 }
 
-struct hemisphere {
+/*
+ * Facets, at an angle theta of L to the normal.  With the angle phi around the normal from the mirrored V on, 1 + L.V =
+ * 2 C + S (1 - cos phi), and D has the denominator (u + 2 S (1 - cos phi))^2.
+ */
+struct facets {
     const struct lx_lobe *lobe;
-    struct lx_lobe_at at;
-    double slant; /* of V */
-    double cos_turn, sin_turn;
+    double slant, n_dot_v;
+    double c, s, u, w; /* w: u + 4 S */
 };
 
-/* What L at an angle to the normal gives. */
-static struct lx_point_value by_angle(void *data, size_t interval, double angle)
+/*
+ * The integral of F D around the normal, without a^2.  With tan(phi/2) = sqrt(u/w) sinh(y) it is one over all y whose
+ * function has no pole nearer to them than pi/2 and falls as exp(-y) in the end: the sum in steps of h, from 0 on and
+ * twice, is off by a share of some 1000 exp(-pi^2/h).
+ */
+static double around_facets(const struct facets *facets)
 {
-    const struct hemisphere *sky = data;
-    const double sine = sin(angle), cosine = cos(angle);
-    const double towards[3] = {sine * sky->cos_turn, sine * sky->sin_turn, cosine};
-    double unused;
-    (void)interval;
-    const double f = exp(lx_lobe_log(sky->lobe, &sky->at, towards, 0, &unused));
-    return (struct lx_point_value){.value = f * lx_lobe_weight(sky->lobe, cosine) * sine};
+    static const double step = 0.25, least = 1e-15;
+    const double m = sqrt(facets->u / facets->w), f0 = facets->lobe->own[1], growth = exp(step);
+    double sum = 0, value = 1;
+    for (double e = 1; value > least * sum || m * e < 2; e *= growth) {       /* e: exp(y) */
+        const double t = m * (e - 1 / e) / 2, part = 2 * t * t / (1 + t * t); /* 1 - cos(phi) */
+        const double both = 2 * facets->c + facets->s * part;
+        const double versine = fmax(1 - sqrt(both / 2), 0), square = versine * versine;
+        const double ratio = 2 * both / (facets->u + 2 * facets->s * part);
+        value = (f0 + (1 - f0) * square * square * versine) * ratio * ratio * m * (e + 1 / e) / (1 + t * t);
+        sum += e > 1 ? value : value / 2;
+    }
+    return 2 * step * sum;
 }
 
-static struct lx_point_value by_turn(void *data, size_t interval, double turn)
+/* What all L at an angle to the normal give: theta = theta_V + 2 atan(a sinh x), over which D has no peak. */
+static struct lx_point_value by_slant(void *data, size_t interval, double x)
 {
-    struct hemisphere *sky = data;
-    struct lx_panel memory[INNER_PANELS] = {{.from = 0, .to = sky->slant}, {.from = sky->slant, .to = M_PI / 2}};
-    const size_t first = sky->slant > 0 ? (size_t)0 : (size_t)1;
-    struct lx_panels panels = {memory + first, 2 - first, INNER_PANELS - first};
-    const struct lx_integrand integrand = {.at = by_angle, .target = target, .data = sky};
+    struct facets *facets = data;
+    const double square = facets->lobe->own[0], a = facets->lobe->own[2];
+    const double delta = atan(a * sinh(x)), theta = facets->slant + 2 * delta, mean = facets->slant + delta;
+    const double n_dot_l = cos(theta), cosine = cos(mean), sine = sin(mean), near = cos(delta);
     (void)interval;
-    sky->cos_turn = cos(turn);
-    sky->sin_turn = sin(turn);
-    return (struct lx_point_value){.value = lx_integrate_panels(&integrand, &panels).value};
+    facets->c = cosine * cosine;
+    facets->s = fmax(sin(theta), 0) * sin(facets->slant);
+    facets->u = 4 * facets->c * (sin(delta) * sin(delta) + square * near * near);
+    facets->w = 4 * near * near * (sine * sine + square * facets->c);
+    if (!(n_dot_l > 0 && facets->u > 0 && facets->w > 0))
+        return (struct lx_point_value){.value = 0};
+    const double seen_root = sqrt(square + (1 - square) * facets->n_dot_v * facets->n_dot_v);
+    const double lit_root = sqrt(square + (1 - square) * n_dot_l * n_dot_l);
+    const double slope = 2 * a * cosh(x) * near * near; /* of theta by x */
+    return (struct lx_point_value){.value = square * n_dot_l * around_facets(facets) * fmax(sin(theta), 0) * slope /
+                                            (2 * (n_dot_l * seen_root + facets->n_dot_v * lit_root))};
 }
 
-/* The integral of f w over all L above the horizon. */
-static double sum_lobe(const struct lx_lobe *lobe, double n_dot_v)
+/* The integral of f w of facets over all L above the horizon. */
+static double sum_facets(const struct lx_lobe *lobe, double n_dot_v)
 {
-    struct hemisphere sky = {.lobe = lobe, .slant = acos(n_dot_v)};
-    lx_lobe_at_set((const double[]){0, 0, 1}, (const double[]){-sin(sky.slant), 0, n_dot_v}, &sky.at);
-    struct lx_panel memory[OUTER_PANELS] = {{.from = 0, .to = M_PI / 2}, {.from = M_PI / 2, .to = M_PI}};
-    struct lx_panels panels = {memory, 2, OUTER_PANELS};
-    const struct lx_integrand integrand = {.at = by_turn, .target = target, .data = &sky};
-    return 2 * lx_integrate_panels(&integrand, &panels).value;
+    struct facets facets = {.lobe = lobe, .slant = acos(n_dot_v), .n_dot_v = n_dot_v};
+    const double a = lobe->own[2];
+    struct lx_panel memory[PANELS] = {
+        {.from = -asinh(tan(facets.slant / 2) / a), .to = asinh(tan(M_PI / 4 - facets.slant / 2) / a)}};
+    struct lx_panels panels = {memory, 1, PANELS};
+    const struct lx_integrand integrand = {.at = by_slant, .target = target, .data = &facets, .is_smooth = true};
+    return lx_integrate_panels(&integrand, &panels).value;
 }
 
 double lx_material_albedo(const struct lx_material *material, double n_dot_v)
@@ -130,6 +151,6 @@ double lx_material_albedo(const struct lx_material *material, double n_dot_v)
         albedo *= lx_lobe_kind_of(&rough)->albedo(&rough, n_dot_v);
     }
     if (lx_lobe_shines(&lobe))
-        albedo += lobe.specular.value * (lx_power_lobe_of(lobe.model) ? sum_power : sum_lobe)(&lobe, n_dot_v);
+        albedo += lobe.specular.value * (lx_power_lobe_of(lobe.model) ? sum_power : sum_facets)(&lobe, n_dot_v);
     return albedo;
 }

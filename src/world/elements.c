@@ -49,6 +49,7 @@ static void begin_element(struct lx_elements *elements, size_t i)
     elements->own[i] = 0;
     elements->side_x[i] = elements->side_y[i] = elements->side_z[i] = 0;
     elements->asks[i] = false;
+    elements->shown[i] = LX_SHOWN;
 }
 
 void lx_elements_append(const struct lx_prepared *prepared, struct lx_elements *elements,
@@ -62,6 +63,7 @@ void lx_elements_append(const struct lx_prepared *prepared, struct lx_elements *
     elements->own[i] = element->own ? (uint32_t)(element->own - prepared->surfaces) + 1 : 0;
     elements->asks[i] = element->own && element->is_free;
     elements->has_sides = elements->has_sides || elements->asks[i];
+    elements->shown[i] = element->shown;
 }
 
 void lx_elements_append_place(struct lx_elements *elements, lx_bounded3 place_mm, lx_bounded3 normal,
@@ -99,6 +101,7 @@ static void copy_element(struct lx_elements *to, size_t i, const struct lx_eleme
     to->side_y[i] = from->side_y[k];
     to->side_z[i] = from->side_z[k];
     to->asks[i] = from->asks[k];
+    to->shown[i] = from->shown[k];
 }
 
 void lx_elements_copy(struct lx_elements *to, const struct lx_elements *from, size_t k)
@@ -158,5 +161,6 @@ struct lx_element lx_elements_get(const struct lx_prepared *prepared, const stru
         .lobe = elements->lobe,
         .own = elements->own[i] > 0 ? &prepared->surfaces[elements->own[i] - 1] : NULL,
         .is_free = elements->are_free,
+        .shown = elements->shown[i],
     };
 }

@@ -46,6 +46,7 @@ struct lx_elements {
     double side_y[LX_BATCH], side_z[LX_BATCH];
     bool has_sides;
     bool asks[LX_BATCH];
+    enum lx_shown shown[LX_BATCH];
     bool has_exact_normals;
     struct lx_ball around; /* all places, with room for rounding */
 };

@@ -9,6 +9,7 @@
 #include "../base/memory.h"
 #include "../scene/colours.h"
 #include "../surface/surface.h"
+#include "mirrors.h"
 
 lx_bounded lx_received_value(const struct lx_received *received, luxel_quantity quantity, size_t i)
 {
@@ -212,7 +213,7 @@ void luxel_evaluate_place(const luxel_evaluator *evaluator, const luxel_place *p
     if (!lx_is_place(place) || (place->is_element && place->surface >= lx_material_count(prepared->scene))) {
         answer_nothing(evaluator, value, shares);
     } else if (place->is_element) {
-        const struct lx_element element = lx_element_at(prepared, place);
+        const struct lx_element asked = lx_element_at(prepared, place), element = lx_element_shown(prepared, &asked);
         *value = lx_evaluate_element(evaluator, &element, shares);
         if (!element.own)
             value->surface = place->surface;

@@ -152,7 +152,7 @@ LX_LANE struct sample sample_point(const struct lx_emitter *emitter, struct boun
     sample.towards = unit3(offset, &distance);
     for (int i = 0; !all_above_double(distance.value, distance.error) && i < LX_WIDTH_double; i++)
         on_element[i] = on_element[i] || !(distance.value[i] > distance.error[i]);
-    const struct bounded strength = everywhere((lx_bounded){emitter->strength, emitter->strength_error});
+    const struct bounded strength = everywhere(lx_strength(emitter));
     const struct lx_profile *profile = &emitter->profile;
     const struct bounded e_perp = times(strength, attenuation(emitter, metres(distance)));
     if (profile->falloff == LX_NO_CONE && profile->exponent == 0)
@@ -214,7 +214,7 @@ LX_LANE struct bounded dot_normal(const struct lx_elements *elements, struct bou
 static void light_uniform(const struct lx_emitter *emitter, const struct lx_elements *elements, enum lx_wanted wanted,
                           struct lx_received *received)
 {
-    const lx_bounded e = lx_exact(emitter->strength);
+    const lx_bounded e = lx_strength(emitter);
     const struct bounded e_perp = everywhere(e), diffuse = everywhere(lx_mul(elements->lobe->ambient, e));
     for (size_t i = 0; i < elements->count; i += LX_WIDTH_double) {
         if (wanted & LX_WANT_IRRADIANCE)
@@ -232,7 +232,7 @@ static void light(const struct lx_emitter *emitter, const struct lx_elements *el
     const struct lx_lobe *lobe = elements->lobe;
     const bool is_rough = lx_lobe_is_rough(lobe), is_power = lx_power_lobe_of(lobe->model);
     const struct lx_lobe rough = is_rough ? lx_lobe_of_diffuse(lobe) : *lobe;
-    const struct sample everywhere_same = {everywhere3(emitter->towards), exactly(all_double(emitter->strength))};
+    const struct sample everywhere_same = {everywhere3(emitter->towards), everywhere(lx_strength(emitter))};
     if (lx_is_uniform(emitter)) {
         light_uniform(emitter, elements, wanted, received);
         return;

@@ -12,6 +12,7 @@
 #include "../scene/colours.h"
 #include "../scene/lit.h"
 #include "among.h"
+#include "mirrors.h"
 #include "prepared.h"
 
 /* How many a scene may have without asking how much memory there is. */
@@ -19,11 +20,13 @@ enum { FEW_EMITTERS = 4096 };
 /* A point of a point set takes so much. */
 enum { SWARM_BYTES = 64 };
 
-static int prepare_lights(const struct lx_list *lights, const bool *on, struct lx_emitters *emitters)
+static int prepare_lights(const struct lx_scene_parameters *scene, const bool *on, struct lx_emitters *emitters)
 {
+    const struct lx_list *lights = &scene->lights;
     for (size_t i = 0; i < lights->count; i++) {
         emitters->light = i;
-        if (on[i] && (!lx_asking_goes_on(emitters->asking) || lx_light_lower(&lights->items[i], emitters)))
+        if (on[i] &&
+            (!lx_asking_goes_on(emitters->asking) || lx_light_lower(&lights->items[i], scene->maintenance, emitters)))
             return -1;
     }
     return 0;
@@ -37,11 +40,11 @@ static size_t count_parts(const struct lx_list *surfaces)
     return count;
 }
 
-/* The material in the scene's channel, number `number` of those that may have colours. */
+/* The material in the scene's channel, number `number` of those that may be another one there. */
 static const struct lx_material *in_channel(const struct lx_prepared *prepared, const struct lx_material *material,
                                             size_t number)
 {
-    if (!prepared->colored || !lx_has_color(material))
+    if (!prepared->colored || (prepared->scene->channel <= LX_CHANNELS && !lx_has_color(material)))
         return material;
     prepared->colored[number] = lx_material_in_channel(material, prepared->scene->channel);
     return &prepared->colored[number];
@@ -56,6 +59,12 @@ static struct lx_lobe lobe_of(const struct lx_material *material, const struct l
     lobe.specular.error += roundings * lobe.specular.value;
     lobe.ambient.error += roundings * lobe.ambient.value;
     return lobe;
+}
+
+/* Whether a part of a surface, or all of it, is a mirror, which weighs nothing. */
+static bool is_mirror(const struct lx_surface_kind *kind, const void *parameters, const struct lx_material *material)
+{
+    return kind->is_mirror && (material->mirror || kind->is_mirror(parameters));
 }
 
 /* Appends the parts of surface i. */
@@ -86,6 +95,7 @@ static void prepare_surface(const struct lx_scene_parameters *scene, size_t i, s
             surface->own = part.own;
             surface->parameters = &surface->own;
         }
+        surface->is_mirror = is_mirror(surface->kind, surface->parameters, material);
         surface->kind->extent(surface->parameters, surface->low_mm, surface->high_mm);
         const bool is_first = prepared->surface_count++ == 0;
         prepared->shadows = prepared->shadows || (prepared->shadows_on_free && lx_may_hide(&part.shape, is_first));
@@ -125,9 +135,9 @@ static int prepare(const struct lx_scene_parameters *scene, const luxel_settings
     prepared->authored[0].lobe = default_lobe();
     for (size_t i = 0; i < surfaces->count; i++)
         prepare_surface(scene, i, prepared);
-    if (lx_among_make(prepared))
+    if (lx_among_make(prepared) || lx_mirrors_make(prepared, scene->mirrors, NULL))
         return -1;
-    int failed = prepare_lights(&scene->lights, prepared->on, &prepared->emitters);
+    int failed = prepare_lights(scene, prepared->on, &prepared->emitters);
     prepared->emitters.asking = NULL;
     return failed;
 }
@@ -164,6 +174,7 @@ int lx_prepared_carry(const struct lx_prepared *prepared, const struct lx_asking
     carried->surfaces = lx_new_array(prepared->surface_count, sizeof *carried->surfaces);
     carried->authored = lx_new_array(lx_material_count(prepared->scene), sizeof *carried->authored);
     carried->boxes = (struct lx_boxes){.count = 0};
+    carried->mirrors = (struct lx_mirrors){.count = 0};
     carried->colored = NULL; /* its materials are those of the scene that it is a copy of, which outlives it */
     carried->on = lx_new_array(prepared->scene->lights.count, sizeof *carried->on);
     carried->emitters = (struct lx_emitters){0};
@@ -179,7 +190,7 @@ int lx_prepared_carry(const struct lx_prepared *prepared, const struct lx_asking
         made->parameters = NULL;
         lx_surface_extent(surface->kind, surface->parameters, frame, made->low_mm, made->high_mm);
     }
-    if (lx_among_make(carried))
+    if (lx_among_make(carried) || lx_mirrors_make(carried, prepared->scene->mirrors, prepared))
         return -1;
     return lx_emitters_carry(&prepared->emitters, frame, asking, &carried->emitters);
 }
@@ -209,6 +220,7 @@ void lx_prepared_clear(struct lx_prepared *prepared)
     free(prepared->colored);
     free(prepared->on);
     lx_emitters_clear(&prepared->emitters);
+    lx_mirrors_clear(&prepared->mirrors);
     *prepared = (struct lx_prepared){0};
 }
 
@@ -241,22 +253,29 @@ const char *lx_unit_of(const struct lx_prepared *prepared, luxel_quantity quanti
     if (quantity == LUXEL_IRRADIANCE)
         return unit_of_irradiance(&prepared->emitters, photometric);
     for (size_t i = 0; i < prepared->surface_count; i++)
-        over_pi += prepared->surfaces[i].material->over_pi;
-    return unit_of_brightness(&prepared->emitters, photometric, over_pi, prepared->surface_count);
+        over_pi += prepared->surfaces[i].material->over_pi && !prepared->surfaces[i].is_mirror;
+    return unit_of_brightness(&prepared->emitters, photometric, over_pi,
+                              prepared->surface_count - prepared->mirrors.count);
 }
 
-/* How many parts of a surface weigh by 1/pi. */
-static size_t count_over_pi(const struct lx_item *item)
+/* How many parts of a surface weigh by 1/pi, of so many that weigh anything. */
+static size_t count_over_pi(const struct lx_item *item, size_t *parts)
 {
     const struct lx_surface_common *common = item->common;
     const struct lx_surface_kind *kind = (const struct lx_surface_kind *)item->variant;
     size_t count = 0;
-    if (!kind->part_names)
-        return common->material.over_pi;
+    if (!kind->part_names) {
+        const bool weighs = !is_mirror(kind, item->parameters, &common->material);
+        *parts += weighs;
+        return weighs && common->material.over_pi;
+    }
     for (unsigned k = 0; k < lx_part_count(kind); k++) {
         struct lx_part part;
         lx_part_make(kind, item->parameters, k, &part);
-        count += part.material ? part.material->over_pi : common->material.over_pi;
+        const struct lx_material *material = part.material ? part.material : &common->material;
+        const bool weighs = !is_mirror(part.kind, part.parameters, material);
+        *parts += weighs;
+        count += weighs && material->over_pi;
     }
     return count;
 }
@@ -269,13 +288,13 @@ const char *lx_unit_of_scene(const struct lx_scene_parameters *scene, const luxe
         .most = FEW_EMITTERS, .each = sizeof(struct lx_emitter), .each_in_point_sets = SWARM_BYTES};
     bool *on = lx_lights_on(scene, settings);
     const char *unit = LX_N("relative");
-    size_t over_pi = 0;
+    size_t over_pi = 0, parts = 0;
     for (size_t i = 0; i < scene->surfaces.count && quantity == LUXEL_BRIGHTNESS; i++)
-        over_pi += count_over_pi(&scene->surfaces.items[i]);
-    if (on && prepare_lights(&scene->lights, on, &emitters) == 0)
+        over_pi += count_over_pi(&scene->surfaces.items[i], &parts);
+    if (on && prepare_lights(scene, on, &emitters) == 0)
         unit = quantity == LUXEL_IRRADIANCE
                    ? unit_of_irradiance(&emitters, photometric)
-                   : unit_of_brightness(&emitters, photometric, over_pi, count_parts(&scene->surfaces));
+                   : unit_of_brightness(&emitters, photometric, over_pi, parts);
     lx_emitters_clear(&emitters);
     free(on);
     return unit;

@@ -28,12 +28,32 @@ struct lx_prepared_surface {
     size_t authored;     /* which surface of the scene's list */
     unsigned part;       /* and which part of it; 0 where it is one by itself */
     struct lx_own_parameters own;
+    bool is_mirror; /* its front */
 };
 
 /* A surface as the scene's list has it. */
 struct lx_authored_surface {
     size_t first;        /* its first part among the prepared surfaces */
     struct lx_lobe lobe; /* of its material, whatever its parts have */
+};
+
+struct lx_mirror_way;
+
+/* The mirrors among the surfaces, and the ways of light over them (mirrors.h). */
+struct lx_mirrors {
+    uint32_t *surfaces; /* which are mirrors */
+    size_t count;
+    uint8_t *sides;             /* of each mirror, how each surface stands to it: enum lx_mirror_side */
+    struct lx_mirror_way *ways; /* the shorter before the longer */
+    size_t way_count, capacity;
+    size_t computed;  /* the first of them are over no more mirrors than are counted; the others are for the bound */
+    unsigned deepest; /* how many mirrors the longest are over */
+    bool ends;        /* there are no longer ones */
+    bool is_short;    /* they are too many */
+    /* Two facing planes, between which ways go on for ever, and how many planes at right angles to them there are; the
+     * gap is 0 where that is not all that there is. */
+    double pair_gap_mm, pair_axis[3], pair_heights_mm[2], pair_size_mm;
+    unsigned other_planes;
 };
 
 struct lx_prepared {
@@ -46,6 +66,7 @@ struct lx_prepared {
     struct lx_material *colored; /* what materials with colours are in the scene's channel; NULL: all are as they are */
     bool *on;                    /* which lights of the scene's list give light */
     struct lx_emitters emitters; /* of those, in their order */
+    struct lx_mirrors mirrors;
     double tolerance;            /* of integrals, relative to the value that they are a part of */
     bool shadows;                /* whether surfaces take light from each other */
     bool shadows_extended;       /* whether extended sources are hidden, too, as far as they are */

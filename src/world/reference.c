@@ -5,27 +5,15 @@
 #include "../surface/beside.h"
 #include "among.h"
 #include "camera.h"
+#include "images.h"
 #include "integral/cubature.h"
+#include "mirrors.h"
 
 bool lx_element_seen(const struct lx_prepared *prepared, double x_mm, double y_mm, struct lx_element *element)
 {
-    struct lx_ray ray = lx_line_of_sight(&prepared->camera, x_mm, y_mm);
-    struct lx_hit nearest = {.exists = false};
-    struct lx_found found;
-    const bool is_found = lx_among_ray(prepared, &ray, &found);
-    const size_t count = lx_found_count(&found, is_found, prepared->surface_count);
-    for (size_t i = 0; i < count; i++) {
-        const struct lx_prepared_surface *surface = &prepared->surfaces[lx_found_at(&found, is_found, i)];
-        struct lx_hit hit = surface->kind->hit(&surface->shape, &ray);
-        if (!hit.exists || (nearest.exists && hit.t >= nearest.t))
-            continue;
-        nearest = hit;
-        *element =
-            (struct lx_element){.place_mm = hit.place_mm, .normal = hit.normal, .lobe = &surface->lobe, .own = surface};
-    }
-    if (nearest.exists)
-        element->view = lx_view_from(&prepared->camera, element->place_mm);
-    return nearest.exists;
+    const struct lx_camera *camera = &prepared->camera;
+    const lx_bounded3 eye = camera->is_parallel ? camera->frame.rounded[2] : lx_exact3(camera->position_mm);
+    return lx_sight_meets(prepared, lx_line_of_sight(camera, x_mm, y_mm), eye, camera->is_parallel, 0, element);
 }
 
 struct lx_element lx_element_at(const struct lx_prepared *prepared, const luxel_place *place)
@@ -66,17 +54,14 @@ struct lx_element lx_element_on(const struct lx_prepared *prepared, size_t surfa
     return element;
 }
 
-/* Whether a surface takes the light from the element that comes along a way; 1 or 0. */
-static lx_bounded blocked_by(const struct lx_prepared_surface *surface, const struct lx_element *element,
-                             lx_bounded3 way, bool endless)
+lx_bounded lx_blocked_by(const struct lx_shape *shape, bool is_own, const struct lx_element *element, lx_bounded3 way,
+                         bool endless)
 {
-    const struct lx_shape *shape = &surface->shape;
-    const bool is_own = surface == element->own;
     const bool is_turned = is_own && element->is_free && lx_shape_is_turned(shape, element->place_mm, element->normal);
     lx_bounded open = lx_exact(1);
-    if (is_turned ? lx_asks_both(surface->kind) : lx_may_hide(shape, is_own))
-        open = lx_not(surface->kind->blocks(shape, element->place_mm, way, endless));
-    if (is_turned || (is_own && surface->kind->normal_seen))
+    if (is_turned ? lx_asks_both(shape->kind) : lx_may_hide(shape, is_own))
+        open = lx_not(shape->kind->blocks(shape, element->place_mm, way, endless));
+    if (is_turned || (is_own && shape->kind->normal_seen))
         open = lx_both(open, lx_not(lx_shape_hides(shape, element->place_mm, element->normal, way, endless)));
     return lx_not(open);
 }
@@ -93,7 +78,7 @@ lx_bounded lx_hidden_by(const struct lx_prepared_surface *surface, const struct 
 {
     bool endless;
     const lx_bounded3 way = way_to(element, emitter, &endless);
-    return blocked_by(surface, element, way, endless);
+    return lx_blocked_by(&surface->shape, surface == element->own, element, way, endless);
 }
 
 lx_bounded lx_openness_of(const struct lx_prepared *prepared, const struct lx_element *element,
@@ -110,7 +95,8 @@ lx_bounded lx_openness_of(const struct lx_prepared *prepared, const struct lx_el
     const size_t count = lx_found_count(&found, is_found, prepared->surface_count);
     for (size_t i = 0; i < count; i++) {
         const struct lx_prepared_surface *surface = &prepared->surfaces[lx_found_at(&found, is_found, i)];
-        open = lx_both(open, lx_not(blocked_by(surface, element, way, endless)));
+        open = lx_both(open,
+                       lx_not(lx_blocked_by(&surface->shape, surface == element->own, element, way, endless)));
     }
     return open;
 }
@@ -163,9 +149,8 @@ static lx_bounded within(lx_bounded found, lx_bounded most)
     return error < found.error ? (lx_bounded){value, error} : found;
 }
 
-/* Behind obstacles; where that is not known to the tolerance, between what there can be. */
-static struct lx_lighting light_behind(const struct lx_prepared *prepared, const struct lx_element *element,
-                                       const struct lx_emitter *emitter, struct lx_occlusion *occlusion)
+struct lx_lighting lx_light_behind(const struct lx_prepared *prepared, const struct lx_element *element,
+                                   const struct lx_emitter *emitter, struct lx_occlusion *occlusion)
 {
     struct lx_lighting seen = light_around(prepared, element, emitter, occlusion);
     const double wanted = prepared->tolerance;
@@ -193,13 +178,13 @@ static struct lx_lighting light_by_extended(const struct lx_prepared *prepared, 
     struct lx_lighting lighting = {.irradiance = {0, HUGE_VAL}, .diffuse = {0, HUGE_VAL}, .specular = {0, HUGE_VAL}};
     if (!lx_occlusion_make(prepared, element, emitter, above, &occlusion))
         lighting = occlusion.is_dark ? (struct lx_lighting){.irradiance = lx_exact(0)}
-                                     : light_behind(prepared, element, emitter, &occlusion);
+                                     : lx_light_behind(prepared, element, emitter, &occlusion);
     lx_occlusion_clear(&occlusion);
     return lighting;
 }
 
-struct lx_lighting lx_light_element(const struct lx_prepared *prepared, const struct lx_element *element,
-                                    const struct lx_emitter *emitter)
+struct lx_lighting lx_light_directly(const struct lx_prepared *prepared, const struct lx_element *element,
+                                     const struct lx_emitter *emitter)
 {
     if (lx_is_extended(emitter))
         return light_by_extended(prepared, element, emitter);
@@ -218,4 +203,27 @@ struct lx_lighting lx_light_element(const struct lx_prepared *prepared, const st
         .diffuse = lx_mul(e_perp, reflection.diffuse),
         .specular = lx_mul(e_perp, reflection.specular),
     };
+}
+
+/* What is not shown, but may be there, is in the bound. */
+static lx_bounded hide(lx_bounded number, enum lx_shown shown)
+{
+    return (lx_bounded){0, shown == LX_SHOWN_NOTHING   ? 0
+                           : shown == LX_SHOWN_UNKNOWN ? HUGE_VAL
+                                                       : fabs(number.value) + number.error};
+}
+
+struct lx_lighting lx_light_element(const struct lx_prepared *prepared, const struct lx_element *element,
+                                    const struct lx_emitter *emitter)
+{
+    struct lx_lighting lighting = lx_light_directly(prepared, element, emitter);
+    if (prepared->mirrors.count == 0 || lighting.on_element)
+        return lighting;
+    lx_add_images(prepared, element, emitter, &lighting);
+    if (element->shown != LX_SHOWN) {
+        lighting.irradiance = hide(lighting.irradiance, element->shown);
+        lighting.diffuse = hide(lighting.diffuse, element->shown);
+        lighting.specular = hide(lighting.specular, element->shown);
+    }
+    return lighting;
 }

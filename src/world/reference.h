@@ -11,7 +11,9 @@
 #include "element.h"
 #include "prepared.h"
 
-/* What is seen through a screen point; false: nothing. */
+struct lx_occlusion;
+
+/* What is seen through a screen point, in mirrors, too; false: nothing. */
 bool lx_element_seen(const struct lx_prepared *prepared, double x_mm, double y_mm, struct lx_element *element);
 
 /* The free element at a place that is one.  Its surface is that which it lies on, the first where surfaces meet. */
@@ -37,6 +39,18 @@ lx_bounded lx_openness_of(const struct lx_prepared *prepared, const struct lx_el
 lx_bounded lx_hidden_by(const struct lx_prepared_surface *surface, const struct lx_element *element,
                         const struct lx_emitter *emitter);
 
+/* Whether a shape, the element's own or another, stands in a way from the element: 1 or 0. */
+lx_bounded lx_blocked_by(const struct lx_shape *shape, bool is_own, const struct lx_element *element, lx_bounded3 way,
+                         bool endless);
+
+/* What an extended emitter gives behind obstacles; where that is not known to the tolerance, between what there can
+ * be. */
+struct lx_lighting lx_light_behind(const struct lx_prepared *prepared, const struct lx_element *element,
+                                   const struct lx_emitter *emitter, struct lx_occlusion *occlusion);
+
+/* Without what comes over mirrors, and with it. */
+struct lx_lighting lx_light_directly(const struct lx_prepared *prepared, const struct lx_element *element,
+                                     const struct lx_emitter *emitter);
 struct lx_lighting lx_light_element(const struct lx_prepared *prepared, const struct lx_element *element,
                                     const struct lx_emitter *emitter);
 

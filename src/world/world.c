@@ -13,15 +13,16 @@
 /* Emitters between two questions whether to go on. */
 enum { BETWEEN_CHECKS = 64 };
 
-/* Whether a batch has the light of an emitter by vectors; of extended sources and luminaires it asks the reference. */
-static bool is_vectored(const struct lx_emitter *emitter)
+/* Whether a batch has the light of an emitter by vectors; of extended sources and luminaires, and where there are
+ * mirrors, it asks the reference. */
+static bool is_vectored(const struct lx_world *world, const struct lx_emitter *emitter)
 {
-    return !lx_is_extended(emitter) && !emitter->profile.luminaire;
+    return !lx_is_extended(emitter) && !emitter->profile.luminaire && world->prepared->mirrors.count == 0;
 }
 
 unsigned lx_world_batch(const struct lx_world *world)
 {
-    return world->prepared->emitters.extended > 0 ? 1 : LX_BATCH;
+    return world->prepared->emitters.extended > 0 || world->prepared->mirrors.count > 0 ? 1 : LX_BATCH;
 }
 
 /* ---- completing elements ---- */
@@ -295,7 +296,7 @@ static void add_emitter(const struct lx_world *world, const struct lx_elements *
                         struct lx_received *received)
 {
     struct lx_openness openness;
-    if (is_vectored(emitter)) {
+    if (is_vectored(world, emitter)) {
         const struct lx_column *open = find_open(world, elements, emitter, &openness);
         world->kernels->light(emitter, elements, open, wanted, received);
         return;
@@ -307,8 +308,8 @@ static void add_emitter(const struct lx_world *world, const struct lx_elements *
     }
 }
 
-/* Sums emitters from the first on: of one light, or all where `light` is NULL. */
-static size_t sum_emitters(const struct lx_world *world, const struct lx_elements *elements, size_t first,
+/* Sums emitters from the first on and before the last: of one light, or all where `light` is NULL. */
+static size_t sum_emitters(const struct lx_world *world, const struct lx_elements *elements, size_t first, size_t last,
                            const size_t *light, enum lx_wanted wanted, const struct lx_asking *asking,
                            struct lx_received *received)
 {
@@ -322,7 +323,7 @@ static size_t sum_emitters(const struct lx_world *world, const struct lx_element
     }
     memset(received->parts, 0, sizeof received->parts);
     memset(received->on_element, 0, sizeof received->on_element);
-    for (; range.end < emitters->count; range.end++) {
+    for (; range.end < last; range.end++) {
         struct lx_emitter room;
         const struct lx_emitter *emitter = lx_emitter_at(emitters, range.end, &room);
         if ((light && emitter->light != *light) || !lx_asking_at_step(asking, range.end, BETWEEN_CHECKS))
@@ -339,14 +340,20 @@ void lx_world_light_of(const struct lx_world *world, const struct lx_elements *e
                        enum lx_wanted wanted, const struct lx_asking *asking, size_t *next,
                        struct lx_received *received)
 {
-    *next = sum_emitters(world, elements, *next, &light, wanted, asking, received);
+    *next = sum_emitters(world, elements, *next, world->prepared->emitters.count, &light, wanted, asking, received);
+}
+
+void lx_world_light_between(const struct lx_world *world, const struct lx_elements *elements, size_t first, size_t end,
+                            enum lx_wanted wanted, const struct lx_asking *asking, struct lx_received *received)
+{
+    sum_emitters(world, elements, first, end, NULL, wanted, asking, received);
 }
 
 void lx_world_light(const struct lx_world *world, const struct lx_elements *elements, enum lx_wanted wanted,
                     const struct lx_asking *asking, struct lx_received *received)
 {
     if (wanted & (LX_WANT_IRRADIANCE | LX_WANT_BRIGHTNESS))
-        sum_emitters(world, elements, 0, NULL, wanted, asking, received);
+        sum_emitters(world, elements, 0, world->prepared->emitters.count, NULL, wanted, asking, received);
     if ((wanted & LX_WANT_REFLECTED) && world->reflected)
         world->reflect(world, elements, asking, received);
     else if (wanted & LX_WANT_REFLECTED)

@@ -54,5 +54,8 @@ void lx_world_light(const struct lx_world *world, const struct lx_elements *elem
 void lx_world_light_of(const struct lx_world *world, const struct lx_elements *elements, size_t light,
                        enum lx_wanted wanted, const struct lx_asking *asking, size_t *next,
                        struct lx_received *received);
+/* The direct light of the emitters from `first` on and before `end`. */
+void lx_world_light_between(const struct lx_world *world, const struct lx_elements *elements, size_t first, size_t end,
+                            enum lx_wanted wanted, const struct lx_asking *asking, struct lx_received *received);
 
 #endif

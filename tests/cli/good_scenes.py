@@ -157,7 +157,18 @@ def _grid(rng):
     size = [_size(rng), _size(rng)]
     cells = rng.choice([{"n": [1, 1]}, {"n": [7, 65536]}, {"n": [3, 4]}, {"spacing": "en12464", "size": [900, 2500.5]}])
     return {"center": [_number(rng) for _ in range(3)], "size": size, **cells,
-            **_some(rng, {"name": lambda: _name(rng), "axis": lambda: _vector(rng), "up": lambda: [0.3, 1, 0.7]})}
+            **_some(rng, {"name": lambda: _name(rng), "axis": lambda: _vector(rng), "up": lambda: [0.3, 1, 0.7],
+                          "limits": lambda: _some(rng, {
+                              "average": lambda: _from_zero(rng), "minimum": lambda: _from_zero(rng),
+                              "maximum": lambda: _from_zero(rng), "uniformity": lambda: rng.choice([0, 1, 0.6]),
+                              "ratio": lambda: rng.choice([0.5, 1, 40]),
+                              "preset": lambda: rng.choice(["en12464-office", "en1838-open-area"])})})}
+
+
+def _observer(rng):
+    return {"eye": [_number(rng) for _ in range(3)], "view": _vector(rng),
+            **_some(rng, {"name": lambda: _name(rng), "limits": lambda: _some(rng, {
+                "ugr": lambda: rng.choice([13, 19, 28]), "preset": lambda: "en12464-corridor"})})}
 
 
 def _light(rng):
@@ -255,7 +266,9 @@ def good_scene(rng):
         **_some(rng, {
             "units": lambda: rng.choice(["radiometric", "photometric"]),
             "shadows": lambda: rng.choice(["all", "points", "none"]),
+            "maintenance_factor": lambda: rng.choice([1, 0.8, 1e-3]),
             "grids": lambda: [_grid(rng) for _ in range(rng.randint(0, 2))],
+            "observers": lambda: [_observer(rng) for _ in range(rng.randint(0, 2))],
             "points": lambda: [[_number(rng), _number(rng)] for _ in range(rng.randint(0, 4))],
             "picture": lambda: _some(rng, {"range": lambda: _range(rng),
                                            "rounding": lambda: rng.choice(["truncate", "nearest"])})}),

@@ -88,6 +88,27 @@ def one_place(tap, tool):
     tap.equal([point["value"] for point in together], [point["value"] for point in apart], "an array of one place")
 
 
+def glare(tap, tool):
+    """Each place is a source of its own, as single lights are."""
+    tool.write("lamp.ies", LAMP)
+    sky = {"type": "ambient", "irradiance": 30}
+    for name in ("luminaire", "opening", "rectangle", "both sides", "few parts", "ball", "point"):
+        tool.write("array.yaml", scene({**lights(PLACE)[name], "name": "lamps", "array": ARRAY}, sky))
+        tool.write("single.yaml", scene(*(lights(place)[name] for place in places(ARRAY)), sky))
+        together, apart = (tool.run("glare", file, "--eye", "0,-3000,1200,0,1,0", "--json").json()["observers"][0]
+                           for file in ("array.yaml", "single.yaml"))
+        if apart["ugr"] is None:
+            tap.equal(together["ugr"], None, "no glare: " + name)
+        else:
+            tap.near(together["ugr"], apart["ugr"], 0, "glare of an array: " + name,
+                     together["error"] + apart["error"])
+        tap.equal([(source.get("place"), source["light"], source["status"]) for source in together["sources"]],
+                  [(i if i < 6 else None, i // 6, source["status"]) for i, source in enumerate(apart["sources"])],
+                  "its places: " + name)
+    result = tool.run("glare", "array.yaml", "--eye", "0,-3000,1200,0,1,0")
+    tap.ok("lights[0] lamps, place 6" in result.out, "places in words", result)
+
+
 def set_from_outside(tap, tool):
     light = lights(PLACE)["point"]
     tool.write("array.yaml", scene({**light, "array": ARRAY}))
@@ -103,8 +124,6 @@ def set_from_outside(tap, tool):
 def told(tap, tool):
     tool.write("lamp.ies", LAMP)
     tool.write("array.yaml", scene({**lights(PLACE)["luminaire"], "array": {"n": [4, 3], "spacing": [500, 500]}}))
-    result = tool.run("glare", "array.yaml", "--eye", "0,-3000,1200,0,1,0")
-    tap.ok(result.code == 3 and "lights[0] is an array" in result.err, "no glare of an array", result)
     near = tool.run("check", "array.yaml", "-s", "lights[0].position=[5000, 5000, 10]")
     tap.ok(near.code == 0 and "light lies behind" not in near.out + near.err, "no advice about its middle", near)
 
@@ -127,4 +146,4 @@ def faults(tap, tool):
         tap.ok(result.code == 3 and 'unknown key "array"' in result.err, "%s has no place" % light["type"], result)
 
 
-run_tests(Tap(), like_single_lights, pictures_and_observers, one_place, set_from_outside, told, faults)
+run_tests(Tap(), like_single_lights, pictures_and_observers, one_place, glare, set_from_outside, told, faults)

@@ -1,12 +1,15 @@
 # SPDX-License-Identifier: MIT
-"""Bounds of reflected light at places of random rooms: values of loose tolerances against those of a tight one.
+"""Bounds of reflected light at places of random rooms: values of loose tolerances against an independent witness.
 
-    reflected_places.py LUXEL ROOMS [FIRST]
+    reflected_places.py LUXEL WITNESS ROOMS [FIRST]
 
 Rooms have boxes, boards, balls, disks and tubes, apart or on the floor, and lamps of all kinds; places are on walls,
 in corners, on and beside things, and free, and some of them within millimetres of where surfaces meet, where shadows
-end, or between a thing and the floor.  A value is dishonest where it is further from the tight one than both
-bounds together.  Prints each room with its errors as shares of the bounds, and ends with `N passed, N failed`.
+end, or between a thing and the floor.  Those of odd numbers have columns, boards beside walls, screens, things that
+touch, arrays of lamps and lamps in niches of the ceiling besides, and some have no wall in front.  The witness follows
+paths at random (witness.c).  A value is dishonest where it is further from what the witness says than its bound and
+four standard errors, by sixteen times as many paths, too.  Prints each room with its errors as shares of the bounds,
+and ends with `N passed, N failed`.
 """
 import json
 import math
@@ -16,9 +19,14 @@ import statistics
 import subprocess
 import sys
 
+import witness
+
 LOOSE = (1e-1, 3e-2, 1e-2)
 NEAR = 6  # places within millimetres of something, at most
-MOST_TIGHT_S = 1800
+MOST_S = 1800
+PATHS = {'side': 128, 'batches': 16}
+MORE_PATHS = {'side': 512, 'batches': 16}
+FAR = 4  # standard errors
 
 
 def little(draw):
@@ -215,33 +223,136 @@ def probe(luxel, room, error):
     for place, normal in room.places:
         arguments += ['--at', ','.join('%.9f' % x for x in place + normal)]
     ended = subprocess.run(arguments, input=json.dumps(room.scene()), capture_output=True, encoding='utf-8',
-                           timeout=MOST_TIGHT_S)
+                           timeout=MOST_S)
     if ended.returncode not in (0, 5):
         raise RuntimeError('exit code %d: %s' % (ended.returncode, ended.stderr.strip()))
     return [(point['value'], point['error']) for point in json.loads(ended.stdout)['points']]
 
 
-def judge(luxel, seed):
+class OddRoom(Room):
+    """A room with what stands in corners and close to walls as well, and lamps in numbers."""
+    recess = None
+
+    def furnish(self):
+        draw = self.random
+        kind = draw.choice(['thing', 'column', 'screen', 'shelf', 'pair', 'niche'])
+        length, height, width = self.size
+        if kind == 'thing':
+            super().furnish()
+            return
+        x, z = draw.uniform(0.3, 0.7) * length, draw.uniform(0.3, 0.7) * width
+        if any(math.hypot(x - u, z - v) < 900 for u, v, _ in self.spots):
+            return
+        self.spots.append((x, z, 500))
+        a, b, turn = draw.uniform(100, 300), draw.uniform(100, 300), draw.choice([0, draw.uniform(0, 90)])
+        c, s = math.cos(math.radians(turn)), math.sin(math.radians(turn))
+        if kind == 'column':
+            self.add_box([x, height / 2, z], [2 * a, height, 2 * b], turn)
+        elif kind == 'screen':  # a thin board that stands on the floor
+            tall = draw.uniform(300, 1800)
+            self.add_board([x, tall / 2, z], [2 * b, tall], [c, 0, -s], [0, 1, 0])
+            self.places.append(([x + 10 * c, 0, z - 10 * s], [0, 1, 0]))
+        elif kind == 'shelf':  # some millimetres or centimetres before a wall
+            away, up = draw.choice([2, 10, 40]), draw.uniform(0.2, 0.8) * height
+            self.add_board([x, up, away], [2 * a, draw.choice([60, 400])], [0, 0, 1], [0, 1, 0])
+            self.places += [([x + 0.4 * a, up - 220, 0], [0, 0, 1]), ([x + 0.9 * a, up, 0], [0, 0, 1])]
+        elif kind == 'pair':  # a box on another one
+            low, top = draw.uniform(100, 600), draw.uniform(50, 400)
+            self.add_box([x, low / 2, z], [2 * a, low, 2 * b], turn)
+            self.add_box([x, low + top / 2, z], [a, top, b], draw.uniform(0, 90))
+            self.places.append(([x + 0.55 * a * c, low, z - 0.55 * a * s], [0, 1, 0]))
+        else:  # four boards around a lamp under the ceiling, which they touch
+            deep = draw.uniform(100, 300)
+            for axis in ([1, 0, 0], [-1, 0, 0], [0, 0, 1], [0, 0, -1]):
+                center = [x + 200 * axis[0], height - deep / 2, z + 200 * axis[2]]
+                self.add_board(center, [400, deep], axis, [0, 1, 0])
+            self.recess = [x, height - draw.uniform(0.3, 0.8) * deep, z]
+            self.places.append(([x + 150, height, z + 100], [0, -1, 0]))
+
+    def add_box(self, center, size, turn):
+        c, s = math.cos(math.radians(turn)), math.sin(math.radians(turn))
+        self.surfaces.append({'type': 'box', 'material': material(self.reflectance()), 'center': center, 'size': size,
+                              'rotate': [0, turn, 0]})
+        foot = center[1] - size[1] / 2
+        for beside, up in ((little(self.random), 0), (0, little(self.random))):
+            away = size[0] / 2 + beside
+            self.places.append(([center[0] + away * c, foot + up, center[2] - away * s],
+                                [0, 1, 0] if beside else [c, 0, -s]))
+
+    def add_board(self, center, size, axis, up):
+        self.surfaces.append({'type': 'rectangle', 'material': material(self.reflectance()), 'center': center,
+                              'size': size, 'axis': axis, 'up': up})
+
+    def lamps(self):
+        draw = self.random
+        super().lamps()
+        if self.recess:
+            self.lights[0] = {'type': 'point', 'position': self.recess, 'power': 1000}
+        elif draw.random() < 0.4:
+            place = [self.size[0] / 2, self.size[1] - 60, self.size[2] / 2]
+            array = {'n': [draw.choice([2, 3]), 2], 'spacing': [600, 800], 'axes': [[1, 0, 0], [0, 0, 1]]}
+            self.lights[0] = {'type': 'luminaire', 'position': place, 'file': OFFICE_LAMP, 'axis': [0, -1, 0],
+                              'array': array}
+        if draw.random() < 0.25:  # no wall in front
+            self.open_front()
+
+    def open_front(self):
+        length, height, width = self.size
+        walls = [([length / 2, 0, width / 2], [length, width], [0, 1, 0], [0, 0, 1]),
+                 ([length / 2, height, width / 2], [length, width], [0, -1, 0], [0, 0, 1]),
+                 ([length / 2, height / 2, 0], [length, height], [0, 0, 1], [0, 1, 0]),
+                 ([0, height / 2, width / 2], [width, height], [1, 0, 0], [0, 1, 0]),
+                 ([length, height / 2, width / 2], [width, height], [-1, 0, 0], [0, 1, 0])]
+        del self.surfaces[0]
+        for wall in walls:
+            self.add_board(*wall)
+
+    def look_near(self):
+        self.places = self.places[:12]
+        for _ in range(3):
+            self.places += [self.on_wall(self.random.choice([0, 2, 3]), self.random.uniform(0.02, 0.98),
+                                         little(self.random))]
+        self.places = [(place, normal) for place, normal in self.places
+                       if all(0 <= x <= size for x, size in zip(place, self.size))]
+
+
+def room_of(seed):
+    return (Room, OddRoom)[seed % 2](seed)
+
+
+def is_honest(found, said):
+    return abs(found[0] - said[0]) <= found[1] + FAR * said[1] + 1e-9
+
+
+def look_closer(program, room, found, said):
+    """What the witness says with more paths where a value is not what it should be."""
+    for i, place in enumerate(room.places):
+        if not is_honest(found[i], said[i]):
+            said[i] = witness.ask(program, room.surfaces, room.lights, [place], seed=2, **MORE_PATHS)[0]
+
+
+def judge(luxel, program, seed):
     """Errors of loose values as shares of their bounds, and whether all are honest."""
-    room = Room(seed)
-    tight = probe(luxel, room, 1e-3 if not room.spots else 3e-3)
+    room = room_of(seed)
+    said = witness.ask(program, room.surfaces, room.lights, room.places, **PATHS)
     shares, honest = [], True
     for error in LOOSE:
-        for (value, bound), (truth, rest), place in zip(probe(luxel, room, error), tight, room.places):
-            away = abs(value - truth)
-            if away > bound + rest:
+        found = probe(luxel, room, error)
+        look_closer(program, room, found, said)
+        for (value, bound), (truth, spread), place in zip(found, said, room.places):
+            if not is_honest((value, bound), (truth, spread)):
                 honest = False
-                print('room %d at %g: %.5g +- %.2g, not %.5g +- %.2g, at %s' % (seed, error, value, bound, truth, rest,
-                                                                             place))
-            shares.append(away / bound if bound > 0 else 0)
+                print('room %d at %g: %.5g +- %.2g, not %.5g +- %.2g, at %s' % (seed, error, value, bound, truth,
+                                                                             spread, place))
+            shares.append(max(abs(value - truth) - FAR * spread, 0) / bound if bound > 0 else 0)
     return shares, honest
 
 
 def main():
-    luxel, rooms, first = sys.argv[1], int(sys.argv[2]), int(sys.argv[3]) if len(sys.argv) > 3 else 1
+    luxel, program, rooms, first = sys.argv[1], sys.argv[2], int(sys.argv[3]), int((sys.argv + ['1'])[4])
     passed, all_shares = 0, []
     for seed in range(first, first + rooms):
-        shares, honest = judge(luxel, seed)
+        shares, honest = judge(luxel, program, seed)
         passed += honest
         all_shares += shares
         print('room %d: error by bound %.4f in the middle, %.4f at most%s' %

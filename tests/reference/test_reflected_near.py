@@ -31,6 +31,13 @@ def main():
             [(value, bound)] = reflected_places.probe(sys.argv[1], room, tolerance)
             tap.ok(abs(value - truth) <= bound + rest, '%s at %g' % (name, tolerance),
                    '%.5g +- %.2g, not %.5g' % (value, bound, truth))
+
+    # What stands on a floor, turned so that tiles lie partly under it, does not lie on the floor's light there.
+    room = reflected_places.Room(1002)
+    room.places = [room.places[12]]
+    [(value, bound)] = reflected_places.probe(sys.argv[1], room, 1e-1)
+    tap.ok(abs(value - 51.03) <= bound + 0.2 and bound <= 0.1 * value, 'beside the foot of a turned box',
+           '%.5g +- %.2g, not 51.03' % (value, bound))
     tap.finish()
 
 

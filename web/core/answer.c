@@ -123,6 +123,12 @@ void answer_numbers(const double *numbers, size_t count)
     answer_close(']');
 }
 
+void answer_amount(const char *key, double value, double error)
+{
+    answer_key(key);
+    answer_numbers((const double[]){value, error}, 2);
+}
+
 /* The page keeps each translation at its place in memory, so that it lives as long as the core. */
 const char *page_translation(const char *english);
 

@@ -26,6 +26,9 @@ void answer_number(double number);
 void answer_bool(bool truth);
 void answer_numbers(const double *numbers, size_t count); /* NULL: null */
 
+/* A member that is a number with the bound of its error. */
+void answer_amount(const char *key, double value, double error);
+
 /* The page's translation of English words, or the words themselves; a luxel_translate. */
 const char *page_translate(const char *english, void *data);
 

@@ -3,15 +3,6 @@
 #include "answer.h"
 #include "core.h"
 
-static void answer_amount(const char *key, const luxel_bounded *amount)
-{
-    answer_key(key);
-    answer_open('[');
-    answer_number(amount->value);
-    answer_number(amount->error);
-    answer_close(']');
-}
-
 static void answer_side(const luxel_balance_side *side)
 {
     answer_open('{');
@@ -25,7 +16,7 @@ static void answer_side(const luxel_balance_side *side)
     answer_string(side->part_name && side->side == LUXEL_SIDE_FRONT
                       ? NULL
                       : page_translate(luxel_surface_side_name(side->side), NULL));
-    answer_amount("irradiance", &side->irradiance);
+    answer_amount("irradiance", side->irradiance.value, side->irradiance.error);
     answer_close('}');
 }
 
@@ -42,15 +33,15 @@ static void answer_balance(const luxel_balance *balance)
         answer_side(&balance->sides[i]);
     answer_close(']');
     if (balance->has_emitted) {
-        answer_amount("emitted", &balance->emitted);
-        answer_amount("missed", &balance->missed);
+        answer_amount("emitted", balance->emitted.value, balance->emitted.error);
+        answer_amount("missed", balance->missed.value, balance->missed.error);
     }
-    answer_amount("arrives", &balance->arrives);
-    answer_amount("absorbed", &balance->absorbed);
-    answer_amount("escaped", &balance->escaped);
+    answer_amount("arrives", balance->arrives.value, balance->arrives.error);
+    answer_amount("absorbed", balance->absorbed.value, balance->absorbed.error);
+    answer_amount("escaped", balance->escaped.value, balance->escaped.error);
     if (balance->pending.error > 0)
-        answer_amount("pending", &balance->pending);
-    answer_amount("difference", &balance->difference);
+        answer_amount("pending", balance->pending.value, balance->pending.error);
+    answer_amount("difference", balance->difference.value, balance->difference.error);
     answer_key("closes");
     answer_bool(balance->closes);
     answer_close('}');

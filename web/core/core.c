@@ -83,7 +83,8 @@ const luxel_evaluator *present_evaluator(void)
 static void drop_evaluator(void)
 {
     luxel_evaluator_free(core.evaluator);
-    core.evaluator = NULL;
+    luxel_evaluator_free(core.lit);
+    core.evaluator = core.lit = NULL;
     drop_stage();
 }
 

@@ -12,6 +12,7 @@ struct core {
     luxel_scene *scene;             /* NULL: none was whole yet */
     luxel_scene *direct;            /* the same without reflected light; NULL: not asked for yet */
     luxel_evaluator *evaluator;     /* of the scene and the quantity; NULL: not asked for yet */
+    luxel_evaluator *lit;           /* of the scene and the irradiance; NULL: not asked for yet */
     luxel_field *field;             /* the picture that was computed last; NULL: none */
     luxel_diagnostics *diagnostics; /* of the last call that can fail */
     luxel_quantity quantity;

@@ -144,6 +144,17 @@ PAGE_CALLS(page_probe) const char *page_probe(double x_mm, double y_mm)
     return answer_probe(present_evaluator(), x_mm, y_mm);
 }
 
+/* What each light brings to the place that is seen through a point of the screen: its irradiance there. */
+PAGE_CALLS(page_lit) const char *page_lit(double x_mm, double y_mm)
+{
+    luxel_settings settings = present_settings();
+    const luxel_scene *scene = computed_scene();
+    settings.quantity = LUXEL_IRRADIANCE;
+    if (!core.lit && scene)
+        (void)luxel_evaluator_new(scene, &settings, fresh_diagnostics(), &core.lit);
+    return answer_probe(core.lit, x_mm, y_mm);
+}
+
 /* How the value at a point comes about: a page of HTML (3), Markdown (1), LaTeX (2) or text (0). */
 PAGE_CALLS(page_explain)
 const char *page_explain(double x_mm, double y_mm, int format, const char *language_code)

@@ -83,6 +83,30 @@ export interface Balance {
     closes: boolean;
 }
 
+export interface GridExtremum {
+    value: number;
+    position: number[];
+}
+
+/** A measuring grid: the irradiance in its cells, rows from the top. */
+export interface Grid {
+    name: string | null;
+    columns: number;
+    rows: number;
+    center: number[];
+    size: number[]; // along across, and along up
+    across: number[];
+    up: number[];
+    unit: string;
+    values: (number | null)[];
+    measured: number; // cells that have a value
+    average: Amount;
+    minimum: GridExtremum;
+    maximum: GridExtremum;
+    u0?: number;
+    ud?: number;
+}
+
 export interface LightFacts {
     type: string;
     label: string; // the type as people read it
@@ -90,7 +114,7 @@ export interface LightFacts {
     enabled: boolean;
     place: number[] | null;
     direction: number[] | null;
-    flux: number | null;
+    flux: number | null; // null or negative: it has none
 }
 
 export interface SceneFacts {
@@ -98,6 +122,8 @@ export interface SceneFacts {
     rows: number;
     unit: string;
     word: string;
+    irradiance_unit: string;
+    grids: number;
     lights: LightFacts[];
     surfaces: ({ center: number[]; reach: number } | null)[];
     points: number[][];
@@ -450,6 +476,11 @@ export class Core {
         return this.json<Probe>(this.call.page_probe(x, y));
     }
 
+    /** The irradiance at the place of a probe, with each light's part of it. */
+    lit(x: number, y: number): Probe | null {
+        return this.json<Probe>(this.call.page_lit(x, y));
+    }
+
     /** The text of the exercise's variant with a number; null: there is none. */
     variant(number: number): string | null {
         return this.text(this.call.page_variant(number));
@@ -480,6 +511,11 @@ export class Core {
     /** The balance of the flux; null: the scene has no reflected light. */
     balance(): Balance | null {
         return this.json(this.call.page_balance());
+    }
+
+    /** The measuring grids; null: one cannot be measured. */
+    grids(): Grid[] | null {
+        return this.json(this.call.page_grids());
     }
 
     /** The ends of the line across the whole screen, through a point at an angle. */

@@ -49,9 +49,24 @@ export function choice(label: string, options: [string, string][], value: string
     return select;
 }
 
+const sizes = new WeakMap<Element, { width: number; height: number }>();
+const observer = new ResizeObserver((entries) => {
+    for (const { target, contentRect } of entries) sizes.set(target, { width: contentRect.width, height: contentRect.height });
+});
+
+/** The size of an element without a border on the page, kept so that asking for it in each frame does not lay the page out. */
+export function sizeOf(element: Element): { width: number; height: number } {
+    const known = sizes.get(element);
+    if (known?.width) return known; // what was hidden may have just been shown
+    observer.observe(element);
+    const { width, height } = element.getBoundingClientRect();
+    sizes.set(element, { width, height });
+    return { width, height };
+}
+
 /** Fits a canvas to its place on the screen; its width and height in CSS pixels and the context for those. */
 export function fitted(canvas: HTMLCanvasElement): [number, number, CanvasRenderingContext2D] {
-    const { width, height } = canvas.getBoundingClientRect();
+    const { width, height } = sizeOf(canvas);
     const ratio = window.devicePixelRatio || 1;
     const [columns, rows] = [Math.max(1, Math.round(width * ratio)), Math.max(1, Math.round(height * ratio))];
     if (canvas.width !== columns) canvas.width = columns;

@@ -10,10 +10,10 @@ const COARSE = 2; // pixels across of a fill that are hidden together
 
 type Point = [x: number, y: number, depth: number];
 
-export class Drawing {
-    private readonly layer = document.createElement('canvas');
-    private readonly mask = document.createElement('canvas');
+// What fills are painted on before they come to the view; one for all, as a new one takes longer than what is painted.
+const [layer, mask] = [0, 1].map(() => document.createElement('canvas'));
 
+export class Drawing {
     constructor(
         readonly context: CanvasRenderingContext2D,
         private readonly stage: Stage,
@@ -89,7 +89,7 @@ export class Drawing {
      * Fills an outline in a plane, of which three places are told; what bodies before the plane hide of it is left out.
      */
     fill(outline: number[][], plane: number[][], style: (context: CanvasRenderingContext2D) => string | CanvasGradient) {
-        const { context, ratio, layer } = this;
+        const { context, ratio } = this;
         const points = outline.map((place) => this.seen(place));
         if (points.some(([, , depth]) => depth < 0.05 * this.view.distance)) return;
         const [left, right] = [Math.min, Math.max].map((pick) => pick(...points.map(([x]) => x)));
@@ -109,7 +109,7 @@ export class Drawing {
         on.fill();
         if (this.covers(plane, x0, y0, width, height)) {
             on.globalCompositeOperation = 'destination-out';
-            on.drawImage(this.mask, x0, y0, this.mask.width * COARSE, this.mask.height * COARSE);
+            on.drawImage(mask, x0, y0, mask.width * COARSE, mask.height * COARSE);
         }
         context.drawImage(layer, x0, y0, layer.width / ratio, layer.height / ratio);
     }
@@ -137,10 +137,10 @@ export class Drawing {
                 }
             }
         if (!isAny) return false;
-        this.mask.width = columns;
-        this.mask.height = rows;
+        mask.width = columns;
+        mask.height = rows;
         const image = new ImageData(new Uint8ClampedArray(pixels.buffer), columns, rows);
-        this.mask.getContext('2d')!.putImageData(image, 0, 0);
+        mask.getContext('2d')!.putImageData(image, 0, 0);
         return true;
     }
 

@@ -25,7 +25,7 @@ interface Row {
     index: number;
     element: HTMLElement;
     open(): void;
-    amount: HTMLElement;
+    amount: HTMLElement; // of a light: its irradiance at the probe
     bar: HTMLElement;
 }
 
@@ -87,6 +87,8 @@ export class Form {
     private chosen = ''; // the base of the light or body that is chosen
     /** Chooses a light or a body whose row was pressed. */
     onChoose: (list: string, index: number) => void = () => undefined;
+    /** Aims a light at the probe. */
+    onAim: (index: number) => void = () => undefined;
 
     private of: Of | null = null; // whose values are shown
 
@@ -102,8 +104,8 @@ export class Form {
         );
     }
 
-    /** Tells in the rows of the lights what each gives at the probe. */
-    tellShares(shares: number[], of: Version | null) {
+    /** Tells in the rows of the lights the irradiance that each gives at the probe. */
+    tellLit(shares: number[], of: Version | null) {
         [this.shares, this.sharesOf] = [shares, of];
         this.showShares();
     }
@@ -114,7 +116,9 @@ export class Form {
         for (const { list, index, amount, bar } of this.rows) {
             if (list !== 'lights') continue;
             const share = shares[index];
-            amount.textContent = share === undefined ? '' : number(share, 4);
+            const unit = this.model.scene?.irradiance_unit ?? '';
+            const told = share === undefined ? [] : [number(share, 4), h('span', { class: 'unit' }, ` ${unit === 'relative' ? '' : unit}`)];
+            amount.replaceChildren(...told);
             bar.style.inlineSize = share && all > 0 ? `${Math.max(0, (100 * share) / all)}%` : '0';
         }
         this.model.dim();
@@ -220,6 +224,7 @@ export class Form {
         const base = `${list}[${index}]`;
         const isLights = list === 'lights';
         const name = h('span', { class: 'name' });
+        const flux = h('span', { class: 'flux dim' });
         const amount = h('span', { class: 'of-probe' });
         const bar = h('span', { class: 'bar' });
         if (isLights) bar.style.background = lightStyle(index);
@@ -229,6 +234,7 @@ export class Form {
             { onclick: () => this.choosesRow(list, index) },
             mark,
             name,
+            isLights && flux,
             amount,
             isLights && h('span', { class: 'track' }, bar),
         );
@@ -237,8 +243,10 @@ export class Form {
         // Fields are made when they are to be seen: a scene may have thousands of lights.
         let isFilled = false;
         const fill = () => {
-            if (!isFilled) details.append(...this.sectionFields(entries), this.remover(base));
+            const known = this.titles.length;
+            if (!isFilled) details.append(...this.sectionFields(entries), this.actions(list, index));
             isFilled = true;
+            this.titles.slice(known).forEach((tell) => tell());
         };
         if (isOpen) fill();
         details.addEventListener('toggle', () => {
@@ -252,6 +260,8 @@ export class Form {
             const own = isLights ? light?.name : unquoted(this.values.get(`${base}.name`) ?? '');
             const kind = this.kindWords(list, type);
             name.replaceChildren(...(own ? [own, h('span', { class: 'dim' }, ` ${kind}`)] : [kind]));
+            const given = light?.flux ?? -1;
+            flux.textContent = given >= 0 ? `Φ ${number(given, 4)} ${t(this.model.photometric ? 'lm' : 'W')}` : '';
             const isOn = light?.enabled ?? true;
             element.classList.toggle('is-off', !isOn);
             mark.classList.toggle('off', !isOn);
@@ -315,11 +325,25 @@ export class Form {
         return { ...key, label: `${key.label}, ${this.kindWords('surfaces', part)}` };
     }
 
-    private remover(base: string) {
+    // What is done with a light or a body as a whole.
+    private actions(list: string, index: number): HTMLElement {
+        const base = `${list}[${index}]`;
+        const button = (label: string, onclick: () => unknown) =>
+            h('button', { type: 'button', class: 'link', onclick: () => void onclick() }, t(label));
+        const solo = list === 'lights' && button('Solo', () => this.model.solo(index));
+        const aim = list === 'lights' && button('Aim at the probe', () => this.onAim(index));
+        this.titles.push(() => {
+            if (solo) solo.setAttribute('aria-pressed', String(this.model.isSolo(index)));
+            if (aim) aim.hidden = !this.model.aimOf(index);
+            if (solo) solo.hidden = (this.model.scene?.lights.length ?? 0) < 2;
+        });
         return h(
-            'button',
-            { type: 'button', class: 'link', onclick: () => this.model.change([{ remove: base }]) },
-            t('Remove'),
+            'div',
+            { class: 'actions' },
+            solo,
+            aim,
+            button('Duplicate', () => this.model.duplicate(list, index)),
+            button('Remove', () => this.model.change([{ remove: base }])),
         );
     }
 

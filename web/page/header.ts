@@ -19,7 +19,7 @@ export interface Actions {
     gallery(): void;
     take(files: File[]): Promise<void>;
     save(ending: string): void;
-    copyLink(): void;
+    share(): void;
     changeLanguage(code: Language): void;
 }
 
@@ -61,6 +61,7 @@ export function header(model: Model, actions: Actions) {
         currentLanguage(),
         (code) => actions.changeLanguage(code as Language),
     );
+    languages.className = 'language';
     const rest = h(
         'div',
         { class: 'rest' },
@@ -89,7 +90,7 @@ export function header(model: Model, actions: Actions) {
         scene,
         rest,
         file,
-        button('Share', () => actions.copyLink(), 'share'),
+        button('Share', () => actions.share(), 'share'),
         menu,
     );
     element.addEventListener('keydown', (event) => {

@@ -17,6 +17,16 @@ const TABS: [Tab, string][] = [
     ['text', 'Text'],
 ];
 
+export type Chart = 'section' | 'points' | 'histogram' | 'grids' | 'balance';
+
+const CHARTS: [Chart, string][] = [
+    ['section', 'Section'],
+    ['points', 'Points'],
+    ['histogram', 'Histogram'],
+    ['grids', 'Grids'],
+    ['balance', 'Balance'],
+];
+
 type Sheet = 'half' | 'full' | 'tabs';
 
 const SWIPE = 24; // pixels that move the sheet
@@ -58,9 +68,11 @@ export interface Parts {
     look: HTMLElement[];
     text: HTMLElement;
     below: HTMLElement[];
-    section: HTMLElement;
-    points: HTMLElement;
-    balance: HTMLElement;
+    charts: Record<Chart, HTMLElement>;
+    /** What stands above the tabs; null: nothing. */
+    task: HTMLElement | null;
+    /** Tabs that are not offered. */
+    hidden: (tab: Tab) => boolean;
 }
 
 export class Layout {
@@ -70,7 +82,9 @@ export class Layout {
     onCamera: () => void = () => undefined;
     /** Told which camera is wanted; calls back when it is to be looked through. */
     onLook: (camera: Camera, go: () => void) => void = (_camera, go) => go();
-    private strip: 'section' | 'points' | 'balance' = 'section';
+    /** Told which chart stands below the stage. */
+    onChart: (chart: Chart) => void = () => undefined;
+    private strip: Chart = 'section';
     private sheet: Sheet = 'half';
     private main = h('main');
     private stage = h('section');
@@ -78,7 +92,7 @@ export class Layout {
     private partial = h('p');
     private cameras!: Choice<Camera>;
     private tabs!: Choice<Tab>;
-    private charts!: Choice<Layout['strip']>;
+    private charts!: Choice<Chart>;
     private readonly size = h('span', { class: 'dim' });
     private parts!: Parts;
 
@@ -95,16 +109,7 @@ export class Layout {
             (camera) => this.look(camera),
         );
         this.tabs = new Choice<Tab>(TABS, 'tabs', 'Drawer', (tab) => this.open(tab));
-        this.charts = new Choice<Layout['strip']>(
-            [
-                ['section', 'Section'],
-                ['points', 'Points'],
-                ['balance', 'Balance'],
-            ],
-            'tabs',
-            'Below the stage',
-            (chart) => this.chart(chart),
-        );
+        this.charts = new Choice<Chart>(CHARTS, 'tabs', 'Below the stage', (chart) => this.chart(chart));
         this.partial = h('p', { class: 'partial', hidden: true }, t('direct light alone'));
         const caption = (camera: Camera, words: string, ...rest: HTMLElement[]) =>
             h(
@@ -143,6 +148,7 @@ export class Layout {
             'aside',
             { class: 'edit', 'aria-label': t('Drawer') },
             handle,
+            parts.task,
             this.tabs.element,
             h('div', { class: 'drawer-body' }, parts.form, h('div', { class: 'look' }, ...parts.look), parts.text),
             h('div', { class: 'below' }, ...parts.below),
@@ -151,9 +157,13 @@ export class Layout {
             'section',
             { class: 'strip', 'aria-label': t('Below the stage') },
             this.charts.element,
-            h('div', { class: 'panels' }, parts.section, parts.points, parts.balance),
+            h('div', { class: 'panels' }, ...Object.values(parts.charts)),
         );
         this.main = h('main', {}, this.stage, parts.values, this.edit, strip);
+        const offered = TABS.map(([name]) => name).filter((name) => !parts.hidden(name));
+        for (const [name] of TABS) this.tabs.hide(name, parts.hidden(name));
+        if (parts.hidden(this.tab) && offered.length) this.tab = offered[0];
+        this.edit.classList.toggle('bare', !offered.length);
         this.show();
         return this.main;
     }
@@ -167,8 +177,7 @@ export class Layout {
         this.charts.show(this.strip);
         this.parts.form.hidden = this.tab === 'text' || this.tab === 'view';
         this.parts.text.hidden = this.tab !== 'text';
-        const { section, points, balance } = this.parts;
-        for (const [chart, element] of Object.entries({ section, points, balance }))
+        for (const [chart, element] of Object.entries(this.parts.charts))
             element.classList.toggle('unchosen', this.strip !== chart);
     }
 
@@ -193,21 +202,27 @@ export class Layout {
 
     /** Shows the form of what was chosen on the stage, where a form is shown. */
     follow(tab: 'light' | 'matter' | 'place') {
-        if (this.tab === 'view' || this.tab === 'text' || this.tab === tab) return;
+        if (this.tab === 'view' || this.tab === 'text' || this.tab === tab || this.parts.hidden(tab)) return;
         this.tab = tab;
         this.show();
     }
 
-    private chart(chart: Layout['strip']) {
+    private chart(chart: Chart) {
         this.strip = chart;
         this.show();
+        this.onChart(chart);
+    }
+
+    /** Offers a chart where the scene has what it shows. */
+    offer(chart: Chart, isThere: boolean) {
+        this.charts.hide(chart, !isThere);
+        if (!isThere && this.strip === chart) this.chart('section');
     }
 
     /** Offers the balance of the flux where surfaces reflect light, and says that space is lit by the lamps alone. */
     tellReflections(areThere: boolean) {
-        this.charts.hide('balance', !areThere);
+        this.offer('balance', areThere);
         this.partial.hidden = !areThere;
-        if (!areThere && this.strip === 'balance') this.chart('section');
     }
 
     /** The pixels of the picture, in its caption. */

@@ -7,13 +7,16 @@ import { Client, hasVectors, Interrupted } from './client';
 import { scaleControls, sideControls, zoomButtons } from './controls';
 import { Compare } from './compare';
 import { Dial } from './dial';
-import { h, isTypedOver, showIn } from './dom';
+import { h, isTypedOver, showIn, styleColour } from './dom';
 import { Embedding, wishes } from './embedding';
 import { Files } from './files';
 import { Form } from './form';
 import { Gallery } from './gallery';
+import { GridsPanel } from './grids';
 import { header } from './header';
+import { Histogram } from './histogram';
 import { download, packed, unpacked } from './link';
+import { keep, kept } from './keeping';
 import { Layout, type Camera } from './layout';
 import { lessonIn, startLessons } from './lessons/lesson';
 import { LoadingNotice } from './loading';
@@ -25,9 +28,11 @@ import { PictureView } from './picture';
 import { PointsPanel } from './points';
 import { Saving } from './saving';
 import { SectionPanel } from './section';
+import { Sharing } from './sharing';
 import { SpaceView } from './space';
 import type { Place } from './space_math';
 import { Statistics } from './statistics';
+import { Task, taskIn } from './task';
 import { TextEditor } from './text';
 import { Outdated } from './version';
 import { WorkNotice } from './work';
@@ -70,9 +75,9 @@ class Page {
     );
     private readonly work = new WorkNotice(this.model);
     private readonly looks = new Looks(this.model, this.picture, this.space);
-    private readonly saving = new Saving(this.model, this.picture, this.looks, (text, milliseconds) =>
-        this.say(text, milliseconds),
-    );
+    private readonly saving = new Saving(this.model, this.picture, (text, milliseconds) => this.say(text, milliseconds));
+    private readonly sharing = new Sharing(this.model, this.looks, () => this.stageAsPicture());
+    private readonly task = new Task(this.model);
     private readonly readout = h('output', { class: 'readout', hidden: true, 'aria-hidden': 'true' });
     private readonly messages = new Messages(this.model);
     private readonly stale = h('p', { class: 'stale', role: 'alert', hidden: true });
@@ -82,6 +87,8 @@ class Page {
     private readonly toast = h('p', { class: 'toast', role: 'status', hidden: true });
     private readonly points = new PointsPanel(this.model);
     private readonly statistics = new Statistics(this.model);
+    private readonly histogram = new Histogram(this.model);
+    private readonly grids = new GridsPanel(this.model);
     private readonly chosen = h('p', { class: 'chosen', 'aria-live': 'polite' });
     private showBar: (title: string) => void = () => undefined;
     private low!: HTMLInputElement;
@@ -90,6 +97,7 @@ class Page {
     private builtins: Builtin[] = [];
     private linkTimer = 0;
     private isReadoutOfProbe = true;
+    private hasBegun = false; // a scene was opened
 
     async start() {
         setLanguage(this.firstLanguage());
@@ -137,9 +145,27 @@ class Page {
         } catch {
             this.say(t('The link holds no scene that can be read.'));
         }
-        this.openText(wanted.text, wanted.name);
+        const before = this.hasBegun ? null : kept();
+        this.hasBegun = true;
+        if (before && !this.task.data) this.model.resumeHistory(before);
+        else this.openText(wanted.text, wanted.name);
         this.looks.take(location.hash);
+        this.showTask();
         this.build(); // the controls show what the link has set
+    }
+
+    // The task that the link sets: of the scene that it opens.
+    private showTask() {
+        const { data } = this.task;
+        if (!data) return;
+        this.task.begin();
+        this.picture.asked = data.at;
+        this.picture.hidesValues = this.task.hides('values');
+        const mark = (place: number[] | null) => {
+            this.space.asked = place;
+            this.space.draw();
+        };
+        void this.task.position().then(mark, () => undefined);
     }
 
     private listen() {
@@ -170,13 +196,26 @@ class Page {
             this.section.through(x, y);
             this.keepAddress();
         };
-        this.points.onChoose = (x, y) => this.picture.moveProbe(x, y);
+        this.points.onChoose = this.histogram.onChoose = (x, y) => this.picture.moveProbe(x, y);
+        this.layout.onChart = (chart) => {
+            this.histogram.isShown = chart === 'histogram';
+            this.grids.isShown = chart === 'grids';
+        };
+        this.grids.onChange = () => {
+            this.space.cells = this.grids.cells;
+            this.space.draw();
+        };
         this.points.place = () => this.picture.probe ?? [0, 0];
         this.probe.onValue = (probe) => {
             this.space.probe = probe;
             this.space.draw();
             if (this.isReadoutOfProbe) this.readout.textContent = this.probe.told;
-            this.form.tellShares(probe?.shares ?? [], this.probe.shown);
+        };
+        this.probe.onLit = (lit, of) => this.form.tellLit(lit?.shares ?? [], of);
+        this.form.onAim = (index) => {
+            const aim = this.model.aimOf(index);
+            const place = this.space.probe;
+            if (aim && place && place.surface !== null) void this.model.moveThing(aim, place.position, '');
         };
         this.picture.onHand = (x, y) => {
             this.isReadoutOfProbe = true;
@@ -185,7 +224,7 @@ class Page {
         };
         this.space.onPlace = (place, x, y) => void this.pointInSpace(place, x, y);
         this.layout.onLook = (camera, go) => this.fly(camera, go);
-        this.layout.onTab = () => this.text.number();
+        this.layout.onTab = () => this.text.textChanged();
         this.layout.onCamera = () => this.cameraChanged();
         this.picture.onPaint = () => this.space.draw();
         this.picture.onWhy = () => this.why();
@@ -211,7 +250,12 @@ class Page {
             (event) =>
                 (event.reason instanceof Interrupted || event.reason instanceof Outdated) && event.preventDefault(),
         );
-        window.addEventListener('hashchange', () => this.openFirst());
+        window.addEventListener('hashchange', () => {
+            const isOther = JSON.stringify(taskIn(location.hash)) !== JSON.stringify(this.task.data);
+            if (isOther && !isLesson()) location.reload();
+            else void this.openFirst();
+        });
+        if (this.embedding.view === 'all' && !this.task.data) window.addEventListener('pagehide', () => keep(this.model));
         window.addEventListener('keydown', (event) => this.key(event));
         document.addEventListener('dragover', (event) => event.preventDefault());
         document.addEventListener('drop', (event) => {
@@ -250,6 +294,20 @@ class Page {
     private stageKey(key: string) {
         if (key === 'o' || key === 'O') this.switchCamera();
         else if (key === '[' || key === ']') this.dial.turn(key === ']' ? 0.5 : -0.5);
+        else this.thingKey(key.length === 1 ? key.toLowerCase() : key);
+    }
+
+    // Keys for what is chosen: D duplicates it, Delete removes it, S has a lamp alone, H switches it.
+    private thingKey(key: string) {
+        const { selected } = this.space;
+        if (!selected || selected.kind === 'observer' || this.model.isFixed(selected)) return;
+        const { index } = selected;
+        const list = selected.kind === 'surface' ? 'surfaces' : 'lights';
+        if (key === 'd') void this.model.duplicate(list, index);
+        else if (key === 'Delete') void this.model.change([{ remove: `${list}[${index}]` }]);
+        else if (key === 's' && list === 'lights') void this.model.solo(index);
+        else if (key === 'h' && list === 'lights')
+            void this.model.change([{ set: `lights[${index}].enabled=${!this.model.scene?.lights[index]?.enabled}` }]);
     }
 
     private switchCamera() {
@@ -266,6 +324,7 @@ class Page {
         this.dial.relabel();
         this.compare.relabel();
         this.loading.relabel();
+        this.task.relabel();
         const { layout } = this;
         const main = layout.build({
             space: this.space.canvas,
@@ -280,9 +339,15 @@ class Page {
             look: this.look(),
             text: this.text.element,
             below: [this.files.element, this.messages.element],
-            section: this.section.element,
-            points: this.points.element,
-            balance: this.balance.element,
+            charts: {
+                section: this.section.element,
+                points: this.points.element,
+                histogram: this.histogram.element,
+                grids: this.grids.element,
+                balance: this.balance.element,
+            },
+            task: this.task.data && this.task.element,
+            hidden: (tab) => this.task.hides(tab),
         });
         const parts = [
             this.header(),
@@ -291,10 +356,11 @@ class Page {
             this.toast,
             this.explanation.dialog,
             this.gallery.dialog,
+            this.sharing.dialog,
         ];
         this.app.replaceChildren(...parts.filter((part) => part !== null));
         this.stale.textContent = t('The scene has errors. What is dimmed is of the last scene without errors.');
-        this.tellReflections();
+        this.tellCharts();
         this.showHistory();
     }
 
@@ -325,13 +391,30 @@ class Page {
         ];
     }
 
+    // What the stage shows, on its ground.
+    private stageAsPicture(): HTMLCanvasElement | null {
+        const { canvas } = this.layout.camera === 'space' ? this.space : this.picture;
+        if (canvas.width < 2) return null;
+        const made = h('canvas', { width: canvas.width, height: canvas.height });
+        const context = made.getContext('2d')!;
+        const ground = context.createLinearGradient(0, 0, 0, made.height);
+        ground.addColorStop(0, styleColour('--stage-top'));
+        ground.addColorStop(1, styleColour('--stage-low'));
+        context.fillStyle = ground;
+        context.fillRect(0, 0, made.width, made.height);
+        context.drawImage(canvas, 0, 0);
+        return made;
+    }
+
     private zoomBy(factor: number) {
         if (this.layout.camera === 'space') this.space.zoomBy(factor);
         else this.picture.zoomBy(factor);
     }
 
-    private tellReflections() {
+    // What only some scenes have.
+    private tellCharts() {
         this.layout.tellReflections(!!this.model.whole?.reflects);
+        this.layout.offer('grids', !!this.model.scene?.grids);
     }
 
     private header(): HTMLElement {
@@ -339,7 +422,7 @@ class Page {
             gallery: () => this.gallery.open(this.builtins),
             take: (files) => this.files.take(files),
             save: (ending) => this.saving.save(ending),
-            copyLink: () => this.saving.copyLink(),
+            share: () => void this.sharing.open(this.picture.probe ?? [0, 0]),
             changeLanguage: (code) => this.changeLanguage(code),
         });
         this.showBar = made.show;
@@ -372,6 +455,7 @@ class Page {
         await this.pictureChanged();
         this.sceneChanged();
         this.lightChanged();
+        this.grids.again();
     }
 
     private openText(text: string, name?: string) {
@@ -380,8 +464,9 @@ class Page {
 
     /** Shows nothing of the scene before, as another one was opened. */
     private clear() {
-        const { picture, space, probe, section, points, balance, form, explanation, statistics } = this;
-        for (const part of [picture, space, probe, section, points, balance, form, explanation, statistics]) part.clear();
+        const { picture, space, probe, section, points, balance, form, explanation, statistics, histogram, grids } = this;
+        const parts = [picture, space, probe, section, points, balance, form, explanation, statistics, histogram, grids];
+        for (const part of parts) part.clear();
         this.readout.textContent = '';
         this.readout.hidden = true;
         this.stale.hidden = true;
@@ -403,6 +488,7 @@ class Page {
     }
 
     private async why() {
+        if (this.task.hides('values')) return;
         const [x, y] = this.picture.probe ?? [0, 0];
         await this.explanation.show(x, y);
     }
@@ -416,11 +502,11 @@ class Page {
     // The address of the page is a link to what it shows, as soon as the hand rests.
     private keepAddress() {
         clearTimeout(this.linkTimer);
-        if (this.embedding.view !== 'all') return;
-        this.linkTimer = window.setTimeout(
-            async () => history.replaceState(null, '', (await packed(this.model.text)) + this.looks.told()),
-            600,
-        );
+        if (this.embedding.view !== 'all' || this.task.data) return;
+        this.linkTimer = window.setTimeout(async () => {
+            history.replaceState(null, '', (await packed(this.model.text)) + this.looks.told());
+            keep(this.model);
+        }, 600);
     }
 
     // The number beside the hand, or above the finger, which hides what it points at; null: no hand is there.
@@ -453,7 +539,7 @@ class Page {
     }
 
     private geometryChanged() {
-        this.tellReflections();
+        this.tellCharts();
         this.space.geometryChanged();
         this.showChosen();
         this.picture.geometryChanged();
@@ -513,6 +599,7 @@ class Page {
         this.dial.draw(scale);
         this.keepAddress();
         this.statistics.show();
+        this.histogram.show();
         const { picture, scene } = this.model;
         this.layout.tellSize(picture ? `${picture.facts.columns} × ${picture.facts.rows}` : '');
         this.dial.tellUnit(scene?.unit === 'relative' ? t('relative') : (scene?.unit ?? ''));
@@ -584,6 +671,7 @@ class Page {
         this.space.draw();
         this.dial.draw(this.picture.shownScale);
         this.section.draw();
+        this.histogram.draw();
     }
 
     private toastTimer = 0;

@@ -36,6 +36,19 @@ export interface Told {
     probes: (Probe | null)[];
 }
 
+/** A step of the history, as a tab keeps it. */
+export interface Step {
+    text: string;
+    scene: number;
+    name: string;
+}
+
+export interface History {
+    past: Step[];
+    present: Step;
+    future: Step[];
+}
+
 /** How values come in parts: whether they are still wanted, and what is done with those that are there. */
 interface Part {
     isWanted?: () => boolean;
@@ -55,6 +68,8 @@ export class Model {
     work: Work | null = null;
     /** How many drags still change the scene: the last movement is taken after the hand has let go. */
     drags = 0;
+    /** Whether a thing is not to be moved by hand. */
+    isFixed: (thing: Thing) => boolean = () => false;
     /** The files that the text names, and whether they were given. */
     files: [string, boolean][] = [];
     private past: Version[] = [];
@@ -208,6 +223,24 @@ export class Model {
         this.lastMark = '';
     }
 
+    /** The present scene and what can be undone and done again. */
+    history(): History {
+        const step = ({ text, scene, name }: Version): Step => ({ text, scene, name });
+        return { past: this.past.map(step), present: step(this.version), future: this.future.map(step) };
+    }
+
+    /** Goes on with a history that was kept. */
+    resumeHistory({ past, present, future }: History) {
+        const most = Math.max(...[...past, present, ...future].map(({ scene }) => scene || 0));
+        this.versions += most + 1;
+        const version = (step: Step): Version => ({ ...this.version, ...step, number: 0 });
+        this.renew({ ...version(present) });
+        this.past = past.map(version);
+        this.future = future.map(version);
+        this.lastMark = '';
+        this.tell('text');
+    }
+
     get canUndo() {
         return this.past.length > 0;
     }
@@ -290,6 +323,49 @@ export class Model {
         if (this.version !== version || !made) return false;
         const insert = { list: 'lights', index: replaces ? like : made.index, insert: made.light };
         return this.change(replaces ? [{ remove: `lights[${like}]` }, insert] : [insert], '', version);
+    }
+
+    private before: { index: number; enabled: boolean[] } | null = null; // what was on before a light was alone
+
+    /** Whether this light alone is on, of several. */
+    isSolo(index: number): boolean {
+        const lights = this.scene?.lights ?? [];
+        return lights.length > 1 && lights.every(({ enabled }, i) => enabled === (i === index));
+    }
+
+    /** Switches all other lights off; where they are off, those on again that were on before, or all. */
+    solo(index: number) {
+        const lights = this.scene?.lights ?? [];
+        const isOver = this.isSolo(index);
+        const { before } = this;
+        const isKnown = before && before.index === index && before.enabled.length === lights.length;
+        if (!isOver) this.before = { index, enabled: lights.map(({ enabled }) => enabled) };
+        const wanted = lights.map((_, i) => (isOver ? !isKnown || before.enabled[i] : i === index));
+        const changes = lights.flatMap(({ enabled }, i) => (enabled === wanted[i] ? [] : [{ set: `lights[${i}].enabled=${wanted[i]}` }]));
+        return this.change(changes);
+    }
+
+    /** What aims a light; undefined: nothing that a hand could move. */
+    aimOf(index: number): Thing | undefined {
+        return this.things.find((thing) => thing.kind === 'aim' && thing.index === index);
+    }
+
+    /** Adds a copy of a light or a body behind it, a little aside of where that stands. */
+    async duplicate(list: string, index: number) {
+        const { version } = this;
+        const whole = this.asWhole();
+        if (!whole || whole.number !== version.number) return;
+        const [text] = await this.client.ask('keys', whole, [`${list}[${index}]`]);
+        if (text === null || this.version !== version) return;
+        const changes: Change[] = [{ list, index: index + 1, insert: text }];
+        const kind = list === 'lights' ? 'light' : 'surface';
+        const thing = this.things.find((each) => each.kind === kind && each.index === index);
+        if (thing && !thing.key.endsWith('.vertices')) {
+            const aside = Math.max(1, Math.round(0.08 * Math.max(...this.screen)));
+            const at = thing.at.map((c, axis) => (axis === 0 ? c + aside : c));
+            changes.push({ set: `${list}[${index + 1}]${thing.key.slice(`${list}[${index}]`.length)}=[${at.join(', ')}]` });
+        }
+        await this.change(changes, '', version);
     }
 
     async judge() {
@@ -449,6 +525,7 @@ export class Model {
 
     /** Moves a thing to a place of the scene. */
     moveThing(thing: Thing, to: number[], mark: string, of: Version = this.version) {
+        if (this.isFixed(thing)) return Promise.resolve(false);
         const whole = to.map((coordinate) => Math.round(coordinate));
         const written = `[${whole.join(', ')}]`;
         if (thing.key === 'observer.z') return this.change([{ set: `observer.z=${Math.max(1, whole[2])}` }], mark, of);

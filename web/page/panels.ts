@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What stands beside the picture: the probe with each light's share, and the explanation.
+import type { Client } from './client';
 import type { Probe } from './core';
 import type { Of, Version } from './version';
 import type { Compare } from './compare';
@@ -33,6 +34,8 @@ function greatest(numbers: number[], most: number): number[] {
 export class ProbePanel {
     readonly element = h('section', { class: 'probe', 'aria-live': 'polite' });
     onValue: (probe: Probe | null) => void = () => undefined;
+    /** Told the irradiance at the place, and each light's part of it, when the hand rests. */
+    onLit: (lit: Probe | null, of: Version | null) => void = () => undefined;
     /** The value as it is shown, in one line. */
     told = '';
     private busy = false;
@@ -58,6 +61,7 @@ export class ProbePanel {
         this.told = '';
         this.element.replaceChildren();
         this.onValue(null);
+        this.onLit(null, null);
     }
 
     /** Asks for the value at a point; the newest one wins. */
@@ -75,8 +79,15 @@ export class ProbePanel {
             if (probe === undefined || !this.model.isCurrent(of)) continue;
             this.show(of, place, probe);
             this.onValue(probe);
+            if (of.irradiance) this.onLit(probe, of);
+            else if (!this.next) await this.askLit(client, of, place);
         }
         this.busy = false;
+    }
+
+    private async askLit(client: Client, of: Of, [x, y]: [number, number]) {
+        const lit = await client.ask('lit', of, x, y).catch(() => undefined);
+        if (lit !== undefined && this.model.isCurrent(of)) this.onLit(lit, of);
     }
 
     private show(of: Of, [x, y]: [number, number], probe: Probe | null) {

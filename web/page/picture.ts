@@ -8,14 +8,15 @@ import { nextOf } from './choosing';
 import { Drag, followPointer, type Action } from './drag';
 import type { Model, Thing } from './model';
 import type { SectionPanel } from './section';
-import { t } from './words';
+import { number, t } from './words';
 
 interface Mark {
     thing: Thing;
     seen: number[]; // x and y on the screen, height above it
 }
 
-const CLOSEST = 64; // the largest zoom
+const CLOSEST = 256; // the largest zoom
+const WIDE = 44; // pixels of the page across a pixel of the picture that its number stands in
 
 export class PictureView {
     readonly canvas = h('canvas', { tabindex: 0, class: 'picture', role: 'application' });
@@ -23,6 +24,10 @@ export class PictureView {
     showsIsophotes = false;
     selected: Thing | null = null;
     probe: [number, number] | null = null;
+    /** The place that a task asks about. */
+    asked: [number, number] | null = null;
+    /** Whether no numbers of values are shown. */
+    hidesValues = false;
     onProbe: (x: number, y: number) => void = () => undefined;
     onWhy: () => void = () => undefined;
     onPaint: () => void = () => undefined;
@@ -212,6 +217,7 @@ export class PictureView {
         context.lineWidth = 1;
         context.strokeRect(left - 0.5, top - 0.5, w + 1, h + 1);
         if (this.compare.which === 'B') this.drawIsophotes(context, width, height);
+        this.drawNumbers(context, width, height);
         this.drawSection(context, width, height);
         this.drawPoints(context, width, height);
         this.drawMarks(context, width, height);
@@ -219,18 +225,51 @@ export class PictureView {
     }
 
     private drawIsophotes(context: CanvasRenderingContext2D, width: number, height: number) {
-        context.strokeStyle = '#ff5db1';
         context.lineWidth = 1;
+        const taken: [number, number][] = []; // where levels are told
         for (const line of this.isophotes) {
+            const places = line.x.map((x, i) => this.toCanvas(x, line.y[i], width, height));
+            context.strokeStyle = '#ff5db1';
             context.beginPath();
-            line.x.forEach((x, i) => {
-                const place = this.toCanvas(x, line.y[i], width, height);
-                if (i === 0) context.moveTo(...place);
-                else context.lineTo(...place);
-            });
+            places.forEach((place, i) => (i ? context.lineTo(...place) : context.moveTo(...place)));
             if (line.closed) context.closePath();
             context.stroke();
+            const place = labelPlace(places, width, height, taken);
+            if (!place) continue;
+            taken.push(place);
+            this.wordsOn(context, number(line.level, 3), ...place, '#ffc2e2');
         }
+    }
+
+    // The numbers of the pixels, where those are large enough to be read.
+    private drawNumbers(context: CanvasRenderingContext2D, width: number, height: number) {
+        const shown = this.compare.shown();
+        const { picture } = this.model;
+        if (!shown || this.hidesValues || picture?.stride !== 1 || !this.model.isCurrent(picture.of)) return;
+        const { left, top, w, h } = this.frame(width, height);
+        const { columns, rows, values, mask } = shown;
+        const [across, down] = [w / columns, h / rows];
+        if (across < WIDE) return;
+        const first = (from: number, size: number) => Math.max(0, Math.floor(-from / size));
+        const last = (from: number, size: number, count: number, all: number) => Math.min(count - 1, Math.floor((all - from) / size));
+        for (let row = first(top, down); row <= last(top, down, rows, height); row++)
+            for (let column = first(left, across); column <= last(left, across, columns, width); column++) {
+                const i = row * columns + column;
+                if (mask[i]) this.wordsOn(context, number(values[i], 4), left + (column + 0.5) * across, top + (row + 0.5) * down, '#fff');
+            }
+    }
+
+    private wordsOn(context: CanvasRenderingContext2D, text: string, x: number, y: number, colour: string) {
+        context.font = '600 11px system-ui, sans-serif';
+        context.textAlign = 'center';
+        context.textBaseline = 'middle';
+        context.lineJoin = 'round';
+        context.lineWidth = 3;
+        context.strokeStyle = 'rgb(16 17 20 / 80%)';
+        context.strokeText(text, x, y);
+        context.fillStyle = colour;
+        context.fillText(text, x, y);
+        context.lineWidth = 1;
     }
 
     // The line of the section; its ends can be taken where it stays.
@@ -275,7 +314,9 @@ export class PictureView {
         context.font = '11px system-ui, sans-serif';
         context.textAlign = 'left';
         context.textBaseline = 'bottom';
-        (this.model.scene?.points ?? []).forEach(([x, y], i) => {
+        const points = (this.model.scene?.points ?? []).map(([x, y], i): [number, number, string] => [x, y, String(i + 1)]);
+        if (this.asked) points.push([...this.asked, 'P']);
+        for (const [x, y, name] of points) {
             const [cx, cy] = this.toCanvas(x, y, width, height);
             context.beginPath();
             context.arc(cx, cy, 3, 0, 2 * Math.PI);
@@ -285,9 +326,9 @@ export class PictureView {
             context.strokeStyle = '#000';
             context.stroke();
             context.lineWidth = 3;
-            context.strokeText(String(i + 1), cx + 5, cy - 2);
-            context.fillText(String(i + 1), cx + 5, cy - 2);
-        });
+            context.strokeText(name, cx + 5, cy - 2);
+            context.fillText(name, cx + 5, cy - 2);
+        }
     }
 
     // A lamp beyond the edge is shown on the edge, in its direction, so that it can be grabbed.
@@ -339,6 +380,7 @@ export class PictureView {
     private markAt(x: number, y: number): Mark | null {
         const { width, height } = this.canvas.getBoundingClientRect();
         const near = this.marks.filter((mark) => {
+            if (this.model.isFixed(mark.thing)) return false;
             const [mx, my] = this.markPlace(mark, width, height);
             return Math.hypot(mx - x, my - y) <= 16;
         });
@@ -436,4 +478,20 @@ export class PictureView {
         const place = await this.model.client.ask('unproject', whole, x + right * size, y + up * size, height);
         if (place) await this.model.moveThing(mark.thing, place, `keys ${mark.thing.key}`, whole);
     }
+}
+
+const ROOM = 46; // pixels between two labels of isophotes, and of line that has one
+
+/** A place on a line that is in sight and away from those that are taken, as near its middle as can be; null: there is none. */
+function labelPlace(places: [number, number][], width: number, height: number, taken: [number, number][]): [number, number] | null {
+    const length = places.reduce((sum, [x, y], i) => sum + (i ? Math.hypot(x - places[i - 1][0], y - places[i - 1][1]) : 0), 0);
+    if (length < ROOM) return null;
+    const middle = places.length / 2;
+    const order = places.map((_, i) => i).sort((a, b) => Math.abs(a - middle) - Math.abs(b - middle));
+    for (const i of order) {
+        const [x, y] = places[i];
+        const isInside = x > 24 && x < width - 24 && y > 12 && y < height - 12;
+        if (isInside && taken.every(([tx, ty]) => Math.hypot(tx - x, ty - y) > ROOM)) return [x, y];
+    }
+    return null;
 }

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Files out and links: of the present scene only, and with all its light; what was begun for a scene that has changed is not
+// Files out: of the present scene only, and with all its light; what was begun for a scene that has changed is not
 // handed over.
-import { download, packed } from './link';
-import type { Looks } from './looks';
+import { download } from './link';
 import type { Model } from './model';
 import type { PictureView } from './picture';
 import { report } from './report';
@@ -22,7 +21,6 @@ export class Saving {
     constructor(
         private readonly model: Model,
         private readonly view: PictureView,
-        private readonly looks: Looks,
         private readonly say: Say,
     ) {}
 
@@ -55,23 +53,6 @@ export class Saving {
             return { content: bytes, messages };
         } finally {
             own?.stop();
-        }
-    }
-
-    async copyLink() {
-        const link = location.href.split('#')[0] + (await packed(this.model.text)) + this.looks.told();
-        history.replaceState(null, '', link);
-        try {
-            await navigator.clipboard.writeText(link);
-            this.say(
-                t(
-                    this.model.files.length
-                        ? 'Link copied; the files that the scene names are not in it'
-                        : 'Link copied',
-                ),
-            );
-        } catch {
-            this.say(link); // the address has it, too
         }
     }
 }

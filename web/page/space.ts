@@ -2,7 +2,7 @@
 // The space view: bodies in their light, which the core computes as a camera sees them from any side; lamps, panels, cones,
 // aims, observer and screen over them, hidden where bodies stand before them; and all of it grabbed.
 import type { Probe } from './core';
-import { faded, fitted, h, lightColour, numberMark, styleColour } from './dom';
+import { faded, fitted, h, lightColour, numberMark, sizeOf, styleColour } from './dom';
 import { nextOf } from './choosing';
 import { Drag, followPointer, type Action } from './drag';
 import type { Model, Shape, Thing } from './model';
@@ -14,7 +14,8 @@ import { t } from './words';
 
 export type Side = 'orbit' | 'plan' | 'elevation';
 
-const BEGIN = [-0.65, 0.92]; // turn and tilt
+const TURNED = -0.65; // radians that the view begins with
+const TILTS = [0.92, 0.7, 0.5, 0.35]; // from what is up: the first that goes
 const NEAR = 20; // pixels within which a thing is grabbed
 const FAR = 3.2; // of the camera, in reaches of the scene
 const FILLED = 12; // lights of which panels and cones are filled
@@ -22,20 +23,27 @@ const GLOWING = 60; // lights that have a glow
 const NAMED = 8; // lights that are called by their names
 const ROOM = 18; // pixels between the edge and a lamp that is beyond it
 const FLIGHT = 420; // milliseconds
+const CELL = [18, 15]; // pixels that a number of a cell takes, of its width the half
+const TURN = 0.008; // radians by a pixel of a hand's way
 const FAR_OFF = 8; // of the camera of an observer who looks along parallel lines, in sizes of the screen
 
 export class SpaceView {
     readonly canvas = h('canvas', { tabindex: 0, class: 'space', role: 'application' });
     selected: Thing | null = null;
     probe: Probe | null = null;
+    /** The place that a task asks about. */
+    asked: number[] | null = null;
+    /** Numbers that stand at places, as those of measuring grids. */
+    cells: { at: Place; text: string }[] = [];
     onSelect: (thing: Thing | null) => void = () => undefined;
     onSide: (side: Side) => void = () => undefined;
     /** Told a place on a body that the hand points at, and where that is on the canvas; null: on no body. */
     onPlace: (place: Place | null, x: number, y: number) => void = () => undefined;
     side: Side = 'orbit';
     readonly stage: Stage;
-    private turn = BEGIN[0]; // about the axis that is up, radians
-    private tilt = BEGIN[1]; // from that axis
+    private turn = TURNED; // about the axis that is up, radians
+    private tilt = TILTS[0]; // from that axis
+    private firstOf = TILTS[0]; // the tilt that the scene began with
     private zoom = 1;
     private scale = 1; // by which the whole scene fills the stage
     private center: Place = [0, 0, 0];
@@ -55,7 +63,7 @@ export class SpaceView {
         followPointer(
             this.canvas,
             (x, y, event) => this.begin(x, y, event),
-            (factor, x, y, dx, dy) => this.pinch(factor, x, y, dx, dy),
+            (factor, x, y, dx, dy) => this.twoFingers(factor, x, y, dx, dy),
             true,
         );
         this.canvas.addEventListener('keydown', (event) => this.key(event));
@@ -73,7 +81,7 @@ export class SpaceView {
 
     /** Turn and tilt of the view; null: as it begins. */
     get turned(): number[] | null {
-        return this.turn === BEGIN[0] && this.tilt === BEGIN[1] ? null : [this.turn, this.tilt];
+        return this.turn === TURNED && this.tilt === this.firstOf ? null : [this.turn, this.tilt];
     }
 
     set turned(value: number[]) {
@@ -100,6 +108,7 @@ export class SpaceView {
         this.stage.clear();
         this.probe = null;
         this.selected = null;
+        this.cells = [];
         this.draw();
     }
 
@@ -109,13 +118,18 @@ export class SpaceView {
         this.draw();
     }
 
+    // Lamps and bodies are taken into view; of a scene without bodies the observer's screen, too.
     private fitNow() {
-        const places = this.model.things.map(({ at }) => at);
+        const places = this.model.things.filter(({ kind }) => kind !== 'observer').map(({ at }) => at);
         const [w, h] = this.model.screen;
-        places.push(...this.model.whole!.frame.corners);
-        for (const { center, radius, size } of this.model.shapes) {
-            // Floors and walls far beyond what is seen of them need not be in sight as a whole.
-            const most = 1.5 * Math.max(w, h);
+        if (!this.model.shapes.some(({ kind }) => kind === 'surface')) places.push(...this.model.whole!.frame.corners);
+        if (!this.turned) this.tilt = this.firstOf = this.firstTilt();
+        const isPlate = ({ kind, type }: Shape) => kind === 'surface' && (type === 'rectangle' || type === 'disk');
+        const hasOthers = this.model.shapes.some((shape) => shape.kind === 'surface' && !isPlate(shape));
+        for (const shape of this.model.shapes) {
+            const { center, radius, size } = shape;
+            // Floors and walls far beyond what is seen of them need not be in sight as a whole, and those under bodies even less.
+            const most = (hasOthers && isPlate(shape) ? 0.45 : 1.5) * Math.max(w, h);
             const flat = Math.max(radius ?? 0, ...(size ?? []).map((each) => each / 2));
             const half = [0, 1, 2].map((axis) => Math.min(size?.length === 3 ? size[axis] / 2 : flat, most));
             for (const corner of [0, 1, 2, 3, 4, 5, 6, 7])
@@ -130,9 +144,27 @@ export class SpaceView {
         this.fill(places);
     }
 
+    // The tilt to begin with: less where plates whose fronts the observer sees would turn their backs.
+    private firstTilt(): number {
+        const observer = this.model.whole!.frame.axis;
+        const dot = (a: number[], b: number[]) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+        const plates = this.model.shapes.flatMap(({ kind, type, axis = [0, 0, 1] }) =>
+            kind === 'surface' && (type === 'rectangle' || type === 'disk') && dot(axis, observer) > 0 ? [axis] : [],
+        );
+        const before = this.tilt;
+        const isGood = (tilt: number) => {
+            this.tilt = tilt;
+            const [, , eye] = this.axes();
+            return plates.every((axis) => dot(axis, eye) > 0.15);
+        };
+        const found = TILTS.find(isGood) ?? TILTS[0];
+        this.tilt = before;
+        return found;
+    }
+
     // Takes as much of the stage as there is for places, clear of what stands on it.
     private fill(places: number[][]) {
-        const { width, height } = this.canvas.getBoundingClientRect();
+        const { width, height } = sizeOf(this.canvas);
         if (width < 200 || height < 150) return;
         const isNarrow = width < 700;
         const room = { left: 24, right: isNarrow ? 84 : 88, top: isNarrow ? 84 : 64, low: isNarrow ? 64 : 56 };
@@ -166,14 +198,14 @@ export class SpaceView {
     }
 
     private factor(): number {
-        const { width, height } = this.canvas.getBoundingClientRect();
+        const { width, height } = sizeOf(this.canvas);
         return (0.45 * this.scale * this.zoom * Math.min(width, height)) / this.reach;
     }
 
     /** The camera: that of the side and zoom that were chosen, or on its way. */
     private wanted(): View {
         if (this.flight) return this.flight;
-        const { width, height } = this.canvas.getBoundingClientRect();
+        const { width, height } = sizeOf(this.canvas);
         const [right, up, back] = this.axes();
         const distance = FAR * this.reach;
         const eye = add(this.center, back, distance);
@@ -214,6 +246,8 @@ export class SpaceView {
         const lights = this.model.shapes.filter(({ kind }) => kind === 'light');
         for (const shape of lights) this.drawLight(drawing, shape, lights.length <= FILLED);
         this.drawProbe(drawing);
+        this.drawAsked(drawing);
+        this.drawCells(drawing);
         for (const thing of this.model.things) if (thing.kind !== 'light') this.drawThing(drawing, thing);
         const lamps = this.model.things.filter(({ kind }) => kind === 'light');
         for (const lamp of lamps) this.drawLamp(drawing, lamp, lamps.length <= NAMED);
@@ -370,6 +404,41 @@ export class SpaceView {
         context.lineWidth = 1;
     }
 
+    private drawCells(drawing: Drawing) {
+        const { context } = drawing;
+        context.font = '600 11px system-ui, sans-serif';
+        context.textAlign = 'center';
+        context.textBaseline = 'middle';
+        // Those that would lie on others are left out until the view is near enough.
+        const taken = new Set<string>();
+        for (const { at, text } of this.cells) {
+            const [x, y] = drawing.seen(at);
+            const spots = [-1, 0, 1].map((aside) => [Math.round(x / CELL[0]) + aside, Math.round(y / CELL[1])].join());
+            if (spots.some((spot) => taken.has(spot))) continue;
+            taken.add(spots[1]);
+            context.globalAlpha = drawing.isHidden(at) ? 0.35 : 1;
+            drawing.words(text, x, y);
+        }
+        context.globalAlpha = 1;
+    }
+
+    private drawAsked(drawing: Drawing) {
+        if (!this.asked) return;
+        const { context } = drawing;
+        const [x, y] = drawing.seen(this.asked);
+        context.beginPath();
+        context.arc(x, y, 4, 0, 2 * Math.PI);
+        context.fillStyle = '#fff';
+        context.fill();
+        context.lineWidth = 1.5;
+        context.strokeStyle = '#202226';
+        context.stroke();
+        context.font = '600 13px system-ui, sans-serif';
+        context.textAlign = 'left';
+        context.textBaseline = 'bottom';
+        drawing.words('P', x + 6, y - 4);
+    }
+
     // A lamp glows; beyond the edge it stands at the edge, and a plumb line tells how high it is.
     private drawLamp(drawing: Drawing, thing: Thing, isNamed: boolean) {
         const { context, view } = drawing;
@@ -451,7 +520,7 @@ export class SpaceView {
         let least = NEAR;
         // Lamps and aims before the places that they aim at.
         const order = ['light', 'direction', 'aim', 'observer', 'surface'];
-        for (const thing of [...this.model.things].sort((a, b) => order.indexOf(a.kind) - order.indexOf(b.kind))) {
+        for (const thing of this.model.things.filter((each) => !this.model.isFixed(each)).sort((a, b) => order.indexOf(a.kind) - order.indexOf(b.kind))) {
             const [tx, ty] = thing.kind === 'light' ? this.markPlace(thing) : this.seen(thing.at);
             const distance = Math.hypot(tx - x, ty - y);
             // A body is dragged at its middle where it was chosen before.
@@ -466,7 +535,8 @@ export class SpaceView {
 
     private begin(x: number, y: number, event: PointerEvent): Action {
         const thing = event.shiftKey || event.button === 2 ? null : this.thingAt(x, y);
-        if (!thing) return event.button === 2 ? this.beginPan(x, y) : this.beginOrbit(x, y);
+        if (!thing && event.button === 2) return this.beginPan(x, y);
+        if (!thing) return event.pointerType === 'touch' && this.placeAt(x, y) ? this.beginPointing(x, y) : this.beginOrbit(x, y);
         this.select(thing);
         const drag = new Drag(this.model, thing);
         const { view } = this;
@@ -488,18 +558,32 @@ export class SpaceView {
         return { move, end: () => undefined };
     }
 
+    // A finger on a body asks for the value under it; elsewhere it turns the view.
+    private beginPointing(x: number, y: number): Action {
+        const move = (nx: number, ny: number) => {
+            const place = this.placeAt(nx, ny);
+            if (place) this.onPlace(place, nx, ny);
+        };
+        move(x, y);
+        return { move, end: (moved) => void (moved || this.select(null)) };
+    }
+
     private beginOrbit(x: number, y: number): Action {
         if (this.side !== 'orbit') {
             const pan = this.beginPan(x, y);
             return { move: pan.move, end: (moved) => void (moved || this.press(x, y)) };
         }
-        const { turn, tilt } = this;
+        let last: [number, number] = [x, y];
         const move = (nx: number, ny: number) => {
-            this.turn = turn - (nx - x) * 0.008;
-            this.tilt = Math.max(0.02, Math.min(Math.PI - 0.02, tilt - (ny - y) * 0.008));
-            this.draw();
+            this.turnBy(nx - last[0], ny - last[1]);
+            last = [nx, ny];
         };
         return { move, end: (moved: boolean) => void (moved || this.press(x, y)) };
+    }
+
+    private turnBy(dx: number, dy: number) {
+        this.turned = [this.turn - dx * TURN, this.tilt - dy * TURN];
+        this.draw();
     }
 
     // A press on a body tells its place; on nothing it selects nothing.
@@ -562,9 +646,16 @@ export class SpaceView {
         this.pinch(Math.exp(-event.deltaY * 0.001), event.clientX - left, event.clientY - top, 0, 0);
     }
 
-    // Two fingers zoom around the point between them, and move it.
+    // Two fingers zoom around the point between them, and turn the view; a plan they move.
+    private twoFingers(factor: number, x: number, y: number, dx: number, dy: number) {
+        if (this.side !== 'orbit') return this.pinch(factor, x, y, dx, dy);
+        this.pinch(factor, x, y, 0, 0);
+        this.turnBy(dx, dy);
+    }
+
+    // Zooms around a point, and moves it.
     private pinch(factor: number, x: number, y: number, dx: number, dy: number) {
-        const { width, height } = this.canvas.getBoundingClientRect();
+        const { width, height } = sizeOf(this.canvas);
         const [right, up] = this.axes();
         const before = this.factor();
         this.zoomBy(factor);
@@ -614,7 +705,7 @@ export class SpaceView {
     observerView(factor: number, aside: number): View | null {
         const { whole } = this.model;
         if (!whole) return null;
-        const { width, height } = this.canvas.getBoundingClientRect();
+        const { width, height } = sizeOf(this.canvas);
         const { corners, middle } = whole.frame;
         const back = unit(whole.frame.axis);
         const [right, up] = [1, 3].map((i) => unit(corners[i].map((c, axis) => c - corners[0][axis])));

@@ -33,7 +33,9 @@ export class TextEditor {
         this.area.setAttribute('aria-label', t('Scene text (YAML)'));
     }
 
+    /** Takes the present text over, as soon as somebody looks. */
     textChanged() {
+        if (this.element.hidden) return;
         if (this.area.value !== this.model.text) {
             clearTimeout(this.timer);
             const { selectionStart, scrollTop } = this.area;
@@ -45,6 +47,7 @@ export class TextEditor {
     }
 
     number() {
+        if (this.element.hidden) return;
         const count = this.area.value.split('\n').length;
         const wrong = new Map(
             this.model.messages.filter(({ line }) => line > 0).map((message) => [message.line, message]),

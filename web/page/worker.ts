@@ -144,6 +144,7 @@ const questions = {
     judge,
     render,
     probe: (of: Of, x: number, y: number) => opened(of).probe(x, y),
+    lit: (of: Of, x: number, y: number) => opened(of).lit(x, y),
     values,
     line: (of: Of, x: number, y: number, degrees: number) => opened(of).line(x, y, degrees),
     /** The values at a point of several scenes, one after the other; null: a scene has errors, or nothing is there. */
@@ -157,6 +158,7 @@ const questions = {
         opened(of).explain(x, y, format, language),
     summary: (of: Of) => opened(of).summary(),
     balance: (of: Of) => opened(of).balance(),
+    grids: (of: Of) => opened(of).grids(),
     isophotes: (of: Of, stride: number, wanted: number, logarithmic: boolean) =>
         opened(of) && draw(of, stride) ? core.isophotes(wanted, logarithmic) : [],
     extrema: (of: Of) => opened(of).extrema(),

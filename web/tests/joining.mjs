@@ -55,6 +55,7 @@ async function linksLooks(page, browser) {
     await until(page, 'model.isSettled');
     await page.getByRole('button', { name: 'Share' }).click();
     await page.waitForFunction(() => location.hash.includes('&probe='));
+    await page.getByRole('button', { name: 'Close' }).click();
     const state = () => `JSON.stringify([model.text, model.irradiance, picture.probe, picture.scale.map,
         picture.scale.logarithmic, picture.scale.locked, picture.scale.low, picture.showsIsophotes, space.side])`;
     const wanted = await inside(page, state());

@@ -5,6 +5,7 @@ import fs from 'node:fs';
 import os from 'node:os';
 import path from 'node:path';
 import axe from 'axe-core';
+import { controls } from './controls.mjs';
 import { FIREFOX, inFirefox } from './firefox.mjs';
 import { joining } from './joining.mjs';
 import { lessons } from './lessons.mjs';
@@ -13,6 +14,7 @@ import { more, PAGES } from './more.mjs';
 import { boxOf, dragBy, inside, lampIn, look, opened, openScene, shot, started, tab, until } from './hands.mjs';
 import { serve } from './server.mjs';
 import { stage } from './stage.mjs';
+import { tasks } from './tasks.mjs';
 import { typed } from './typed.mjs';
 import { versions } from './versions.mjs';
 import { check, equal, test } from './tap.mjs';
@@ -294,6 +296,7 @@ async function links(page, browser, url) {
     await page.evaluate(() => history.replaceState(null, '', location.pathname));
     await page.getByRole('button', { name: 'Share' }).click();
     await page.waitForFunction(() => location.hash.startsWith('#s='));
+    await page.getByRole('button', { name: 'Close' }).click();
     // The browser tells its new address late to those outside of it.
     const other = await opened(browser, await page.evaluate(() => location.href));
     equal(await inside(other, 'model.text'), await inside(page, 'model.text'), 'scene of the link');
@@ -588,6 +591,8 @@ export async function page(folder, tool) {
     await test('small screens', () => onSmallScreens(browser, url));
     await test('dark', () => inDark(browser, url));
     await stage(browser, url, tool);
+    await controls(browser, url, tool);
+    await tasks(browser, url, tool);
     await typed(browser, folder, url);
     await versions(browser, url, tool);
     await loading(browser, folder, tool);

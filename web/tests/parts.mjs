@@ -12,7 +12,7 @@ import { PARTS, partsOf } from './core.mjs';
 import { check, equal, test } from './tap.mjs';
 
 const MOST_OF_FIRST = 300e3; // bytes, gzip; docs/WEB.md tells what they are
-const MOST_OF_BOTH = 680e3;
+const MOST_OF_BOTH = 700e3;
 
 export const MESH = `luxel: 1
 screen: {width: 700, height: 700, resolution: [120, 120]}

@@ -148,6 +148,32 @@ async function touches(browser, url) {
     for (let i = 1; i <= 4; i++) await at('touchMove', [corner[0] + 10 * i, corner[1]]);
     await at('touchEnd');
     check((await inside(page, 'space.turn')) !== turn, 'one finger does not turn the view');
+    // Two fingers that go along turn it, too; one on a body leaves it, and asks for the value there.
+    await page.getByRole('button', { name: 'Show all' }).click();
+    await until(page, 'space.stage.made && model.isCurrent(space.stage.made.of) && !space.stage.awaitedSince');
+    const before = await inside(page, '[space.turn, space.tilt, space.zoom]');
+    const pair = (dx, dy) => [[corner[0] + dx, corner[1] + dy], [corner[0] + 60 + dx, corner[1] + dy]];
+    await at('touchStart', pair(0, 0)[0]);
+    await at('touchStart', ...pair(0, 0));
+    for (let i = 1; i <= 4; i++) await at('touchMove', ...pair(8 * i, 6 * i));
+    await at('touchEnd');
+    const turned = await inside(page, '[space.turn, space.tilt, space.zoom]');
+    check(turned[0] !== before[0] && turned[1] !== before[1], `two fingers turn from ${before} to ${turned}`);
+    check(Math.abs(turned[2] - before[2]) < 0.2 * before[2], 'fingers that keep their distance zoom');
+    await page.getByRole('button', { name: 'Show all' }).click();
+    await until(page, 'space.stage.made && model.isCurrent(space.stage.made.of) && !space.stage.awaitedSince');
+    const [bx, by] = await page.evaluate(() => {
+        const { space } = window.luxel.inside;
+        for (let y = 300; y > 0; y -= 4)
+            for (let x = 40; x < 300; x += 4) if (space.placeAt(x, y) && space.placeAt(x + 8, y + 4) && !space.thingAt(x, y)) return [x, y];
+    });
+    const probe = await inside(page, 'picture.probe');
+    const still = await inside(page, 'space.turn');
+    await at('touchStart', [box.x + bx, box.y + by]);
+    for (let i = 1; i <= 4; i++) await at('touchMove', [box.x + bx + 2 * i, box.y + by + i]);
+    await until(page, `picture.probe.join() !== '${probe.join()}' || document.querySelector('.readout').textContent.includes('not seen')`);
+    await at('touchEnd');
+    equal(await inside(page, 'space.turn'), still, 'the turn after a finger on a body');
     await look(page, 'picture');
     await page.getByRole('button', { name: 'Show all' }).click();
     equal(await inside(page, 'picture.zoom'), 1, 'zoom of the picture');

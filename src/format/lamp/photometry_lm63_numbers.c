@@ -277,6 +277,20 @@ static void take_opening(struct lx_lm63 *lm63)
         lx_luminaire_advise(lm63->file, from.start, to.end, LX_MSG_LM63_OPENING, NULL);
 }
 
+/* Keywords of a colour temperature and of colour rendering: LM-63 has none, its users have these. */
+static const char *const temperatures[] = {"COLORTEMP",         "_COLORTEMP", "CCT",         "_CCT", "COLORTEMPERATURE",
+                                           "_COLORTEMPERATURE", "COLOR_TEMP", "_COLOR_TEMP", NULL};
+static const char *const renderings[] = {"CRI", "_CRI", "COLORRENDERING", "_COLORRENDERING", "RA", "_RA", NULL};
+
+/* A copy of the text of the first of some keywords that there is, else of "". */
+static char *copy_first(const luxel_photometry *shown, const char *const *keywords)
+{
+    const char *text = NULL;
+    for (size_t i = 0; keywords[i] && !text; i++)
+        text = luxel_photometry_find_text(shown, keywords[i]);
+    return lx_copy_text(text ? text : "", text ? strlen(text) : 0);
+}
+
 static void take_header(struct lx_lm63 *lm63)
 {
     struct lx_luminaire_file *file = lm63->file;
@@ -299,11 +313,10 @@ static void take_header(struct lx_lm63 *lm63)
     if (!lamps)
         return;
     shown->texts = file->made->texts;
-    const char *type = luxel_photometry_find_text(shown, "LAMP");
     lamps->count = numbers[LX_LM63_LAMPS];
-    lamps->type = lx_copy_text(type ? type : "", type ? strlen(type) : 0);
-    lamps->temperature = lx_copy_text("", 0);
-    lamps->rendering = lx_copy_text("", 0);
+    lamps->type = copy_first(shown, (const char *const[]){"LAMP", NULL});
+    lamps->temperature = copy_first(shown, temperatures);
+    lamps->rendering = copy_first(shown, renderings);
     lamps->lumens = shown->declared_lumens;
     lamps->watts = shown->watts;
     file->no_memory = file->no_memory || !lamps->type || !lamps->temperature || !lamps->rendering;

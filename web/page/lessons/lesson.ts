@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // A chapter of the lessons as an article: its text, with live figures, a guess before one looks, a number to find, which the
 // core judges, and a variant of the exercise at the end.
+import { answering, TOLERANCE } from '../answering';
 import type { Client } from '../client';
 import { h } from '../dom';
 import { packed } from '../link';
@@ -18,7 +19,6 @@ export interface LessonWords {
     chapters: Record<string, string>;
 }
 
-const TOLERANCE = 1e-3; // of an answer, as luxel grade has it
 const LAST_VARIANT = 1000000;
 
 /** The chapter that a link asks for; null: it asks for none. */
@@ -154,10 +154,10 @@ export class Lesson {
         return element;
     }
 
-    private panel(tag: string, style: string, parts: string[]): [HTMLElement, HTMLElement] {
+    private panel(tag: string, style: string, parts: string[]): HTMLElement {
         const element = h('section', { class: `ask ${style}`, 'aria-label': t(tag) }, h('p', { class: 'tag' }, t(tag)));
         element.append(paragraph('h3', parts[0]), paragraph('p', parts[1]));
-        return [element, h('p', { class: 'verdict', role: 'status', hidden: true })];
+        return element;
     }
 
     private figureOf(name: string): Figure {
@@ -167,7 +167,8 @@ export class Lesson {
     // What may be chosen is told as numbers, multiples of what the core finds before; right is what it finds after.
     private guess(parts: string[]): HTMLElement {
         const { figure: name, before, after, times, afterAt } = this.chapter.guess;
-        const [element, verdict] = this.panel('Guess before you look', 'guess', parts);
+        const element = this.panel('Guess before you look', 'guess', parts);
+        const verdict = h('p', { class: 'verdict', role: 'status', hidden: true });
         const figure = this.figureOf(name);
         const options = h('div', { class: 'options', role: 'group', 'aria-label': parts[1] });
         element.append(options, verdict);
@@ -199,37 +200,16 @@ export class Lesson {
 
     private check(parts: string[]): HTMLElement {
         const { figure: name, set } = this.chapter.check;
-        const [element, verdict] = this.panel('Check yourself', 'check', parts);
+        const element = this.panel('Check yourself', 'check', parts);
         const figure = this.figureOf(name);
-        const input = h('input', { type: 'text', inputmode: 'decimal', autocomplete: 'off', 'aria-label': t('Your answer') });
-        const unit = h('span', { class: 'unit' });
-        const button = h('button', { type: 'submit', class: 'prime' }, t('Check'));
-        const form = h('form', { class: 'answer' }, input, unit, button);
-        void figure.unitOf().then((text) => (unit.textContent = text)).catch(() => undefined);
-        form.addEventListener('submit', async (event) => {
-            event.preventDefault();
-            button.disabled = true;
-            const found = await figure.judged(input.value, set, TOLERANCE).catch((error) => String(error));
-            button.disabled = false;
-            verdict.hidden = false;
-            if (typeof found === 'string' || !found) {
-                verdict.className = 'verdict wrong';
-                verdict.textContent = typeof found === 'string' ? found : t('Type a number, such as 12.3.');
-                return;
-            }
-            const isRight = found.verdict === 'right';
-            verdict.className = `verdict ${isRight ? 'right' : 'wrong'}`;
-            const words = {
-                right: t('Right.'),
-                coarse: t('Right as far as it goes: give three digits.'),
-                convention: `${t('This is another convention:')} ${found.explanations.join('; ')}.`,
-                wrong: t('Not yet.'),
-            }[found.verdict];
-            verdict.replaceChildren(h('b', {}, words));
-            if (isRight) verdict.append(` ${t('The core has')} ${number(found.value, 5)} ${unit.textContent}. `, ...inline(parts[2] ?? ''));
-            else if (found.verdict === 'wrong') verdict.append(' ', ...inline(parts[3] ?? ''));
-        });
-        element.append(form, verdict);
+        element.append(
+            ...answering({
+                judge: (typed) => figure.judged(typed, set, TOLERANCE),
+                unit: () => figure.unitOf(),
+                onRight: inline(parts[2] ?? ''),
+                onWrong: inline(parts[3] ?? ''),
+            }),
+        );
         return element;
     }
 

@@ -1,0 +1,64 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * Limits of a scene's measuring grids and observers (the keys `limits`), and whether they are kept.  A number is known
+ * with a bound: where that reaches to both sides of the limit, nothing is said.
+ */
+#ifndef LUXEL_LIMITS_H
+#define LUXEL_LIMITS_H
+
+#include <luxel/glare.h>
+#include <luxel/grid.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+typedef enum luxel_verdict { LUXEL_PASS, LUXEL_FAIL, LUXEL_UNDECIDED } luxel_verdict;
+
+/* The English word of a verdict, for callers to translate; NULL: no such verdict. */
+LUXEL_API const char *luxel_verdict_word(luxel_verdict verdict);
+
+/* A limit and what is judged by it. */
+typedef struct luxel_limit {
+    const char *name;    /* the key, such as "average"; static */
+    double wanted;       /* the limit */
+    bool is_most;        /* it is the greatest value that is good; else the least */
+    bool has_value;      /* false, and the value 0: of a grid without values, where nothing dazzles */
+    luxel_bounded value; /* its error may be infinite */
+    luxel_verdict verdict;
+    void *reserved[4]; /* for later versions: NULL */
+} luxel_limit;
+
+enum { LUXEL_MOST_LIMITS = 8 };
+
+/* Whether a committed scene has limits. */
+LUXEL_API bool luxel_scene_has_limits(const luxel_scene *scene);
+
+/*
+ * Judges the values of the scene's i-th grid, as luxel_find_grid() or luxel_find_grid_values() has found them, by its
+ * limits, of which there are *count, in the order of the keys.  `average` is that of the values, `uniformity` the
+ * minimum by it; `ratio` up to 1 is the minimum by the maximum, above 1 the maximum by the minimum.
+ * LUXEL_ERROR_ARGUMENT: NULL, or no such grid.
+ */
+LUXEL_API luxel_status luxel_judge_grid(const luxel_scene *scene, size_t i, const luxel_grid *grid,
+                                        luxel_limit limits[LUXEL_MOST_LIMITS], size_t *count);
+
+/* The number of observers (the key `observers`) of a committed scene. */
+LUXEL_API size_t luxel_scene_observer_count(const luxel_scene *scene);
+/* The i-th of them: its name, the scene's until that changes, NULL where it has none, and where it is and looks; either
+ * may be NULL.  LUXEL_ERROR_ARGUMENT: no such. */
+LUXEL_API luxel_status luxel_scene_observer(const luxel_scene *scene, size_t i, const char **name,
+                                            luxel_glare_sight *sight);
+
+/*
+ * Judges the rating of the i-th observer by its limits, of which there are *count.  Where nothing dazzles there is no
+ * rating, and the limit is kept; where lights without an area shine at the eye, the rating is only known to be no less.
+ * LUXEL_ERROR_ARGUMENT: NULL, or no such observer.
+ */
+LUXEL_API luxel_status luxel_judge_glare(const luxel_scene *scene, size_t i, const luxel_glare *glare,
+                                         luxel_limit limits[LUXEL_MOST_LIMITS], size_t *count);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

@@ -1,0 +1,41 @@
+/* SPDX-License-Identifier: MIT */
+/* Keys of a scene that are free to change: their numbers, what is legal, and scenes in which they are others. */
+#ifndef LX_INVERSE_KEYS_H
+#define LX_INVERSE_KEYS_H
+
+#include <luxel/scene.h>
+
+#include "../parameter/table.h"
+
+enum { LX_MOST_NUMBERS = 8 }; /* that a key takes */
+
+/* A key and the numbers that it has in the scene. */
+struct lx_key {
+    char *path;
+    const char *unit; /* "" for none */
+    bool is_list, is_length;
+    size_t count, offset; /* its numbers, and the first of them among those of all keys */
+    double numbers[LX_MOST_NUMBERS];
+    double scale;             /* how large such a number is */
+    struct lx_interval legal; /* of each number */
+};
+
+struct lx_keys {
+    struct lx_key *list;
+    size_t count, number_count;
+};
+
+/* Finds the keys in a scene.  LUXEL_ERROR_PATH: all that are wrong are reported.  Clear them in any case. */
+luxel_status lx_keys_find(const luxel_scene *scene, const char *const *paths, size_t count,
+                          luxel_diagnostics *diagnostics, struct lx_keys *keys);
+void lx_keys_clear(struct lx_keys *keys);
+
+/* The key that a number of all of them belongs to. */
+const struct lx_key *lx_keys_of(const struct lx_keys *keys, size_t number);
+
+/* Commits a copy of the scene in which the keys have these numbers, number_count of them; what it has already is left
+ * as it is written.  LUXEL_ERROR_SCENE: there is no such scene. */
+luxel_status lx_keys_change(const luxel_scene *scene, const struct lx_keys *keys, const double *numbers,
+                            luxel_diagnostics *diagnostics, luxel_scene **changed);
+
+#endif
