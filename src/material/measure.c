@@ -32,9 +32,18 @@ struct lx_lobe lx_lobe_of_measure(enum lx_measure measure, bool above)
     };
 }
 
+/* |A x L|, which may be 0, where the square root has no slope; squares of what is below 1e-150 vanish. */
+static lx_bounded sine_of(lx_bounded3 axis, lx_bounded3 towards)
+{
+    const lx_bounded3 across = lx_cross3(axis, towards);
+    double values[3];
+    lx_values3(across, values);
+    return lx_rounded(sqrt(lx_dot(values, values)), across.x.error + across.y.error + across.z.error + 1e-150, 4);
+}
+
 static lx_bounded value(const struct lx_lobe *lobe, lx_bounded3 normal, lx_bounded3 view, lx_bounded3 towards)
 {
-    const lx_bounded even = lobe->own[0] > 0 ? lx_length3(lx_cross3(normal, towards)) : lx_exact(1);
+    const lx_bounded even = lobe->own[0] > 0 ? sine_of(normal, towards) : lx_exact(1);
     return lobe->own[1] > 0 ? lx_positive(lx_add(even, lx_dot3(view, towards))) : even;
 }
 

@@ -127,8 +127,9 @@ static double greatest_highlight(const struct lx_lobe *lobe)
 {
     if (!lx_lobe_shines(lobe))
         return 0;
-    const double alpha = lobe->model == LX_GGX ? lobe->own[2] : 1;
-    const double most = lobe->model == LX_GGX ? 0.5 / (alpha * alpha * alpha) : lobe->model == LX_MEASURE ? 2 : 1;
+    const double most = lx_lobe_kind_of(lobe)->power ? 1
+                        : lobe->model == LX_MEASURE  ? 2
+                                                     : 0.5 / (lobe->own[2] * lobe->own[2] * lobe->own[2]);
     return (lobe->specular.value + lobe->specular.error) * most;
 }
 

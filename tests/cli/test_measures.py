@@ -63,6 +63,11 @@ def points(tap, tool):
     found, _ = measure(tool, [lamp])
     for name in MEASURES:
         held(tap, found[name], 4 * response(name, (0, .6, -.8)), 1e-14, "from below, " + name)
+    lamp["position"] = [0, 0, 500]
+    found, _ = measure(tool, [lamp])
+    for name, truth in zip(MEASURES, (0, 0, 1, 2)):
+        tap.ok(abs(found[name][0] - truth) <= found[name][1] <= 1e-13, "on the axis, " + name, found[name])
+    lamp["position"] = [0, 300, -400]
     turned = {"axis": [0, 1, 0], "up": [1, 0, 0]}
     found, _ = measure(tool, [lamp], grid=turned)
     for name in MEASURES:
@@ -165,6 +170,24 @@ def reflected(tap, tool):
         tap.ok(abs(difference - share * (pair[0] - pair[1])) <= bound, "%s less %s" % (first, second))
 
 
+def mirrored(tap, tool):
+    """A lamp before a mirror is two, whether it is a point or of some size."""
+    mirror = {"type": "rectangle", "center": [1000, 0, 0], "size": [9000, 9000], "axis": [-1, 0, 0], "mirror": True}
+    light = {"type": "point", "position": [0, 0, 500], "intensity": 1}
+    found, _ = measure(tool, [light], [mirror])
+    away = math.hypot(2, .5)
+    for name in MEASURES:
+        truth = 4 * response(name, (0, 0, 1)) + response(name, (2 / away, 0, .5 / away)) / away ** 2
+        held(tap, found[name], truth, 1e-12, "mirrored, " + name)
+    ball = {"type": "volume", "sphere": {"center": [0, 900, 400], "radius": 100}, "radiance": 100}
+    image = {"type": "volume", "sphere": {"center": [2000, 900, 400], "radius": 100}, "radiance": 100}
+    found, _ = measure(tool, [ball], [mirror])
+    both, _ = measure(tool, [ball, image])
+    for name in MEASURES:
+        tap.ok(abs(found[name][0] - both[name][0]) <= found[name][1] + both[name][1] + 1e-12 * both[name][0],
+               "a mirrored ball, " + name, found[name], both[name])
+
+
 def on_surfaces(tap, tool):
     """Where a cell lies on a plate what is below it is hidden, whether it is a point or of some size."""
     floor = {"type": "rectangle", "center": [0, 0, 0], "size": [2000, 2000], "material": MATT}
@@ -192,4 +215,4 @@ def texts(tap, tool):
     tap.ok(result.code == 3 and "measure" in result.err and "semicylindrical" in result.err, "a wrong measure")
 
 
-run_tests(Tap(), points, ceilings, panels, reflected, on_surfaces, texts)
+run_tests(Tap(), points, ceilings, panels, reflected, mirrored, on_surfaces, texts)
