@@ -33,8 +33,8 @@ from ._luxel import version as _version
 __version__ = _version()
 
 __all__ = [
-    "Alternative", "Amount", "Balance", "Color", "Comparison", "Daylight", "DaylightFactor", "DaylightGrid", "Diagnostic",
-    "Diagram", "Document", "Extrema",
+    "Alternative", "Amount", "Balance", "Color", "Comparison", "Daylight", "DaylightFactor", "DaylightGrid",
+    "Diagnostic", "Diagram", "Document", "Extrema",
     "Extremum", "Field", "Figure", "Geometry", "Glare", "GlareSource", "Greatest", "Grid", "GridExtrema",
     "GridExtremum", "GridPeak", "Histogram", "Isophote", "Judgement", "LampSet", "Light", "LitSide", "LuxelError",
     "LuxelFileError", "LuxelKeyError", "LuxelMemoryError", "LuxelNotFoundError", "LuxelValueError", "LuxelWarning",

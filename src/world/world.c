@@ -17,8 +17,8 @@ enum { BETWEEN_CHECKS = 64 };
  * it asks the reference. */
 static bool is_vectored(const struct lx_world *world, const struct lx_emitter *emitter)
 {
-    const bool is_glazed = world->prepared->pane_count > 0;
-    return !is_glazed && !lx_is_extended(emitter) && !lx_is_dome(emitter) && !emitter->profile.luminaire;
+    return !world->prepared->is_glazed && !lx_is_extended(emitter) && !lx_is_dome(emitter) &&
+           !emitter->profile.luminaire;
 }
 
 unsigned lx_world_batch(const struct lx_world *world)
