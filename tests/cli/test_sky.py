@@ -216,7 +216,7 @@ def daylight(tap, tool):
     tool.write("room.yaml", scene)
     tool.write("reflecting.yaml", scene + "reflections: all\n")
     direct = tool.run("daylight", "room.yaml", "--json").json()["grids"][0]
-    made = tool.run("daylight", "reflecting.yaml", "--json", "--reflected-error", "0.01", "--at", "2000,2000,850,0,0,1",
+    made = tool.run("daylight", "reflecting.yaml", "--json", "--reflected-error", "0.1", "--at", "2000,2000,850,0,0,1",
                     "--at", "2000,4000,1500,0,-1,0", timeout=200)
     tap.equal(made.code, 0, "with reflections")
     grid = made.json()["grids"][0]
@@ -236,7 +236,7 @@ def daylight(tap, tool):
            sorted(shares.values(), reverse=True) == list(shares.values()), "shares of EN 17037", shares)
     # the world outside is uniform all around
     for found, (truth, known) in zip(made.json()["elements"], PATHS):
-        tap.ok(abs(found["daylight_factor"] - truth) <= found["error"] + 4 * known and found["error"] < .02 * truth,
+        tap.ok(abs(found["daylight_factor"] - truth) <= found["error"] + 4 * known and found["error"] < .15 * truth,
                "reflected light against random ways", found, truth)
     text = tool.run("daylight", "room.yaml")
     tap.ok(text.code == 0 and "desk" in text.out and "median" in text.out and "EN 17037" in text.out, "as text", text)
