@@ -2,7 +2,7 @@
 """Daylight factors: what share of the light under the open sky reaches places indoors."""
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any, Dict, Iterable, List, NamedTuple, Optional, Sequence, Tuple
+from typing import TYPE_CHECKING, Any, Dict, Iterable, NamedTuple, Optional, Sequence, Tuple
 
 from . import _html, _luxel
 from ._arrays import floats
@@ -70,10 +70,10 @@ def _grid(found: Any, is_photometric: bool) -> DaylightGrid:
     name, rows, columns, cells, mean, median, shares, is_measured = found
     nothing = ((float("nan"),) * 2,) * 4
     numbers = floats([nothing if cell is None else cell for cell in cells]).reshape(rows, columns, 4, 2)
-    values: List["Floats"] = [numbers[:, :, 0, 0], numbers[:, :, 0, 1]] + [numbers[:, :, k, 0] for k in (1, 2, 3)]
-    return DaylightGrid(name, *values, mean=Amount(*mean) if is_measured else None,
-                        median=Amount(*median) if is_measured else None,
-                        shares=dict(zip(LEVELS, shares)) if is_photometric and is_measured else None)
+    return DaylightGrid(name, numbers[:, :, 0, 0], numbers[:, :, 0, 1], numbers[:, :, 1, 0], numbers[:, :, 2, 0],
+                        numbers[:, :, 3, 0], Amount(*mean) if is_measured else None,
+                        Amount(*median) if is_measured else None,
+                        dict(zip(LEVELS, shares)) if is_photometric and is_measured else None)
 
 
 class Daylit:
