@@ -33,7 +33,7 @@ enum {
 #define EXACT_COST 1e5    /* of the continuous maximum on a surface, in pixels */
 #define SURFACE_COST 0.5  /* of a surface that may be seen, or stand in the light of a source, at a pixel in ns */
 
-#define DOME_COST 5e6     /* of the sky at a pixel in ns, and of each surface that may hide parts of it */
+#define DOME_COST 1e9     /* of the sky at a pixel in ns: more than there is time for */
 
 /* The cost at a pixel, in ns, of each of many surfaces that may hide parts of an extended source; so many are many. */
 #define PENUMBRA_COST 40
