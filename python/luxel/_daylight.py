@@ -2,12 +2,13 @@
 """Daylight factors: what share of the light under the open sky reaches places indoors."""
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any, Dict, List, NamedTuple, Optional, Tuple
+from typing import TYPE_CHECKING, Any, Dict, Iterable, NamedTuple, Optional, Sequence, Tuple
 
-from . import _html
+from . import _html, _luxel
 from ._arrays import floats
 from ._balance import Amount
 from ._language import translate
+from ._settings import Carried, Progress, settings
 
 if TYPE_CHECKING:
     from ._arrays import Floats
@@ -69,14 +70,32 @@ def _grid(found: Any, is_photometric: bool) -> DaylightGrid:
     name, rows, columns, cells, mean, median, shares, is_measured = found
     nothing = ((float("nan"),) * 2,) * 4
     numbers = floats([nothing if cell is None else cell for cell in cells]).reshape(rows, columns, 4, 2)
-    values: List["Floats"] = [numbers[:, :, 0, 0], numbers[:, :, 0, 1]] + [numbers[:, :, k, 0] for k in (1, 2, 3)]
-    return DaylightGrid(name, *values, mean=Amount(*mean) if is_measured else None,
-                        median=Amount(*median) if is_measured else None,
-                        shares=dict(zip(LEVELS, shares)) if is_photometric and is_measured else None)
+    return DaylightGrid(name, numbers[:, :, 0, 0], numbers[:, :, 0, 1], numbers[:, :, 1, 0], numbers[:, :, 2, 0],
+                        numbers[:, :, 3, 0], Amount(*mean) if is_measured else None,
+                        Amount(*median) if is_measured else None,
+                        dict(zip(LEVELS, shares)) if is_photometric and is_measured else None)
 
 
-def daylight(found: Any) -> Daylight:
-    """The daylight of a tuple of the library."""
-    horizontal, outdoor, grids, elements, reached = found
-    return Daylight(Amount(*horizontal), outdoor, tuple(_grid(grid, outdoor is not None) for grid in grids),
-                    tuple(_factor(element) for element in elements), reached)
+class Daylit:
+    """What measures the daylight of a scene."""
+
+    __slots__ = ()
+
+    _handle: "_luxel.SceneHandle"
+    _carried: Optional[Carried]
+
+    def daylight(self, elements: Iterable[Sequence[float]] = (), *, outdoor: Optional[float] = None,
+                 tolerance: Optional[float] = None, reflected_error: Optional[float] = None, threads: int = 0,
+                 progress: Optional[Progress] = None) -> Daylight:
+        """The daylight factors of all measuring grids, and of free elements (x, y, z, nx, ny, nz), in percent.
+
+        `outdoor` is the illuminance under the open sky for the shares of EN 17037, else that of the scene's sky.
+        LuxelError: there is no sky.
+        """
+        how = settings(self._carried, None, None, threads, None, tolerance, progress=progress,
+                       reflected_error=reflected_error)
+        places = [tuple(float(number) for number in element) for element in elements]
+        found: Any = _luxel.find_daylight(self._handle, places, outdoor or 0.0, how)
+        horizontal, lux, grids, factors, reached = found
+        return Daylight(Amount(*horizontal), lux, tuple(_grid(grid, lux is not None) for grid in grids),
+                        tuple(_factor(factor) for factor in factors), reached)

@@ -8,10 +8,9 @@ from _thread import allocate_lock
 from typing import (TYPE_CHECKING, Any, Dict, Iterable, Iterator, List, Mapping, Optional, Sequence, Tuple, Union,
                     overload)
 
-from . import _exchange, _fit, _flow, _jacobian, _luxel
+from . import _daylight, _exchange, _fit, _flow, _jacobian, _luxel
 from ._arrays import floats, spacing
 from ._balance import Balance, balance
-from ._daylight import Daylight, daylight
 from ._document import Document
 from ._errors import Diagnostic, LuxelError, LuxelNotFoundError
 from ._field import Field, made, profile
@@ -77,7 +76,7 @@ def _missing(path: str) -> LuxelNotFoundError:
     return LuxelNotFoundError("file", [entry], 1)
 
 
-class Scene(Rated, _exchange.Exchanging):
+class Scene(Rated, _exchange.Exchanging, _daylight.Daylit):
     """A scene, always a right one: what would make it wrong raises LuxelError and changes nothing.
 
     `Scene(source)` takes the name of a built-in scene or a file ("report" without an argument), a path, the text of a
@@ -470,18 +469,6 @@ class Scene(Rated, _exchange.Exchanging):
                        reflected_error=reflected_error)
         return balance(_luxel.find_balance(self._handle, how))
 
-    def daylight(self, elements: Iterable[Sequence[float]] = (), *, outdoor: Optional[float] = None,
-                 tolerance: Optional[float] = None, reflected_error: Optional[float] = None, threads: int = 0,
-                 progress: Optional[Progress] = None) -> Daylight:
-        """The daylight factors of all measuring grids, and of free elements (x, y, z, nx, ny, nz), in percent.
-
-        `outdoor` is the illuminance under the open sky for the shares of EN 17037, else that of the scene's sky.
-        LuxelError: there is no sky.
-        """
-        how = settings(self._carried, None, None, threads, None, tolerance, progress=progress,
-                       reflected_error=reflected_error)
-        places = [tuple(float(number) for number in element) for element in elements]
-        return daylight(_luxel.find_daylight(self._handle, places, outdoor or 0.0, how))
 
     def profile(self, start: Pair, end: Pair, samples: Optional[int] = None, *, arc: bool = False,
                 quantity: Optional[str] = None, tolerance: Optional[float] = None, threads: int = 0,

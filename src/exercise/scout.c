@@ -33,7 +33,7 @@ enum {
 #define EXACT_COST 1e5    /* of the continuous maximum on a surface, in pixels */
 #define SURFACE_COST 0.5  /* of a surface that may be seen, or stand in the light of a source, at a pixel in ns */
 
-#define DOME_COST 2e5     /* of the sky at a pixel in ns, and of each surface that may hide parts of it */
+#define DOME_COST 1e9     /* of the sky at a pixel in ns: more than there is time for */
 
 /* The cost at a pixel, in ns, of each of many surfaces that may hide parts of an extended source; so many are many. */
 #define PENUMBRA_COST 40
@@ -80,7 +80,7 @@ static int count_sources(const struct lx_scene_parameters *scene, struct sources
         const struct lx_emitter *emitter = lx_emitter_at(&prepared.emitters, i, &room);
         sources->cost += cost_of(emitter, shines, prepared.shadows ? prepared.surface_count - 1 : 0);
         sources->are_extended = sources->are_extended || lx_is_extended(emitter) || lx_is_dome(emitter);
-        sources->are_slow = sources->are_slow || (shines && lx_is_extended(emitter));
+        sources->are_slow = sources->are_slow || lx_is_dome(emitter) || (shines && lx_is_extended(emitter));
     }
     lx_prepared_clear(&prepared);
     return failed && !sources->too_many ? -1 : 0;

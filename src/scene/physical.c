@@ -178,9 +178,12 @@ static void check_glass(struct lx_walk *walk, const luxel_scene *scene)
     const struct lx_list *surfaces = &scene->parameters.surfaces;
     for (size_t i = 0; i < surfaces->count; i++) {
         const struct lx_surface_kind *kind = kind_of(scene, i);
-        struct lx_glass_pane pane;
+        struct lx_glass_pane pane = {.index = 0};
         char number[LX_NUMBER_SIZE];
-        if (!kind->panes || kind->panes(surfaces->items[i].parameters, 0, &pane) == 0)
+        bool is_glazed = false;
+        for (size_t k = 0; kind->panes && k < kind->panes(surfaces->items[i].parameters, k, &pane); k++)
+            is_glazed = is_glazed || pane.index > 0;
+        if (!is_glazed)
             continue;
         const size_t outside = find_outside(scene, i);
         if (outside == surfaces->count)

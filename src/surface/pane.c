@@ -14,6 +14,9 @@ struct lx_glass_pane lx_pane_carried(const struct lx_glass_pane *pane, const str
     lx_frame_turn(frame, pane->across, carried.across);
     lx_frame_turn(frame, pane->upward, carried.upward);
     lx_frame_turn(frame, pane->axis, carried.axis);
+    lx_frame_carry(frame, pane->room_center_mm, carried.room_center_mm);
+    for (int i = 0; i < 3; i++)
+        lx_frame_turn(frame, pane->room_axes[i], carried.room_axes[i]);
     return carried;
 }
 
@@ -41,6 +44,8 @@ double lx_panes_pass(const struct lx_glass_pane *panes, size_t count, const doub
     for (size_t i = 0; i < count; i++) {
         const struct lx_glass_pane *pane = &panes[i];
         double from[3], met[3];
+        if (!(pane->index > 0))
+            continue;
         for (int k = 0; k < 3; k++)
             from[k] = place_mm[k] - pane->center_mm[k];
         const double height = lx_dot(from, pane->axis), change = lx_dot(way, pane->axis), share = -height / change;

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * Panes of clear glass in the openings of walls.  Unpolarized light meets one at the angle theta and goes on in it at
- * theta', sin theta = n sin theta'; it lets through
+ * Openings in the walls of rooms, and panes of clear glass in them.  Unpolarized light meets one at the angle theta and
+ * goes on in it at theta', sin theta = n sin theta'; it lets through
  *
  *     tau = mean over both polarizations of (1 - r)^2 a / (1 - r^2 a^2),   a = a0^(1 / cos theta')
  *
@@ -20,7 +20,9 @@ struct lx_glass_pane {
     double center_mm[3];
     double across[3], upward[3], axis[3]; /* unit, at right angles */
     double half_mm[2];
-    double index, transmittance; /* n and a0 */
+    double index, transmittance; /* n and a0; an index of 0: there is no glass in the opening */
+    size_t surface;              /* of the scene's list: the room that it is in, */
+    double room_center_mm[3], room_axes[3][3], room_half_mm[3];
 };
 
 /* A pane as a frame has it. */

@@ -384,25 +384,27 @@ static size_t room_panes(const void *parameters, size_t i, struct lx_glass_pane 
 {
     const struct room_parameters *room = parameters;
     const struct lx_cuboid cuboid = cuboid_of(room);
-    size_t count = 0;
-    for (size_t k = 0; k < room->openings.count; k++) {
-        const struct opening_parameters *opening = opening_at(room, k);
-        if (!lx_is_given(&opening_table, opening, "glass") || count++ != i)
-            continue;
-        struct lx_plate_parameters plate;
-        struct piece hole;
-        lx_cuboid_side(&cuboid, (unsigned)opening->wall, true, &plate);
-        hole_of(room, opening, &plate, &hole);
-        cut_plate(&hole, &plate);
-        *pane = (struct lx_glass_pane){.half_mm = {plate.size_mm[0] / 2, plate.size_mm[1] / 2},
-                                 .index = opening->glass.index,
-                                 .transmittance = opening->glass.transmittance};
-        memcpy(pane->center_mm, plate.center_mm, sizeof pane->center_mm);
-        memcpy(pane->axis, plate.axis, sizeof pane->axis);
-        memcpy(pane->upward, plate.up, sizeof pane->upward);
-        lx_cross(plate.up, plate.axis, pane->across);
-    }
-    return count;
+    if (i >= room->openings.count)
+        return room->openings.count;
+    const struct opening_parameters *opening = opening_at(room, i);
+    const bool is_glazed = lx_is_given(&opening_table, opening, "glass");
+    struct lx_plate_parameters plate;
+    struct piece hole;
+    lx_cuboid_side(&cuboid, (unsigned)opening->wall, true, &plate);
+    hole_of(room, opening, &plate, &hole);
+    cut_plate(&hole, &plate);
+    *pane = (struct lx_glass_pane){.half_mm = {plate.size_mm[0] / 2, plate.size_mm[1] / 2},
+                                   .index = is_glazed ? opening->glass.index : 0,
+                                   .transmittance = opening->glass.transmittance};
+    memcpy(pane->center_mm, plate.center_mm, sizeof pane->center_mm);
+    memcpy(pane->axis, plate.axis, sizeof pane->axis);
+    memcpy(pane->upward, plate.up, sizeof pane->upward);
+    lx_cross(plate.up, plate.axis, pane->across);
+    memcpy(pane->room_center_mm, room->center_mm, sizeof pane->room_center_mm);
+    memcpy(pane->room_axes, cuboid.axes, sizeof pane->room_axes);
+    for (int k = 0; k < 3; k++)
+        pane->room_half_mm[k] = room->size_mm[k] / 2;
+    return room->openings.count;
 }
 
 /* ---- what openings must be ---- */

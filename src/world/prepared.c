@@ -122,10 +122,12 @@ static int prepare_panes(const struct lx_list *surfaces, struct lx_prepared *pre
     size_t capacity = 0;
     for (size_t i = 0; i < surfaces->count; i++) {
         const struct lx_surface_kind *kind = (const struct lx_surface_kind *)surfaces->items[i].variant;
-        struct lx_glass_pane pane;
+        struct lx_glass_pane pane = {.index = 0};
         for (size_t k = 0; kind->panes && k < kind->panes(surfaces->items[i].parameters, k, &pane); k++) {
             if (lx_reserve(&prepared->panes, &capacity, prepared->pane_count + 1, sizeof pane))
                 return -1;
+            pane.surface = i;
+            prepared->is_glazed = prepared->is_glazed || pane.index > 0;
             prepared->panes[prepared->pane_count++] = pane;
         }
     }

@@ -66,8 +66,10 @@ struct lx_prepared {
     struct lx_boxes boxes; /* over many of them (among.h) */
     struct lx_authored_surface *authored;
     struct lx_material *colored; /* what materials with colours are in the scene's channel; NULL: all are as they are */
-    struct lx_glass_pane *panes;       /* in the openings of surfaces */
+    struct lx_glass_pane *panes; /* the openings of rooms */
     size_t pane_count;
+    bool is_glazed;              /* whether there is glass in one of them */
+    size_t left_out;             /* 1 more than a surface of the scene's list that hides nothing now; 0: none is */
     bool *on;                    /* which lights of the scene's list give light */
     struct lx_emitters emitters; /* of those, in their order */
     struct lx_mirrors mirrors;
@@ -103,7 +105,7 @@ void lx_prepared_clear(struct lx_prepared *prepared);
 /* Whether there may be kernels for its light: not of domes, nor where it comes through glass. */
 static inline bool lx_prepared_has_kernels(const struct lx_prepared *prepared)
 {
-    return prepared->pane_count == 0 && !lx_has_dome(&prepared->emitters);
+    return !prepared->is_glazed && !lx_has_dome(&prepared->emitters);
 }
 
 /* The index of a part of a surface of the scene's list, or of the first piece that openings leave of it. */

@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: MIT */
 /* Seeing and lighting one surface element in float64 with error bounds. */
 #include "reference.h"
+
+#include <stdint.h>
+
 #include "../base/vector.h"
 #include "../light/sky/dome.h"
 #include "../light/solid/extended.h"
@@ -99,7 +102,7 @@ lx_bounded lx_openness_of(const struct lx_prepared *prepared, const struct lx_el
         const struct lx_prepared_surface *surface = &prepared->surfaces[lx_found_at(&found, is_found, i)];
         open = lx_both(open, lx_not(lx_blocked_by(&surface->shape, surface == element->own, element, way, endless)));
     }
-    if (prepared->pane_count == 0 || open.value == 0)
+    if (!prepared->is_glazed || open.value == 0)
         return open;
     double place[3], towards[3];
     lx_values3(element->place_mm, place);
@@ -195,7 +198,7 @@ static struct lx_lighting light_by_extended(const struct lx_prepared *prepared, 
 static void set_panes(const struct lx_prepared *prepared, struct lx_emitter *emitter)
 {
     emitter->panes = prepared->panes;
-    emitter->pane_count = prepared->shadows_extended ? prepared->pane_count : 0;
+    emitter->pane_count = prepared->is_glazed && prepared->shadows_extended ? prepared->pane_count : 0;
 }
 
 /* Farther away than all that may stand in the way, as a power of two, for which directions stay what they are. */
@@ -221,6 +224,61 @@ static bool is_below(const struct lx_dome_view *view, const double place_mm[3], 
     return view->emitter.facets != NULL;
 }
 
+/* Whether a place is in the room of an opening, or on a wall of it and looks inwards. */
+static bool is_in_room(const struct lx_glass_pane *opening, const double place_mm[3], const double normal[3])
+{
+    static const double ON_WALL = 1e-6;
+    double from[3];
+    for (int k = 0; k < 3; k++)
+        from[k] = place_mm[k] - opening->room_center_mm[k];
+    for (int k = 0; k < 3; k++) {
+        const double away = lx_dot(from, opening->room_axes[k]), half = opening->room_half_mm[k];
+        const double outwards = copysign(1, away) * lx_dot(normal, opening->room_axes[k]);
+        if (!(fabs(away) <= half * (1 + 1e-9)) || (fabs(away) > half * (1 - ON_WALL) && outwards > 1e-9))
+            return false;
+    }
+    return true;
+}
+
+/* The corners of an opening from a place. */
+static void find_rim(const struct lx_glass_pane *opening, const double place_mm[3], lx_wide3 rim[4])
+{
+    const lx_wide3 middle = lx_wide3_sub(lx_wide3_of(opening->center_mm), lx_wide3_of(place_mm));
+    for (int i = 0; i < 4; i++) {
+        const lx_wide right = lx_wide_of(i == 0 || i == 3 ? opening->half_mm[0] : -opening->half_mm[0]);
+        const lx_wide up = lx_wide_of(i < 2 ? opening->half_mm[1] : -opening->half_mm[1]);
+        rim[i] = lx_wide3_add(middle, lx_wide3_add(lx_wide3_mul(lx_wide3_of(opening->across), right),
+                                                   lx_wide3_mul(lx_wide3_of(opening->upward), up)));
+    }
+}
+
+/* What is seen of a patch through the openings of the room around the element, whose walls hide all else. */
+static struct lx_lighting light_through(const struct lx_prepared *prepared, const struct lx_element *element,
+                                        const struct lx_dome_view *whole, size_t room, double before)
+{
+    struct lx_lighting sum = {.irradiance = lx_exact(0), .diffuse = lx_exact(0), .specular = lx_exact(0)};
+    struct lx_prepared without = *prepared;
+    double place[3];
+    lx_values3(element->place_mm, place);
+    without.left_out = room + 1;
+    for (size_t i = 0; i < prepared->pane_count; i++) {
+        const struct lx_glass_pane *opening = &prepared->panes[i];
+        const lx_wide3 outwards = lx_wide3_mul(lx_wide3_of(opening->axis), lx_wide_of(-1));
+        struct lx_dome_view seen;
+        lx_wide3 rim[4];
+        find_rim(opening, place, rim);
+        if (opening->surface != room || !lx_dome_clip(whole, rim, outwards, place, &seen))
+            continue;
+        const struct lx_lighting part =
+            light_by_extended(&without, element, &seen.emitter, before + sum.irradiance.value);
+        sum.irradiance = lx_add(sum.irradiance, part.irradiance);
+        sum.diffuse = lx_add(sum.diffuse, part.diffuse);
+        sum.specular = lx_add(sum.specular, part.specular);
+        sum.parts += part.parts;
+    }
+    return sum;
+}
+
 /* Patch by patch; those that the element does not look to give nothing. */
 static struct lx_lighting light_by_dome(const struct lx_prepared *prepared, const struct lx_element *element,
                                         const struct lx_dome *dome)
@@ -234,13 +292,19 @@ static struct lx_lighting light_by_dome(const struct lx_prepared *prepared, cons
     const double away_mm = beyond(prepared, place);
     struct lx_prepared shared = *prepared;
     shared.tolerance /= SHARES;
+    size_t room = SIZE_MAX;
+    for (size_t i = 0; i < prepared->pane_count && prepared->shadows_extended && !looks_below; i++)
+        room = is_in_room(&prepared->panes[i], place, normal) ? prepared->panes[i].surface : room;
     for (size_t i = 0; i < dome->patch_count; i++) {
         struct lx_dome_view view;
         lx_dome_see(dome, i, place, away_mm, &view);
         if (!looks_below && is_below(&view, place, normal))
             continue;
         set_panes(prepared, &view.emitter);
-        const struct lx_lighting part = light_by_extended(&shared, element, &view.emitter, sum.irradiance.value);
+        const struct lx_lighting part =
+            room < SIZE_MAX && view.emitter.facets
+                ? light_through(&shared, element, &view, room, sum.irradiance.value)
+                : light_by_extended(&shared, element, &view.emitter, sum.irradiance.value);
         sum.irradiance = lx_add(sum.irradiance, part.irradiance);
         sum.diffuse = lx_add(sum.diffuse, part.diffuse);
         sum.specular = lx_add(sum.specular, part.specular);

@@ -17,7 +17,7 @@ enum { BETWEEN_CHECKS = 64 };
  * where there are mirrors, it asks the reference. */
 static bool is_vectored(const struct lx_world *world, const struct lx_emitter *emitter)
 {
-    const bool is_bare = world->prepared->pane_count == 0 && world->prepared->mirrors.count == 0;
+    const bool is_bare = !world->prepared->is_glazed && world->prepared->mirrors.count == 0;
     return is_bare && !lx_is_extended(emitter) && !lx_is_dome(emitter) && !emitter->profile.luminaire;
 }
 

@@ -217,8 +217,16 @@ def random_scenes(tap, tool):
             "alpha": 0.3, "f0": 0.5, "color": [0.2, 0.5, 1], "specular_color": [1, 0.9, 0.1], "mirror": False}
     made.append(("scene of a room, a box and a sphere from inside", {
         **made[-2][1], "reflections": "none", "mirrors": 2,
+        "lights": [{"type": "sun", "irradiance": 9, "date": "2026-06-21T12:00Z", "latitude": 50, "longitude": 8,
+                    "diameter": 1, "up": [0, 0, 1], "north": [0, 1, 0]},
+                   {"type": "sun", "irradiance": 9, "altitude": 40, "azimuth": 200},
+                   {"type": "sky", "kind": 12, "sun": {"altitude": 40, "azimuth": 200}, "zenith": 9, "ground": 0.2},
+                   {"type": "sky", "kind": 12, "horizontal": 9,
+                    "sun": {"date": "2026-06-21T12:00Z", "latitude": 50, "longitude": 8}}],
         "grids": [{"center": [0, 0, 0], "size": [900, 600], "spacing": "en12464", "measure": "spherical"}],
-        "surfaces": [{"type": "room", "center": [0, 0, 1000], "size": [2000, 2000, 2000], "up": "z", "materials": {
+        "surfaces": [{"type": "room", "center": [0, 0, 1000], "size": [2000, 2000, 2000], "up": "z", "openings": [
+                      {"wall": "left", "center": [0, 9], "size": [500, 400], "glass": {"n": 1.5, "transmittance": 1}}],
+                      "materials": {
             name: wall for name in ("left", "right", "floor", "ceiling", "back", "front")}},
                      {"type": "box", "center": [0, 0, 300], "size": [200, 200, 200], "materials": {
                          name: wall for name in ("left", "right", "bottom", "top", "back", "front")}},

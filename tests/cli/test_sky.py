@@ -193,6 +193,9 @@ def windows(tap, tool):
         tap.equal([value for value, _ in light(tool, sun, seen, room)], [1, 1, 1, 0, 0, 0, 0], "window: " + wall)
 
 
+# Percent of the horizontal irradiance in the room of `daylight`, by 1.5 million random ways, and their deviation.
+PATHS = ((6.0324, .0163), (6.1553, .0168))
+
 GRIDS = """grids:
   - {name: desk, center: [2000, 2000, 850], size: [3000, 3000], n: [2, 3]}
 """
@@ -213,9 +216,9 @@ def daylight(tap, tool):
     tool.write("room.yaml", scene)
     tool.write("reflecting.yaml", scene + "reflections: all\n")
     direct = tool.run("daylight", "room.yaml", "--json").json()["grids"][0]
-    made = tool.run("daylight", "reflecting.yaml", "--json", "--reflected-error", "0.01", "--at", "2000,2000,850,0,0,1",
+    made = tool.run("daylight", "reflecting.yaml", "--json", "--reflected-error", "0.1", "--at", "2000,2000,850,0,0,1",
                     "--at", "2000,4000,1500,0,-1,0", timeout=200)
-    tap.equal(made.code, 0, "with reflections", )
+    tap.equal(made.code, 0, "with reflections")
     grid = made.json()["grids"][0]
     values, errors = grid["values"], grid["errors"]
     tap.equal((grid["name"], len(values), len(values[0])), ("desk", 3, 2), "its cells")
@@ -231,9 +234,9 @@ def daylight(tap, tool):
     truth = sum(value - error >= 3 for row, cells in zip(values, errors) for value, error in zip(row, cells)) / 6
     tap.ok(list(shares) == ["100", "300", "500", "750"] and shares["300"] == truth and
            sorted(shares.values(), reverse=True) == list(shares.values()), "shares of EN 17037", shares)
-    # a uniform world of the radiance 1 outside, 20 million random ways, in percent of pi
+    # the world outside is uniform all around
     for found, (truth, known) in zip(made.json()["elements"], PATHS):
-        tap.ok(abs(found["daylight_factor"] - truth) <= found["error"] + 4 * known and found["error"] < .02 * truth,
+        tap.ok(abs(found["daylight_factor"] - truth) <= found["error"] + 4 * known and found["error"] < .15 * truth,
                "reflected light against random ways", found, truth)
     text = tool.run("daylight", "room.yaml")
     tap.ok(text.code == 0 and "desk" in text.out and "median" in text.out and "EN 17037" in text.out, "as text", text)

@@ -84,21 +84,22 @@ CIE_CASES = (
      'the Lambertian pattern, as a source and in luminaire files; the asymmetric one needs intensity tables'),
     ('5.3', 'area sources', 'yes', 'the Lambertian pattern; the asymmetric one needs intensity tables'),
     ('5.4', 'conservation of luminous flux', 'yes', ''),
-    ('5.5', 'directional transmittance of clear glass', 'no', 'nothing is transparent'),
+    ('5.5', 'directional transmittance of clear glass', 'no', 'glass is in windows alone: tests/cli/test_sky.py'),
     ('5.6', 'reflection by diffuse surfaces', 'yes', 'the reflecting square is given as a source'),
     ('5.7', 'diffuse reflection with an internal obstruction', 'yes',
      'the reflecting wall is given as a source; the printed numbers are the corrected ones'),
     ('5.8', 'interreflection in a cube', 'yes', 'the printed means, and points of a wall'),
-    ('5.9, 5.10', 'sky component under a roof opening, unglazed and glazed', 'no', 'there are no skies and no glass'),
+    ('5.9, 5.10', 'sky component under a roof opening, unglazed and glazed', 'no',
+     'computed, but not on this page: tests/cli/test_sky.py has 5.9 to 5.11'),
     ('5.11 to 5.14', 'sky and ground through a facade opening, glazed, with horizontal and vertical masks', 'no',
-     'there are no skies and no glass'),
+     'computed, but not on this page: tests/cli/test_sky.py has 5.9 to 5.11'),
 )
 
 
 def cie(page):
     page.heading('CIE 171: which cases are here, and which are not',
                  'The publication has 19 cases. Those of light from point and area sources, direct and reflected, are '
-                 'on this page; the others ask for what Luxel does not compute.')
+                 'on this page; the others are not.')
     page.table(['case', 'subject', 'here', 'remark'], CIE_CASES)
 
     case = case_named('cie171-5.2')

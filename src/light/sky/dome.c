@@ -209,6 +209,92 @@ void lx_dome_see(const struct lx_dome *dome, size_t patch, const double place_mm
     view->facets.corner_error_mm = DIRECTION_ERROR * away_mm;
 }
 
+/* Cuts a polygon to what is on the side of a plane through the place to which the normal points; its corners stand as
+ * offsets from the place.  Returns how many are left. */
+static size_t cut_polygon(lx_wide3 *corners, size_t count, const lx_wide3 *normal)
+{
+    lx_wide3 kept[LX_MOST_VIEW_CORNERS];
+    size_t left = 0;
+    for (size_t i = 0; i < count; i++) {
+        const lx_wide3 *from = &corners[i], *to = &corners[(i + 1) % count];
+        const lx_wide above = lx_wide3_dot(*normal, *from), beyond = lx_wide3_dot(*normal, *to);
+        if (above.high >= 0 && left < LX_MOST_VIEW_CORNERS)
+            kept[left++] = *from;
+        if ((above.high >= 0) != (beyond.high >= 0) && left < LX_MOST_VIEW_CORNERS) {
+            const lx_wide share = lx_wide_div(above, lx_wide_sub(above, beyond));
+            kept[left++] = lx_wide3_add(*from, lx_wide3_mul(lx_wide3_sub(*to, *from), share));
+        }
+    }
+    memcpy(corners, kept, left * sizeof *corners);
+    return left;
+}
+
+/* Lays a polygon of a view out anew; false: it has no area. */
+static bool lay_polygon(struct lx_dome_view *view, size_t count, const double place_mm[3])
+{
+    const lx_wide3 place = lx_wide3_of(place_mm);
+    struct lx_facets *facets = &view->facets;
+    lx_wide3 sum = {{0, 0}, {0, 0}, {0, 0}};
+    double middle[3] = {0}, corner[3];
+    for (size_t i = 1; i + 1 < count; i++)
+        sum = lx_wide3_add(sum, lx_wide3_cross(lx_wide3_sub(view->corners_mm[i], view->corners_mm[0]),
+                                               lx_wide3_sub(view->corners_mm[i + 1], view->corners_mm[0])));
+    view->face.area_mm2 = facets->area_mm2 = lx_wide_value(lx_wide3_length(sum)) / 2;
+    view->face.first = 0;
+    view->face.count = (unsigned)count;
+    facets->corner_count = facets->edge_count = count;
+    for (size_t i = 0; i < count; i++) {
+        view->loop[i] = (unsigned)i;
+        view->edges[i] = (struct lx_edge){(unsigned)i, (unsigned)((i + 1) % count), 0, LX_NO_FACE};
+        lx_wide3_values(view->corners_mm[i], corner);
+        for (int k = 0; k < 3; k++)
+            middle[k] += corner[k] / (double)count;
+        view->corners_mm[i] = lx_wide3_add(place, view->corners_mm[i]);
+    }
+    facets->radius_mm = 0;
+    for (size_t i = 0; i < count; i++) {
+        lx_wide3_values(lx_wide3_sub(view->corners_mm[i], place), corner);
+        for (int k = 0; k < 3; k++)
+            corner[k] -= middle[k];
+        facets->radius_mm = fmax(facets->radius_mm, sqrt(lx_dot(corner, corner)) * (1 + DIRECTION_ERROR));
+    }
+    for (int k = 0; k < 3; k++)
+        facets->center_mm[k] = place_mm[k] + middle[k];
+    return facets->area_mm2 > 1e-28 * facets->radius_mm * facets->radius_mm && facets->area_mm2 > 0;
+}
+
+bool lx_dome_clip(const struct lx_dome_view *whole, const lx_wide3 rim[4], lx_wide3 outwards, const double place_mm[3],
+                  struct lx_dome_view *seen)
+{
+    const lx_wide3 place = lx_wide3_of(place_mm);
+    const double height = lx_wide3_dot(outwards, rim[0]).high;
+    double size = 0;
+    size_t count = whole->facets.corner_count;
+    *seen = *whole;
+    seen->emitter.facets = &seen->facets;
+    seen->facets.faces = &seen->face;
+    seen->facets.corners_mm = seen->corners_mm;
+    seen->facets.edges = seen->edges;
+    seen->facets.loop = seen->loop;
+    for (size_t i = 0; i < count; i++)
+        seen->corners_mm[i] = lx_wide3_sub(whole->corners_mm[whole->facets.loop[i]], place);
+    if (!(height > 0))
+        return false;
+    for (int i = 0; i < 4; i++)
+        size = fmax(size, fabs(rim[i].x.high) + fabs(rim[i].y.high) + fabs(rim[i].z.high));
+    for (int k = 0; k < 3; k++)
+        size += fabs(place_mm[k]);
+    seen->facets.corner_error_mm *= 1 + size / height;
+    count = cut_polygon(seen->corners_mm, count, &outwards);
+    for (int i = 0; i < 4 && count >= 3; i++) {
+        lx_wide3 side = lx_wide3_cross(rim[i], rim[(i + 1) % 4]);
+        if (lx_wide3_dot(side, rim[(i + 2) % 4]).high < 0)
+            side = lx_wide3_mul(side, lx_wide_of(-1));
+        count = cut_polygon(seen->corners_mm, count, &side);
+    }
+    return count >= 3 && lay_polygon(seen, count, place_mm);
+}
+
 /* What it gives a plane that faces it, and from where: enough to tell how large other numbers are. */
 static struct lx_sample sample_dome(const struct lx_emitter *emitter, lx_bounded3 place_mm)
 {

@@ -16,7 +16,7 @@
 #include "../solid/area_light_facets.h"
 #include "luminance.h"
 
-enum { LX_DOME_CORNERS = 3, LX_MOST_DOME_PATCHES = 12 };
+enum { LX_DOME_CORNERS = 3, LX_MOST_VIEW_CORNERS = 8, LX_MOST_DOME_PATCHES = 12 };
 
 /* Around the origin, at about the distance 1. */
 struct lx_dome_patch {
@@ -56,10 +56,17 @@ struct lx_dome_view {
     struct lx_emitter emitter;
     struct lx_facets facets;
     struct lx_face face;
-    lx_wide3 corners_mm[LX_DOME_CORNERS];
+    lx_wide3 corners_mm[LX_MOST_VIEW_CORNERS];
+    struct lx_edge edges[LX_MOST_VIEW_CORNERS];
+    unsigned loop[LX_MOST_VIEW_CORNERS];
 };
 void lx_dome_see(const struct lx_dome *dome, size_t patch, const double place_mm[3], double away_mm,
                  struct lx_dome_view *view);
+
+/* What is seen of a patch, a triangle around a place, through a rectangle whose corners are so far from the place, in
+ * their order; false: nothing is.  The unit normal of the rectangle leads away from the place. */
+bool lx_dome_clip(const struct lx_dome_view *whole, const lx_wide3 rim[4], lx_wide3 outwards, const double place_mm[3],
+                  struct lx_dome_view *seen);
 
 /* The sky with the radiance of its zenith, and the ground below with one of its own; NULL: memory ran out. */
 struct lx_dome *lx_dome_of_sky(const struct lx_sky *sky, lx_bounded zenith, lx_bounded ground);

@@ -379,6 +379,7 @@ int lx_occlusion_make(const struct lx_prepared *prepared, const struct lx_elemen
 {
     const double place[3] = {element->place_mm.x.value, element->place_mm.y.value, element->place_mm.z.value};
     const double normal[3] = {element->normal.x.value, element->normal.y.value, element->normal.z.value};
+    double beyond_mm = 0;
     lx_occlusion_begin(place, above ? normal : NULL, emitter, occlusion);
     struct lx_found found;
     const bool is_found = lx_among_shaft(prepared, &occlusion->shaft, &found);
@@ -387,13 +388,18 @@ int lx_occlusion_make(const struct lx_prepared *prepared, const struct lx_elemen
         const struct lx_prepared_surface *surface = &prepared->surfaces[lx_found_at(&found, is_found, i)];
         const struct lx_shape *shape = &surface->shape;
         const bool is_own = surface == element->own;
+        if (surface->authored + 1 == prepared->left_out)
+            continue;
+        if (prepared->pane_count > 0) /* walls are as much larger, and so the openings smaller */
+            beyond_mm = fmax(beyond_mm, shape->touch_mm);
         const bool is_turned =
             is_own && element->is_free && lx_shape_is_turned(shape, element->place_mm, element->normal);
         if (lx_occlusion_gather(shape, is_own, is_turned, normal, occlusion))
             return -1;
     }
     return lx_occlusion_settle(
-        emitter, element->place_mm.x.error + element->place_mm.y.error + element->place_mm.z.error, occlusion);
+        emitter, beyond_mm + element->place_mm.x.error + element->place_mm.y.error + element->place_mm.z.error,
+        occlusion);
 }
 
 /* ---- all of it ---- */
