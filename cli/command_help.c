@@ -127,6 +127,18 @@ static void write_json(const struct command *command)
     json_close(&json, '}');
 }
 
+/* Whether it is a type of surface or light as well, as `room` is. */
+static bool is_kind(const char *topic)
+{
+    luxel_parameters *keys = luxel_parameters_new();
+    bool found = false;
+
+    for (size_t i = 0; keys && i < luxel_parameters_kind_count(keys) && !found; i++)
+        found = strcmp(luxel_parameters_kind(keys, i)->name, topic) == 0;
+    luxel_parameters_free(keys);
+    return found;
+}
+
 static int run(const struct options *options)
 {
     const struct command *command = options->operand ? find_command(options->operand) : NULL;
@@ -148,7 +160,10 @@ static int run(const struct options *options)
         write_json(command);
     else
         help_print_command(command);
-    return EXIT_DONE;
+    if (options->json || !is_kind(options->operand))
+        return EXIT_DONE;
+    fputc('\n', stdout);
+    return help_print_keys(options->operand, false);
 }
 
 const struct command command_help = {

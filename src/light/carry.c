@@ -9,7 +9,7 @@
 #include "../base/rows.h"
 #include "../format/cloud.h"
 #include "distribution.h"
-#include "sky/dome.h"
+#include "sky/dome_keeping.h"
 #include "solid/facets_make.h"
 
 /* Emitters, corners or rows of clouds between two questions whether to go on. */

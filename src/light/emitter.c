@@ -9,7 +9,7 @@
 #include "../base/rows.h"
 #include "../format/cloud.h"
 #include "emitter.h"
-#include "sky/dome.h"
+#include "sky/dome_keeping.h"
 #include "solid/area_light_facets.h"
 
 /* Emitters that are appended between two questions whether to go on. */

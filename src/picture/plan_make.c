@@ -207,8 +207,7 @@ static luxel_status plan_surface(struct lx_plan *plan, struct lx_control *contro
                                  struct lx_planned_surface *surface)
 {
     set_lobes(lobe, surface);
-    surface->by_reference =
-        !lx_lobe_has_kernels(lobe) || !lx_prepared_has_kernels(plan->prepared) || plan->prepared->mirrors.count > 0;
+    surface->by_reference = !lx_lobe_has_kernels(lobe) || !lx_prepared_has_kernels(plan->prepared);
     plan->asks_reference = plan->asks_reference || surface->by_reference;
     if (surface->by_reference)
         return LUXEL_OK;

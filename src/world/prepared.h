@@ -102,10 +102,10 @@ void lx_prepared_free(struct lx_prepared *carried);
 
 void lx_prepared_clear(struct lx_prepared *prepared);
 
-/* Whether there may be kernels for its light: not of domes, nor where it comes through glass. */
+/* Whether there may be kernels for its light: not of domes, nor where it comes through glass or over mirrors. */
 static inline bool lx_prepared_has_kernels(const struct lx_prepared *prepared)
 {
-    return !prepared->is_glazed && !lx_has_dome(&prepared->emitters);
+    return !prepared->is_glazed && prepared->mirrors.count == 0 && !lx_has_dome(&prepared->emitters);
 }
 
 /* The index of a part of a surface of the scene's list, or of the first piece that openings leave of it. */

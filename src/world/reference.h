@@ -43,8 +43,8 @@ lx_bounded lx_hidden_by(const struct lx_prepared_surface *surface, const struct 
 lx_bounded lx_blocked_by(const struct lx_shape *shape, bool is_own, const struct lx_element *element, lx_bounded3 way,
                          bool endless);
 
-/* What an extended emitter gives behind obstacles, beside the irradiance that came before it; where that is not known to
- * the tolerance, between what there can be. */
+/* What an extended emitter gives behind obstacles, beside the irradiance that came before it; where that is not known
+ * to the tolerance, between what there can be. */
 struct lx_lighting lx_light_behind(const struct lx_prepared *prepared, const struct lx_element *element,
                                    const struct lx_emitter *emitter, struct lx_occlusion *occlusion, double before);
 

@@ -13,8 +13,8 @@
 /* Emitters between two questions whether to go on. */
 enum { BETWEEN_CHECKS = 64 };
 
-/* Whether a batch has the light of an emitter by vectors; of extended sources, luminaires, what comes through glass, and
- * where there are mirrors, it asks the reference. */
+/* Whether a batch has the light of an emitter by vectors; of extended sources, luminaires, what comes through glass,
+ * and where there are mirrors, it asks the reference. */
 static bool is_vectored(const struct lx_world *world, const struct lx_emitter *emitter)
 {
     const bool is_bare = !world->prepared->is_glazed && world->prepared->mirrors.count == 0;

@@ -291,6 +291,8 @@ def commands(tap, tool):
 
 def what_is_refused(tap, tool):
     sphere = {**ways.Ball([0, 0, 200], 100).scene(), "material": {"mirror": True}}
+    window = {"type": "room", "center": [0, 0, 1000], "size": [3000, 3000, 2000],
+              "openings": [{"wall": "right", "center": [0, 0], "size": [500, 500]}]}
     for surfaces, others, words in (
             ([sphere], {}, "sphere cannot be a mirror"),
             ([FLOOR, MIRROR], {"mirrors": 0}, "mirrors"),
@@ -301,6 +303,12 @@ def what_is_refused(tap, tool):
                       "materials": {"left": {"mirror": True}}}], {"reflections": 2}, "calculated of lamps alone")):
         result = tool.run("probe", scene(tool, surfaces, [POINT], **others), "--at", "0,0,0,0,0,1")
         tap.ok(words in result.err, "refused: %s" % words, result.err)
+    for surfaces, light in (([FLOOR, MIRROR], {"type": "sky", "kind": 5, "zenith": 1}),
+                            ([FLOOR, MIRROR], {"type": "sun", "irradiance": 1, "altitude": 40, "azimuth": 200}),
+                            ([window, MIRROR], POINT)):
+        result = tool.run("probe", scene(tool, surfaces, [light]), "--at", "0,0,0,0,0,1")
+        tap.ok(result.code == 3 and "light of the sky, of the sun and through openings" in result.err,
+               "refused with daylight: %s" % light["type"], result.err)
 
 
 if __name__ == "__main__":

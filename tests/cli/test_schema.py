@@ -231,7 +231,7 @@ def random_scenes(tap, tool):
                      {"type": "box", "center": [0, 0, 300], "size": [200, 200, 200], "materials": {
                          name: wall for name in ("left", "right", "bottom", "top", "back", "front")}},
                      {"type": "sphere", "center": [0, 0, 500], "radius": 200, "inside": True, "material": wall},
-                     {"type": "rectangle", "center": [0, 700, 500], "size": [300, 200], "mirror": True}]}))
+                     {"type": "rectangle", "center": [0, 700, 500], "size": [300, 200], "mirror": False}]}))
     tool.write("lamp-spectrum.csv", "nm,power\n" + "".join("%d,1\n" % nm for nm in range(400, 701, 20)))
     made.append(("scene in colour", {**made[-1][1], "channels": "rgb", "lights": [
         {"type": "point", "position": [0, 0, 1500], "intensity": 5, "color": color} for color in (

@@ -160,7 +160,7 @@ static void lists_parameters(void **state)
     assert_string_equal(width->advised, "100 to 10000 mm");
     assert_true(width->required);
     assert_non_null(type);
-    assert_string_equal(type->choices, "point, points, spot, luminaire, planar, volume, distant, ambient");
+    assert_string_equal(type->choices, "point, points, spot, luminaire, planar, volume, distant, ambient, sun, sky");
     assert_non_null(outer);
     assert_string_equal(outer->legal, "0 to 90°");
     assert_non_null(model);

@@ -128,21 +128,29 @@ static void ranges(void **state)
 /* Whether a number, or two of them, is said to be out of range.  What else the scene lacks does not matter. */
 static bool is_out_of_range(const luxel_parameter *parameter, double value)
 {
-    char text[200], path[100], assignment[250];
+    char text[200], path[100], assignment[250], inner[50] = "";
     luxel_scene *scene;
     luxel_diagnostics *diagnostics = luxel_diagnostics_new();
     bool found = false;
     const char *list = strstr(parameter->path, "[]"), *usual = parameter->path[0] == 's' ? "sphere" : "point";
     int length = list ? (int)(list - parameter->path) : 0;
-    snprintf(path, sizeof path, "%.*s%s%s", length, parameter->path, list ? "[0]" : "",
-             list ? list + 2 : parameter->path);
+    /* a list within an element, such as surfaces[].openings[].center */
+    const char *within = list ? strstr(list + 2, "[]") : NULL;
+    if (within) {
+        snprintf(inner, sizeof inner, ", %.*s: [{}]", (int)(within - list - 3), list + 3);
+        snprintf(path, sizeof path, "%.*s[0]%.*s[0]%s", length, parameter->path, (int)(within - list - 2), list + 2,
+                 within + 2);
+    } else {
+        snprintf(path, sizeof path, "%.*s%s%s", length, parameter->path, list ? "[0]" : "",
+                 list ? list + 2 : parameter->path);
+    }
     if (!list)
         snprintf(text, sizeof text, "luxel: 1\n");
-    else if (strncmp(parameter->path, "grids", 5) == 0)
-        snprintf(text, sizeof text, "luxel: 1\ngrids: [{name: one}]\n");
+    else if (strncmp(parameter->path, "grids", 5) == 0 || strncmp(parameter->path, "observers", 9) == 0)
+        snprintf(text, sizeof text, "luxel: 1\n%.*s: [{name: one}]\n", length, parameter->path);
     else
-        snprintf(text, sizeof text, "luxel: 1\n%.*s: [{type: %s}]\n", length, parameter->path,
-                 parameter->variant ? parameter->variant : usual);
+        snprintf(text, sizeof text, "luxel: 1\n%.*s: [{type: %s%s}]\n", length, parameter->path,
+                 parameter->variant ? parameter->variant : usual, inner);
     assert_int_equal(luxel_scene_read_text(text, strlen(text), "test.yaml", NULL, &scene), LUXEL_OK);
     if (parameter->count == 2)
         snprintf(assignment, sizeof assignment, "%s=[%.17g, %.17g]", path, value, value);

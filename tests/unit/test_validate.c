@@ -208,7 +208,7 @@ static void reports_all_errors_at_once(void **state)
     (void)state;
     static const char text[] =
         "luxel: 3\nscreen: {width: -1, height: x, resolution: [1, 2], foo: 1}\nobserver: {z: true}\n"
-        "surfaces: []\nlights: [{type: point}, {type: sun}, 5]\n";
+        "surfaces: []\nlights: [{type: point}, {type: moon}, 5]\n";
     static const char *const ids[] = {"out-of-range", "out-of-range", "wrong-type",     "unknown-key", "wrong-type",
                                       "missing-key",  "missing-key",  "unknown-choice", "wrong-type"};
     luxel_diagnostics *diagnostics = luxel_diagnostics_new();

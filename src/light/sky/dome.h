@@ -14,6 +14,7 @@
 #include "../../base/frame.h"
 #include "../emitter.h"
 #include "../solid/area_light_facets.h"
+#include "dome_keeping.h"
 #include "luminance.h"
 
 enum { LX_DOME_CORNERS = 3, LX_MOST_VIEW_CORNERS = 8, LX_MOST_DOME_PATCHES = 12 };
@@ -72,10 +73,4 @@ bool lx_dome_clip(const struct lx_dome_view *whole, const lx_wide3 rim[4], lx_wi
 struct lx_dome *lx_dome_of_sky(const struct lx_sky *sky, lx_bounded zenith, lx_bounded ground);
 /* A disk in a direction, under half the angle `half_rad`, which gives so much to a plane that faces it. */
 struct lx_dome *lx_dome_of_disk(lx_bounded3 towards, double half_rad, double irradiance);
-/* Carried into another frame. */
-struct lx_dome *lx_dome_carry(const struct lx_dome *dome, const struct lx_frame *frame);
-
-/* One user less; NULL is harmless. */
-void lx_dome_free(struct lx_dome *dome);
-
 #endif
