@@ -13,7 +13,7 @@ ALIASES = {
     "_Settings": "_Settings = Tuple[int, int, int, Optional[str], float, float, float, int, bool, bool,\n"
                  "                  Optional[bytes], Optional[Callable[[float], Any]]]",
 }
-TYPING = ("Any", "Callable", "List", "Optional", "Tuple", "Type", "TypeVar")
+TYPING = ("Any", "Callable", "List", "Optional", "Tuple", "Type", "TypeVar", "Union")
 TEXT = r'"(?:[^"\\]|\\.)*"'
 FUNCTION = re.compile(r"^ +FUNCTION\((%s), \w+, (METH_\w+),\s+(%s(?:\s+%s)*),\s+(%s)\)" % ((TEXT,) * 4), re.M)
 TYPE = re.compile(r'PyType_Spec \w+ = \{\.name = "luxel\.\w+\.(\w+)",(.*?)\};', re.S)

@@ -30,7 +30,7 @@ bool pages_is_key(const luxel_parameters *parameters, size_t i)
     return true;
 }
 
-const char *pages_key_words(const luxel_parameter *parameter, char buffer[256])
+const char *pages_key_words(const luxel_parameter *parameter, char buffer[PAGES_WORDS])
 {
     const char *initial = parameter->default_value;
     size_t used = 0;
@@ -38,7 +38,7 @@ const char *pages_key_words(const luxel_parameter *parameter, char buffer[256])
     /* Truth values are the only ones with these defaults, and they all have one. */
     if (!parameter->choices)
         return initial && (strcmp(initial, "true") == 0 || strcmp(initial, "false") == 0) ? "true false" : "";
-    for (const char *at = parameter->choices; *at && used < 255; at++)
+    for (const char *at = parameter->choices; *at && used < PAGES_WORDS - 1; at++)
         if (*at != ',')
             buffer[used++] = *at;
     buffer[used] = '\0';
@@ -47,7 +47,7 @@ const char *pages_key_words(const luxel_parameter *parameter, char buffer[256])
 
 void pages_print_keys(FILE *out, const luxel_parameters *parameters, const char *before, const char *after)
 {
-    char words[256];
+    char words[PAGES_WORDS];
 
     for (size_t i = 0; i < luxel_parameters_count(parameters); i++)
         if (pages_is_key(parameters, i)) {

@@ -23,10 +23,12 @@ void pages_fish(FILE *out, const luxel_parameters *parameters);
 
 /* ---- shared by them ---- */
 
+enum { PAGES_WORDS = 1024 /* room for the choices of a key */ };
+
 /* Whether a parameter is the first of its path (several kinds may have it) and holds a value rather than other keys. */
 bool pages_is_key(const luxel_parameters *parameters, size_t i);
 /* The words that such a key may have with blanks between them, "" where it has none. */
-const char *pages_key_words(const luxel_parameter *parameter, char buffer[256]);
+const char *pages_key_words(const luxel_parameter *parameter, char buffer[PAGES_WORDS]);
 /* Prints the keys with their words in single quotes, each between two texts. */
 void pages_print_keys(FILE *out, const luxel_parameters *parameters, const char *before, const char *after);
 /* The last name of a path: "intensity" of "lights[].intensity". */

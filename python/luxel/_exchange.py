@@ -41,12 +41,14 @@ class Exchange:
     @property
     def factors(self) -> "Floats":
         """All factors: sides x sides, rows are the sides that send."""
-        return shared(self._view)[:, 0::2]
+        factors: "Floats" = shared(self._view)[:, 0::2]
+        return factors
 
     @property
     def errors(self) -> "Floats":
         """Bounds of |factor - truth|."""
-        return shared(self._view)[:, 1::2]
+        errors: "Floats" = shared(self._view)[:, 1::2]
+        return errors
 
     def __getitem__(self, pair: Tuple[int, int]) -> Amount:
         return Amount(float(self.factors[pair]), float(self.errors[pair]))

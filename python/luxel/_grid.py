@@ -71,7 +71,7 @@ class Grid:
         (self._holder, self.name, place, self.unit, values, errors, mask, inside, self.measured, self.blocking_light,
          self.error, self.average, self.average_error, minimum, maximum, self.u0, self.ud, plane, sampling,
          self.enclosing_surface, self.tolerance_reached, self.enclosed, self.measure, modelling) = found
-        self.modelling = modelling and tuple(Amount(*ratio) for ratio in modelling)
+        self.modelling = (Amount(*modelling[0]), Amount(*modelling[1]), Amount(*modelling[2])) if modelling else None
         self.center_mm, self.size_mm, self.axis, self.up, self.across = place
         self._views = (values, errors, mask, inside)
         self.minimum, self.maximum = _extremum(minimum), _extremum(maximum)

@@ -132,10 +132,12 @@ static bool add_value(const struct walk *walk, struct lx_text *text, const struc
     }
 }
 
-/* Keys that are told only where a scene has them: without them all is grey, and what is no highlight Lambert's. */
+/* Keys that are told only where a scene has them: without them all is grey and new, nothing is a mirror, and what is no
+ * highlight is Lambert's. */
 static bool goes_unsaid(const struct lx_table *table, const void *parameters, const char *name)
 {
-    static const char *const names[] = {"channels", "color", "specular_color", "diffuse_model"};
+    static const char *const names[] = {"channels",           "color",  "specular_color", "diffuse_model",
+                                        "maintenance_factor", "mirror", "mirrors"};
     for (size_t i = 0; i < sizeof names / sizeof names[0]; i++)
         if (strcmp(name, names[i]) == 0)
             return !lx_is_given(table, parameters, name);

@@ -20,7 +20,7 @@ NAMES = set("""luxel YAML JSON Schema UTF png pfm npy exr csv PNG NPY PFM EXR CS
     brightnesz kd ks ka my render probe grid check scene set schema help report sphere three-lights two-spheres desk
     OFF OBJ PLY STL glTF
     FILE U0 Ud window grey viridis cividis inferno magma plasma coolwarm turbo HTML PDF SVG LaTeX markdown latex
-    html text figure explain derive report stats profile isophotes compare variant grade advise photometry
+    html text figure explain derive fit daylight exchange lighting red green blue EN Em report stats profile isophotes compare variant grade advise photometry
     glare UGR VX VY VZ
     LOW HIGH TAP cairo pango luxel-draw
     sweep study docs SWEEP shard manifest SHA
