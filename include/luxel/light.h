@@ -80,7 +80,8 @@ LUXEL_API luxel_status luxel_find_light_reach(const luxel_scene *scene, const lu
  * "spot", whose example is taken, or a light in YAML, "{type: luminaire, file: ...}".  The light of index `like`, where
  * there is one, is what it becomes like: it takes its law (attenuation, pattern), stands on the other side of the first
  * surface, where no other light does, is aimed at that surface's centre, and gives as much irradiance in view, its
- * strength rounded to two digits; strengths stay as they are where pictures cannot be made, or either gives nothing.
+ * strength rounded to two digits; strengths stay as they are where pictures cannot be made, or either gives nothing,
+ * and of the sky and the sun.
  * With `replaces` it stands where that light stands, is aimed as that one, and takes its name, colour and array, too.
  * The scene need not be committed, and stays as it is.  The text is the caller's: free it with luxel_text_free().
  * LUXEL_ERROR_ARGUMENT: no such kind, or one without an example, as of lights that need a file.  LUXEL_ERROR_SCENE:

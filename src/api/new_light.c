@@ -355,10 +355,19 @@ static double find_factor(struct trial *trial)
     return factor;
 }
 
+/* The sky and the sun are as strong as they are, and pictures of them take seconds. */
+static bool is_daylight(struct trial *trial, size_t light)
+{
+    const struct lx_variant *kind = kind_of(trial, light);
+    return kind && ((const struct lx_light_kind *)kind)->is_daylight;
+}
+
 /* In round numbers. */
 static void become_as_strong(struct trial *trial)
 {
     static const char *const strengths[] = {"intensity", "radiance", "power", "irradiance"};
+    if (is_daylight(trial, trial->light) || is_daylight(trial, trial->like))
+        return;
     const double factor = find_factor(trial);
     for (size_t i = 0; i < LX_COUNT(strengths); i++) {
         double strength;

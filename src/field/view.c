@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* Views of a picture in colour: fields of one channel, or of the colour temperature. */
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -8,6 +9,8 @@
 #include "../base/memory.h"
 #include "../base/phrase.h"
 #include "field.h"
+
+static const double LEAST_COLORED = 0x1p-102; /* float32 has 24 bits from 2^-126 on */
 
 static const char *const words[] = {"luminance", "red", "green", "blue", "cct"};
 /* What the values are called; NULL: as those of the field. */
@@ -34,6 +37,9 @@ static bool see(const struct luxel_field *field, size_t i, luxel_color_view view
         *value = view == LUXEL_VIEW_LUMINANCE ? lx_field_value(field, i) : rgb[view - LUXEL_VIEW_RED];
         return true;
     }
+    /* single precision below keeps no ratios of channels */
+    if (fmax(fmax(fabs(rgb[0]), fabs(rgb[1])), fabs(rgb[2])) < LEAST_COLORED)
+        return false;
     *value = lx_black_body_near(bodies, rgb);
     return *value > 0;
 }

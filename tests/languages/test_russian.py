@@ -20,12 +20,14 @@ NAMES = set("""luxel YAML JSON Schema UTF png pfm npy exr csv PNG NPY PFM EXR CS
     brightnesz kd ks ka my render probe grid check scene set schema help report sphere three-lights two-spheres desk
     OFF OBJ PLY STL glTF
     FILE U0 Ud window grey viridis cividis inferno magma plasma coolwarm turbo HTML PDF SVG LaTeX markdown latex
-    html text figure explain derive fit daylight exchange lighting red green blue EN Em report stats profile isophotes compare variant grade advise photometry
+    html text figure explain derive report stats profile isophotes compare variant grade advise photometry
     glare UGR VX VY VZ
     LOW HIGH TAP cairo pango luxel-draw
     sweep study docs SWEEP shard manifest SHA
     options lp float NaN nx ny nz kc kl kq luminance lux IES EULUMDAT LM over_pi inverse-square
     center maximum rfc4180
+    fit daylight exchange lighting red green blue EN Em UTC CIE rest-room meeting-room evening-class lecture-hall
+    escape-route open-area
     svg pdf txt md tex yml excel-ru student off right convention wrong value answers file line answer verdict
     too_few_digits error explanations submissions key fill rim k_d sky moon bulb spotlight round lamp lantern globe
     disk-lamp box-lamp ball-lamp tube lampshade tin sundial integrating-sphere room office pot all-sources min_reached
