@@ -94,7 +94,7 @@ def commands(tap, tool):
         tap.ok(text.startswith("Usage: luxel " + command) and "Examples:" in text, "help " + command, text)
         for code in "0 done", "2 wrong usage", "3 a scene", "4 a file", "5 a tolerance", "130 interrupted":
             tap.ok(code in " ".join(text.split()), "help %s tells exit code %s" % (command, code.split()[0]))
-        own = text.split("\n%s\n" % command)[0]  # what follows tells of a kind of surface of that name
+        own = text.split("\n%s of the list" % command)[0]  # what follows tells of a kind of surface of that name
         tap.ok(max(map(len, own.split("\n"))) <= 100, "help %s is not too wide" % command)
 
 
