@@ -67,7 +67,7 @@ static void write_number_if(struct json *json, const char *key, bool exists, dou
         json_null(json, key);
 }
 
-static void write_grid(struct json *json, const luxel_daylight *daylight, const luxel_daylight_grid *grid)
+static void write_grid(struct json *json, const luxel_daylight *found, const luxel_daylight_grid *grid)
 {
     const int kept = steps_kept(grid);
 
@@ -82,9 +82,9 @@ static void write_grid(struct json *json, const luxel_daylight *daylight, const 
     write_number_if(json, "mean_error", grid->measured > 0, grid->mean.error);
     write_number_if(json, "median", grid->measured > 0, grid->median.value);
     write_number_if(json, "median_error", grid->measured > 0, grid->median.error);
-    if (isfinite(daylight->outdoor) && grid->measured > 0) {
+    if (isfinite(found->outdoor) && grid->measured > 0) {
         json_open(json, "en17037", '{');
-        json_number(json, "outdoor", daylight->outdoor);
+        json_number(json, "outdoor", found->outdoor);
         json_open(json, "shares", '{');
         for (size_t i = 0; i < LUXEL_DAYLIGHT_LEVELS; i++) {
             char key[TEXT_SIZE];
@@ -109,24 +109,24 @@ static void write_element(struct json *json, const luxel_daylight_factor *elemen
     json_close(json, '}');
 }
 
-static void print_json(const luxel_scene *scene, const luxel_daylight *daylight)
+static void print_json(const luxel_scene *scene, const luxel_daylight *found)
 {
     struct json json = {.stream = stdout};
 
     json_open(&json, NULL, '{');
     json_text(&json, "unit", "%");
     json_open(&json, "horizontal", '{');
-    json_number(&json, "value", daylight->horizontal.value);
-    json_number(&json, "error", daylight->horizontal.error);
+    json_number(&json, "value", found->horizontal.value);
+    json_number(&json, "error", found->horizontal.error);
     json_text(&json, "unit", luxel_scene_unit(scene, LUXEL_IRRADIANCE));
     json_close(&json, '}');
     json_open(&json, "grids", '[');
-    for (size_t i = 0; i < daylight->grid_count; i++)
-        write_grid(&json, daylight, &daylight->grids[i]);
+    for (size_t i = 0; i < found->grid_count; i++)
+        write_grid(&json, found, &found->grids[i]);
     json_close(&json, ']');
     json_open(&json, "elements", '[');
-    for (size_t i = 0; i < daylight->element_count; i++)
-        write_element(&json, &daylight->elements[i]);
+    for (size_t i = 0; i < found->element_count; i++)
+        write_element(&json, &found->elements[i]);
     json_close(&json, ']');
     json_close(&json, '}');
 }
@@ -154,19 +154,19 @@ static void print_values(const luxel_daylight_grid *grid)
     fputc('\n', stdout);
 }
 
-static void print_shares(const luxel_daylight *daylight, const luxel_daylight_grid *grid)
+static void print_shares(const luxel_daylight *found, const luxel_daylight_grid *grid)
 {
     const int kept = steps_kept(grid);
 
-    printf(_("  share of the cells for certain at %.6g lx under the open sky:"), daylight->outdoor);
+    printf(_("  share of the cells for certain at %.6g lx under the open sky:"), found->outdoor);
     for (size_t i = 0; i < LUXEL_DAYLIGHT_LEVELS; i++)
         printf(_("%s %g lx %.1f %%"), i > 0 ? "," : "", luxel_daylight_level(i), 100.0 * grid->shares[i]);
     printf(kept > 0 ? _("\n  EN 17037: %s\n") : _("\n  EN 17037: not kept\n"), kept > 0 ? _(steps[kept - 1].word) : "");
 }
 
-static void print_grid(const luxel_daylight *daylight, size_t i)
+static void print_grid(const luxel_daylight *found, size_t i)
 {
-    const luxel_daylight_grid *grid = &daylight->grids[i];
+    const luxel_daylight_grid *grid = &found->grids[i];
     char mean[TEXT_SIZE], median[TEXT_SIZE];
 
     fputc('\n', stdout);
@@ -181,45 +181,44 @@ static void print_grid(const luxel_daylight *daylight, size_t i)
         return;
     printf(_("  mean %s %%, median %s %%\n"), text_value_bound(mean, 6, grid->mean.value, grid->mean.error),
            text_value_bound(median, 6, grid->median.value, grid->median.error));
-    if (isfinite(daylight->outdoor))
-        print_shares(daylight, grid);
+    if (isfinite(found->outdoor))
+        print_shares(found, grid);
 }
 
-static void print_elements(const luxel_daylight *daylight)
+static void print_elements(const luxel_daylight *found)
 {
     struct text_table *table = text_table_new("lrrrr");
 
     text_table_row(table, TEXT_CELLS(_("element"), _("daylight factor, %"), _("sky"), _("external"), _("internal")));
-    for (size_t i = 0; i < daylight->element_count; i++) {
-        const luxel_daylight_factor *element = &daylight->elements[i];
+    for (size_t i = 0; i < found->element_count; i++) {
+        const luxel_daylight_factor *element = &found->elements[i];
         char name[TEXT_SIZE], value[TEXT_SIZE], sky[TEXT_SIZE], external[TEXT_SIZE], internal[TEXT_SIZE];
 
         text_format(name, "P%zu", i + 1);
-        text_table_row(
-            table, TEXT_CELLS(name,
-                              element->has_value
-                                  ? text_value_bound(value, 8, element->value.value, element->value.error)
-                                  : _("none"),
-                              text_format(sky, "%.5g", element->sky.value),
-                              text_format(external, "%.5g", element->external.value),
-                              text_format(internal, "%.5g", element->internal.value)));
+        text_table_row(table, TEXT_CELLS(name,
+                                         element->has_value
+                                             ? text_value_bound(value, 8, element->value.value, element->value.error)
+                                             : _("none"),
+                                         text_format(sky, "%.5g", element->sky.value),
+                                         text_format(external, "%.5g", element->external.value),
+                                         text_format(internal, "%.5g", element->internal.value)));
     }
     fputc('\n', stdout);
     text_table_print(table, stdout, 2);
 }
 
-static void print_text(const struct loaded *loaded, const luxel_daylight *daylight)
+static void print_text(const struct loaded *loaded, const luxel_daylight *found)
 {
     char horizontal[TEXT_SIZE];
 
     text_print_escaped(stdout, loaded->name);
     printf(_(": daylight factors; %s %s on a horizontal plane under the open sky\n"),
-           text_value_bound(horizontal, 8, daylight->horizontal.value, daylight->horizontal.error),
+           text_value_bound(horizontal, 8, found->horizontal.value, found->horizontal.error),
            text_unit(luxel_scene_unit(loaded->scene, LUXEL_IRRADIANCE)));
-    for (size_t i = 0; i < daylight->grid_count; i++)
-        print_grid(daylight, i);
-    if (daylight->element_count > 0)
-        print_elements(daylight);
+    for (size_t i = 0; i < found->grid_count; i++)
+        print_grid(found, i);
+    if (found->element_count > 0)
+        print_elements(found);
 }
 
 /* ---- the command ---- */
@@ -228,7 +227,7 @@ static int find(const struct options *options, const struct loaded *loaded)
 {
     struct places places = {.list = NULL};
     struct work work;
-    luxel_daylight *daylight = NULL;
+    luxel_daylight *found = NULL;
     int code = EXIT_DONE;
 
     if (options->place_count > 0)
@@ -241,21 +240,21 @@ static int find(const struct options *options, const struct loaded *loaded)
     if (code == EXIT_DONE) {
         work_begin(&work, options);
         const luxel_status status = luxel_find_daylight(loaded->scene, &work.settings, places.list, places.count,
-                                                        options->outdoor, loaded->diagnostics, &daylight);
+                                                        options->outdoor, loaded->diagnostics, &found);
 
         code = work_end(&work, status, loaded->diagnostics);
     }
     if (code == EXIT_DONE) {
         if (options->json)
-            print_json(loaded->scene, daylight);
+            print_json(loaded->scene, found);
         else
-            print_text(loaded, daylight);
-        if (!daylight->reached) {
+            print_text(loaded, found);
+        if (!found->reached) {
             message_error(_("daylight factors are not known as well as asked for; the bounds hold"));
             code = EXIT_TOLERANCE;
         }
     }
-    luxel_daylight_free(daylight);
+    luxel_daylight_free(found);
     places_clear(&places);
     return code;
 }

@@ -6,7 +6,7 @@
 #include <luxel/luxel.h>
 
 #include "json.h"
-#include "limits.h"
+#include "grid_limits.h"
 
 /* An object of an array: the values with their bounds, what is read off them, and the verdicts. */
 void grid_write_json(struct json *json, const luxel_grid *grid, const luxel_grid_extrema *extrema,

@@ -37,21 +37,21 @@ static PyObject *grid_tuple(const luxel_daylight_grid *grid)
                          grid->shares[1], grid->shares[2], grid->shares[3], grid->measured > 0 ? Py_True : Py_False);
 }
 
-static PyObject *daylight_tuple(const luxel_daylight *daylight)
+static PyObject *daylight_tuple(const luxel_daylight *found)
 {
     PyObject *grids = PyList_New(0), *elements;
 
-    for (size_t i = 0; grids && i < daylight->grid_count; i++)
-        if (append(grids, grid_tuple(&daylight->grids[i])) < 0)
+    for (size_t i = 0; grids && i < found->grid_count; i++)
+        if (append(grids, grid_tuple(&found->grids[i])) < 0)
             Py_CLEAR(grids);
-    elements = grids ? factor_list(daylight->elements, daylight->element_count) : NULL;
+    elements = grids ? factor_list(found->elements, found->element_count) : NULL;
     if (!elements) {
         Py_XDECREF(grids);
         return NULL;
     }
-    return Py_BuildValue("((dd)NNNO)", daylight->horizontal.value, daylight->horizontal.error,
-                         number_or_none(daylight->outdoor == daylight->outdoor, daylight->outdoor), grids, elements,
-                         daylight->reached ? Py_True : Py_False);
+    return Py_BuildValue("((dd)NNNO)", found->horizontal.value, found->horizontal.error,
+                         number_or_none(found->outdoor == found->outdoor, found->outdoor), grids, elements,
+                         found->reached ? Py_True : Py_False);
 }
 
 /* The elements of a list of tuples of six numbers, the caller's; NULL: an exception is set. */
@@ -84,7 +84,7 @@ static PyObject *find_daylight(PyObject *module, PyObject *arguments)
     struct work work;
     double outdoor;
     size_t count;
-    luxel_daylight *daylight = NULL;
+    luxel_daylight *result = NULL;
     const luxel_scene *scene;
     luxel_place *places;
     luxel_diagnostics *diagnostics;
@@ -98,12 +98,12 @@ static PyObject *find_daylight(PyObject *module, PyObject *arguments)
     }
     work_leave(&work);
     const luxel_status status =
-        luxel_find_daylight(scene, &work.settings, places, count, outdoor, diagnostics, &daylight);
+        luxel_find_daylight(scene, &work.settings, places, count, outdoor, diagnostics, &result);
 
     work_return(&work);
     if (diagnostics_end(&module_state(module)->language, status, diagnostics))
-        found = daylight_tuple(daylight);
-    luxel_daylight_free(daylight);
+        found = daylight_tuple(result);
+    luxel_daylight_free(result);
     PyMem_Free(places);
     return found;
 }

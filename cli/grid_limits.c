@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* Verdicts by limits, as text and as JSON. */
-#include "limits.h"
+#include "grid_limits.h"
 
 #include <math.h>
 #include <stdlib.h>

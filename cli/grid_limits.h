@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Verdicts by the limits of a scene: of its grids and, where they are asked for, of its observers. */
-#ifndef LUXEL_CLI_LIMITS_H
-#define LUXEL_CLI_LIMITS_H
+#ifndef LUXEL_CLI_GRID_LIMITS_H
+#define LUXEL_CLI_GRID_LIMITS_H
 
 #include <luxel/luxel.h>
 
