@@ -29,18 +29,20 @@ typedef struct luxel_daylight_factor {
     void *reserved[2];      /* for later versions: NULL */
 } luxel_daylight_factor;
 
-/* The levels of EN 17037 in lx, lowest first. */
+/* How many levels of illuminance EN 17037 has. */
 enum { LUXEL_DAYLIGHT_LEVELS = 4 };
+/* The i-th of them in lx, lowest first. */
 LUXEL_API double luxel_daylight_level(size_t i);
 
 /* The daylight of a measuring grid. */
 typedef struct luxel_daylight_grid {
-    const char *name;             /* in the scene, NULL where it has none */
-    unsigned columns, rows;       /* as of luxel_grid, in the order of its values */
-    luxel_daylight_factor *cells; /* rows x columns */
-    size_t measured;              /* how many have a value; the next two are 0 where none has */
-    luxel_bounded mean;           /* of the values */
-    luxel_bounded median;         /* of the values */
+    const char *name;                     /* in the scene, NULL where it has none */
+    unsigned columns;                     /* as of luxel_grid, in the order of its values */
+    unsigned rows;                        /* as of luxel_grid */
+    luxel_daylight_factor *cells;         /* rows x columns */
+    size_t measured;                      /* how many have a value; the next two are 0 where none has */
+    luxel_bounded mean;                   /* of the values */
+    luxel_bounded median;                 /* of the values */
     double shares[LUXEL_DAYLIGHT_LEVELS]; /* of them that reach each level for certain, 0 to 1; NaN: see `outdoor` */
     void *reserved[4];                    /* for later versions: NULL */
 } luxel_daylight_grid;
@@ -49,12 +51,12 @@ typedef struct luxel_daylight_grid {
 typedef struct luxel_daylight {
     luxel_bounded horizontal;   /* the irradiance of a horizontal plane under the open sky, in the scene's unit */
     double outdoor;             /* in lx: as it was asked, else `horizontal`; NaN where the units are radiometric */
-    luxel_daylight_grid *grids; /* all of the scene, */
-    size_t grid_count;
-    luxel_daylight_factor *elements; /* and the places that were asked */
-    size_t element_count;
-    bool reached;      /* whether all errors are as small as the settings ask for */
-    void *reserved[4]; /* for later versions: NULL */
+    luxel_daylight_grid *grids; /* all of the scene */
+    size_t grid_count;          /* how many */
+    luxel_daylight_factor *elements; /* the places that were asked */
+    size_t element_count;            /* how many */
+    bool reached;                    /* whether all errors are as small as the settings ask for */
+    void *reserved[4];               /* for later versions: NULL */
 } luxel_daylight;
 
 /*

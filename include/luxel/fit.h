@@ -33,16 +33,16 @@ typedef enum luxel_loss {
 typedef struct luxel_readings {
     const luxel_place *places; /* where they were taken; of a picture not used */
     const double *values;      /* in the scene's unit; NaN: left out.  Of a picture not used */
-    size_t count;
-    double noise;          /* the standard deviation of each, */
+    size_t count;              /* how many */
+    double noise;              /* the standard deviation of each, */
     double relative_noise; /* and as a share of it (both: their squares add).  Both 0: it is told by how they scatter */
     double saturated;      /* values from here on say only that the truth is no less; 0: none */
     double quantum;        /* the step between the levels that the values are rounded to; 0: none */
     bool is_truncated;     /* whether they were rounded down, else to the nearest level */
     bool is_relative;      /* whether all are known only up to one factor, as grey levels are */
-    luxel_loss loss;
-    unsigned starts;   /* from so many places; 0: as many as pay */
-    void *reserved[4]; /* for later versions: NULL */
+    luxel_loss loss;       /* what readings that are off count for */
+    unsigned starts;       /* from so many places; 0: as many as pay */
+    void *reserved[4];     /* for later versions: NULL */
 } luxel_readings;
 
 /* A number of a free key.  One that is not determined has no value. */
@@ -54,7 +54,8 @@ typedef struct luxel_fit_parameter {
     bool is_at_limit;   /* the value is the least or greatest legal one, and the readings ask for more */
     double value;       /* in the key's unit */
     double sd;          /* standard deviation: the truth is within in 68.3 of 100 cases; NaN without errors */
-    double low, high;   /* the interval that holds the truth in 95 of 100 cases; NaN without errors */
+    double low;         /* the interval that holds the truth in 95 of 100 cases begins here; NaN without errors */
+    double high;        /* and ends here */
     void *reserved[2];  /* for later versions: NULL */
 } luxel_fit_parameter;
 

@@ -13,6 +13,7 @@
 extern "C" {
 #endif
 
+/* What is said of a limit: it is kept, it is not, or the bound of the value spans it. */
 typedef enum luxel_verdict { LUXEL_PASS, LUXEL_FAIL, LUXEL_UNDECIDED } luxel_verdict;
 
 /* The English word of a verdict, for callers to translate; NULL: no such verdict. */
@@ -20,13 +21,13 @@ LUXEL_API const char *luxel_verdict_word(luxel_verdict verdict);
 
 /* A limit and what is judged by it. */
 typedef struct luxel_limit {
-    const char *name;    /* the key, such as "average"; static */
-    double wanted;       /* the limit */
-    bool is_most;        /* it is the greatest value that is good; else the least */
-    bool has_value;      /* false, and the value 0: of a grid without values, where nothing dazzles */
-    luxel_bounded value; /* its error may be infinite */
-    luxel_verdict verdict;
-    void *reserved[4]; /* for later versions: NULL */
+    const char *name;      /* the key, such as "average"; static */
+    double wanted;         /* the limit */
+    bool is_most;          /* it is the greatest value that is good; else the least */
+    bool has_value;        /* false, and the value 0: of a grid without values, where nothing dazzles */
+    luxel_bounded value;   /* its error may be infinite */
+    luxel_verdict verdict; /* what is said of it */
+    void *reserved[4];     /* for later versions: NULL */
 } luxel_limit;
 
 enum { LUXEL_MOST_LIMITS = 8 };
