@@ -56,13 +56,13 @@ def try_page(tap, tool, draws, page):
             tap.skip(command, "built without figures")
             continue
         done = subprocess.run(command, shell=True, cwd=tool.folder, env=shell, capture_output=True, text=True,
-                              timeout=120)
+                              timeout=300)
         judged = done.returncode == 1 and name in JUDGING and "error:" not in done.stderr
         good = done.returncode == 0 or judged
         tap.ok(good, "%s: %s" % (page, command), "exit code %d" % done.returncode, done.stderr)
     for program in re.findall(r"```python\n(.*?)```", text, re.DOTALL):
         done = subprocess.run([sys.executable, "-c", program], cwd=tool.folder, env=shell, capture_output=True,
-                              text=True, timeout=120)
+                              text=True, timeout=300)
         promised = re.search(r"print\(.*# (\(.*?\) \w+)", program).group(1)
         tap.equal(done.stdout.strip() or done.stderr, promised, page + ": the Python program prints what it says")
     for target, mark, anchor in links(text):
