@@ -19,8 +19,8 @@
 enum { MOST_COLUMNS = 20, MOST_ROWS = 100 };
 
 /*
- * What EN 17037 recommends, in lx that half of a plane is to reach and that 95 % of it are, both for half of the hours
- * of daylight.
+ * The recommendations of EN 17037: lx that half of a plane is to reach and that 95 % of it are, both for half of the
+ * hours of daylight.
  */
 enum { STEPS = 3 };
 static const struct step {
@@ -59,14 +59,6 @@ static void write_cells(struct json *json, const char *key, const luxel_daylight
     json_close(json, ']');
 }
 
-static void write_number_if(struct json *json, const char *key, bool exists, double value)
-{
-    if (exists)
-        json_number(json, key, value);
-    else
-        json_null(json, key);
-}
-
 static void write_grid(struct json *json, const luxel_daylight *found, const luxel_daylight_grid *grid)
 {
     const int kept = steps_kept(grid);
@@ -78,10 +70,10 @@ static void write_grid(struct json *json, const luxel_daylight *found, const lux
     write_cells(json, "sky", grid, offsetof(luxel_daylight_factor, sky), false);
     write_cells(json, "external", grid, offsetof(luxel_daylight_factor, external), false);
     write_cells(json, "internal", grid, offsetof(luxel_daylight_factor, internal), false);
-    write_number_if(json, "mean", grid->measured > 0, grid->mean.value);
-    write_number_if(json, "mean_error", grid->measured > 0, grid->mean.error);
-    write_number_if(json, "median", grid->measured > 0, grid->median.value);
-    write_number_if(json, "median_error", grid->measured > 0, grid->median.error);
+    json_number_if(json, "mean", grid->measured > 0, grid->mean.value);
+    json_number_if(json, "mean_error", grid->measured > 0, grid->mean.error);
+    json_number_if(json, "median", grid->measured > 0, grid->median.value);
+    json_number_if(json, "median_error", grid->measured > 0, grid->median.error);
     if (isfinite(found->outdoor) && grid->measured > 0) {
         json_open(json, "en17037", '{');
         json_number(json, "outdoor", found->outdoor);
@@ -101,11 +93,11 @@ static void write_grid(struct json *json, const luxel_daylight *found, const lux
 static void write_element(struct json *json, const luxel_daylight_factor *element)
 {
     json_open(json, NULL, '{');
-    write_number_if(json, "daylight_factor", element->has_value, element->value.value);
-    write_number_if(json, "error", element->has_value, element->value.error);
-    write_number_if(json, "sky", element->has_value, element->sky.value);
-    write_number_if(json, "external", element->has_value, element->external.value);
-    write_number_if(json, "internal", element->has_value, element->internal.value);
+    json_number_if(json, "daylight_factor", element->has_value, element->value.value);
+    json_number_if(json, "error", element->has_value, element->value.error);
+    json_number_if(json, "sky", element->has_value, element->sky.value);
+    json_number_if(json, "external", element->has_value, element->external.value);
+    json_number_if(json, "internal", element->has_value, element->internal.value);
     json_close(json, '}');
 }
 

@@ -11,6 +11,7 @@
 #include "load.h"
 #include "message.h"
 #include "options.h"
+#include "result.h"
 #include "text.h"
 #include "work.h"
 
@@ -100,12 +101,7 @@ static void write_rating(struct json *json, const double numbers[6], const luxel
     json_open(json, NULL, '{');
     json_numbers(json, "eye", numbers, 3);
     json_numbers(json, "view", numbers + 3, 3);
-    json_number(json, "ugr", glare->has_rating ? glare->rating.value : (double)NAN);
-    json_number(json, "error", glare->has_rating ? glare->rating.error : (double)NAN);
-    json_open(json, "background", '{');
-    json_number(json, "value", glare->background.value);
-    json_number(json, "error", glare->background.error);
-    json_close(json, '}');
+    result_write_rating(json, glare);
     json_open(json, "sources", '[');
     for (size_t k = 0; k < glare->source_count; k++)
         write_source(json, &glare->sources[k]);

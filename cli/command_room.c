@@ -53,7 +53,7 @@ static void print_array(const char *words, const luxel_room_array *array)
            text_value_bound(average, 6, array->average.value, array->average.error), array->uniformity);
 }
 
-/* What there is to know of a scene that went into a file. */
+/* The array of luminaires of a scene that went into a file, and the next smaller one. */
 static void print_found(const luxel_room_design *design)
 {
     print_array(_("%u × %u = %u luminaires: average %s lx, U0 %.4f\n"), &design->chosen);

@@ -54,14 +54,6 @@ static void write_inside(struct json *json, const luxel_grid *grid)
     json_close(json, ']');
 }
 
-static void write_number_if(struct json *json, const char *key, bool exists, double value)
-{
-    if (exists)
-        json_number(json, key, value);
-    else
-        json_null(json, key);
-}
-
 static void write_peak(struct json *json, const char *key, const luxel_grid_peak *peak, bool in_color)
 {
     if (!peak->exists) {
@@ -92,29 +84,29 @@ void grid_write_json(struct json *json, const luxel_grid *grid, const luxel_grid
     json_numbers(json, "up", grid->up, 3);
     json_wholes(json, "n", (const unsigned[]){grid->columns, grid->rows}, 2);
     grid_measure_write(json, grid);
-    write_number_if(json, "average", measured, grid->average.value);
+    json_number_if(json, "average", measured, grid->average.value);
     write_extremum(json, "minimum", grid, &grid->minimum);
     write_extremum(json, "maximum", grid, &grid->maximum);
     json_open(json, "extrema", '{');
     write_peak(json, "minimum", &extrema->minimum, grid->colors);
     write_peak(json, "maximum", &extrema->maximum, grid->colors);
     json_close(json, '}');
-    write_number_if(json, "u0", grid->has_evenness, grid->u0);
-    write_number_if(json, "ud", grid->has_evenness, grid->ud);
-    write_number_if(json, "flux", grid->flux_unit != NULL, grid->flux.value);
+    json_number_if(json, "u0", grid->has_evenness, grid->u0);
+    json_number_if(json, "ud", grid->has_evenness, grid->ud);
+    json_number_if(json, "flux", grid->flux_unit != NULL, grid->flux.value);
     json_text(json, "flux_unit", grid->flux_unit);
-    write_number_if(json, "flux_error", grid->flux_unit != NULL, grid->flux.error);
-    write_number_if(json, "mean", grid->has_mean, grid->mean.value);
-    write_number_if(json, "mean_error", grid->has_mean, grid->mean.error);
-    write_number_if(json, "error", measured, grid->error);
+    json_number_if(json, "flux_error", grid->flux_unit != NULL, grid->flux.error);
+    json_number_if(json, "mean", grid->has_mean, grid->mean.value);
+    json_number_if(json, "mean_error", grid->has_mean, grid->mean.error);
+    json_number_if(json, "error", measured, grid->error);
     if (grid->has_reflected) {
         json_open(json, "reflected", '{');
         json_number(json, "average", grid->reflected_average);
         json_number(json, "error", grid->reflected_error);
         json_close(json, '}');
     }
-    write_number_if(json, "average_error", measured, grid->average.error);
-    write_number_if(json, "sampling_error", grid->has_sampling_error, grid->sampling_error);
+    json_number_if(json, "average_error", measured, grid->average.error);
+    json_number_if(json, "sampling_error", grid->has_sampling_error, grid->sampling_error);
     json_text(json, "sampling_error_is",
               !grid->has_sampling_error ? NULL
               : grid->sampling_is_bound ? "bound"

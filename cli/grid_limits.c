@@ -8,6 +8,7 @@
 
 #include "cli.h"
 #include "message.h"
+#include "result.h"
 #include "text.h"
 
 /* ---- limits ---- */
@@ -171,12 +172,7 @@ void observers_write(struct json *json, const struct observers *observers)
         json_text(json, "name", name);
         json_numbers(json, "eye", sight.eye_mm, 3);
         json_numbers(json, "view", sight.view, 3);
-        json_number(json, "ugr", glare->has_rating ? glare->rating.value : (double)NAN);
-        json_number(json, "error", glare->has_rating ? glare->rating.error : (double)NAN);
-        json_open(json, "background", '{');
-        json_number(json, "value", glare->background.value);
-        json_number(json, "error", glare->background.error);
-        json_close(json, '}');
+        result_write_rating(json, glare);
         limits_write(json, &observers->judged[i]);
         json_close(json, '}');
     }

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* What luxel grid tells of grids that measure something else than the light on their planes. */
+/* Grids that measure something else than the light on their planes, as luxel grid tells of them. */
 #include "grid_measure.h"
 
 #include <string.h>

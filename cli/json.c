@@ -119,6 +119,11 @@ void json_number(struct json *json, const char *key, double value)
     fprintf(json->stream, "%.17g", value + 0.0); /* -0 becomes 0 */
 }
 
+void json_number_if(struct json *json, const char *key, bool exists, double value)
+{
+    json_number(json, key, exists ? value : (double)NAN);
+}
+
 void json_text(struct json *json, const char *key, const char *value)
 {
     if (!value) {

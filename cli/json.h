@@ -24,6 +24,8 @@ void json_bool(struct json *json, const char *key, bool value);
 void json_whole(struct json *json, const char *key, size_t value);
 /* null unless the value is finite */
 void json_number(struct json *json, const char *key, double value);
+/* null where there is no value */
+void json_number_if(struct json *json, const char *key, bool exists, double value);
 /* null for NULL; the text must be UTF-8 */
 void json_text(struct json *json, const char *key, const char *value);
 void json_numbers(struct json *json, const char *key, const double *values, size_t count);

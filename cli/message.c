@@ -278,6 +278,16 @@ int message_failure(luxel_status status, luxel_diagnostics *diagnostics)
     return exit_code_of(status);
 }
 
+int message_table_failure(luxel_status status, luxel_diagnostics *diagnostics, const char *form)
+{
+    const luxel_diagnostic *first = luxel_diagnostics_get(diagnostics, 0);
+    const int code = message_failure(status, diagnostics);
+
+    if (status == LUXEL_ERROR_FILE && first && strcmp(first->id, "file-not-read") != 0)
+        message_hint("%s", form);
+    return code;
+}
+
 static _Noreturn void die_of_memory(void)
 {
     message_error(_("out of memory"));

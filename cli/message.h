@@ -32,6 +32,8 @@ void message_passed_over(luxel_diagnostics *diagnostics, bool quiet);
  * the tool with.
  */
 int message_failure(luxel_status status, luxel_diagnostics *diagnostics);
+/* The failure of a table: where its file was read, the hint says what form it has to have. */
+int message_table_failure(luxel_status status, luxel_diagnostics *diagnostics, const char *form);
 
 /* A new object for diagnostics; without memory for it the tool ends. */
 luxel_diagnostics *message_new_diagnostics(void);

@@ -52,17 +52,6 @@ static bool take_row(const luxel_table *table, const char *file, const double *n
     return given == COLUMNS - Z && (numbers[NX] != 0.0 || numbers[NY] != 0.0 || numbers[NZ] != 0.0);
 }
 
-/* Reports a file that cannot be read, or is no such table. */
-static int refuse(luxel_status status, luxel_diagnostics *diagnostics)
-{
-    const luxel_diagnostic *first = luxel_diagnostics_get(diagnostics, 0);
-    const int code = message_failure(status, diagnostics);
-
-    if (status == LUXEL_ERROR_FILE && first && strcmp(first->id, "file-not-read") != 0)
-        message_hint("%s", _(form));
-    return code;
-}
-
 int places_read(const char *file, luxel_diagnostics *diagnostics, bool quiet, struct places *places)
 {
     luxel_table *table = NULL;
@@ -72,14 +61,14 @@ int places_read(const char *file, luxel_diagnostics *diagnostics, bool quiet, st
     const luxel_status status = luxel_table_open(file, columns, COLUMNS, false, diagnostics, &table);
 
     if (status != LUXEL_OK)
-        return refuse(status, diagnostics);
+        return message_table_failure(status, diagnostics, _(form));
     message_passed_over(diagnostics, quiet);
     while (luxel_table_next(table, &row) && wrong < LUXEL_DIAGNOSTICS_KEPT)
         if (row)
             wrong += !take_row(table, file, row->numbers, places);
     luxel_table_free(table);
     if (luxel_diagnostics_total(diagnostics, LUXEL_SEVERITY_ERROR) > 0)
-        return refuse(LUXEL_ERROR_FILE, diagnostics);
+        return message_table_failure(LUXEL_ERROR_FILE, diagnostics, _(form));
     if (wrong == 0 && places->count == before) {
         message_error(_("%s has no places"), file);
         message_hint("%s", _(form));

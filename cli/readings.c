@@ -104,16 +104,6 @@ static bool take_row(const struct options *options, const luxel_table *table, co
     return true;
 }
 
-static int refuse(luxel_status status, luxel_diagnostics *diagnostics)
-{
-    const luxel_diagnostic *first = luxel_diagnostics_get(diagnostics, 0);
-    const int code = message_failure(status, diagnostics);
-
-    if (status == LUXEL_ERROR_FILE && first && strcmp(first->id, "file-not-read") != 0)
-        message_hint("%s", _(form));
-    return code;
-}
-
 /* The unit that the heading gives is that of the scene's values. */
 static bool has_right_unit(const struct options *options, const struct loaded *loaded, const luxel_table *table)
 {
@@ -135,7 +125,7 @@ static int read_values(const struct options *options, const struct loaded *loade
         luxel_table_open(options->fit.values, columns, COLUMNS, true, loaded->diagnostics, &table);
 
     if (status != LUXEL_OK)
-        return refuse(status, loaded->diagnostics);
+        return message_table_failure(status, loaded->diagnostics, _(form));
     message_passed_over(loaded->diagnostics, options->quiet);
     if (!has_right_unit(options, loaded, table)) {
         luxel_table_free(table);
@@ -146,7 +136,7 @@ static int read_values(const struct options *options, const struct loaded *loade
             wrong += !take_row(options, table, row->numbers, readings);
     luxel_table_free(table);
     if (luxel_diagnostics_total(loaded->diagnostics, LUXEL_SEVERITY_ERROR) > 0)
-        return refuse(LUXEL_ERROR_FILE, loaded->diagnostics);
+        return message_table_failure(LUXEL_ERROR_FILE, loaded->diagnostics, _(form));
     readings->list.places = readings->places.list;
     readings->list.values = readings->values;
     readings->list.count = readings->places.count;

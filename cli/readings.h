@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* What luxel fit fits a scene to: a picture, or values at points. */
+/* Readings that luxel fit fits a scene to: a picture, or values at points. */
 #ifndef LUXEL_CLI_READINGS_H
 #define LUXEL_CLI_READINGS_H
 

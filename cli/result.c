@@ -380,3 +380,13 @@ void result_print_conventions(const luxel_scene *scene, const luxel_conventions_
     free(line);
     luxel_conventions_free(conventions);
 }
+
+void result_write_rating(struct json *json, const luxel_glare *glare)
+{
+    json_number_if(json, "ugr", glare->has_rating, glare->rating.value);
+    json_number_if(json, "error", glare->has_rating, glare->rating.error);
+    json_open(json, "background", '{');
+    json_number(json, "value", glare->background.value);
+    json_number(json, "error", glare->background.error);
+    json_close(json, '}');
+}

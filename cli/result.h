@@ -41,6 +41,9 @@ void result_write_extremum(struct json *json, const char *key, const luxel_extre
 
 /* The channels of a value, its x, y, u', v', colour temperature and Duv, null where there are none; also in a line. */
 void result_write_color(struct json *json, const luxel_color *color);
+
+/* Writes the members `ugr` and `error`, null where there is no rating, and `background`. */
+void result_write_rating(struct json *json, const luxel_glare *glare);
 /* The last of these alone, from x, y on; NULL: there is no colour. */
 void result_write_seen(struct json *json, const double rgb[3]);
 const char *result_color_text(const luxel_color *color, char buffer[TEXT_SIZE]);

@@ -191,7 +191,7 @@ typedef struct luxel_field_content {
 LUXEL_API luxel_status luxel_field_of_values(const luxel_field_content *content, luxel_diagnostics *diagnostics,
                                              luxel_field **field);
 
-/* What of a picture in colour is shown where one number a pixel can be. */
+/* Views of a picture in colour, where one number a pixel can be shown. */
 typedef enum luxel_color_view {
     LUXEL_VIEW_LUMINANCE, /* the values themselves */
     LUXEL_VIEW_RED,       /* channels, in linear sRGB, which may be below 0 */

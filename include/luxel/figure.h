@@ -149,7 +149,7 @@ LUXEL_API luxel_status luxel_diagram_write_memory(const luxel_photometry *photom
                                                   luxel_diagnostics *diagnostics, unsigned char **bytes,
                                                   size_t *length);
 
-/* What a report is for. */
+/* The purpose of a report. */
 typedef enum luxel_report_purpose {
     LUXEL_REPORT_EXERCISE, /* what students hand in */
     LUXEL_REPORT_LIGHTING  /* what a lighting designer hands over */

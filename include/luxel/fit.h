@@ -22,7 +22,7 @@
 extern "C" {
 #endif
 
-/* What a reading that is off by r standard deviations counts for. */
+/* The weight of a reading that is off by r standard deviations. */
 typedef enum luxel_loss {
     LUXEL_LOSS_GAUSSIAN, /* r² */
     LUXEL_LOSS_HUBER,    /* that up to 1.345, then along a line: outliers pull, but no more than others */

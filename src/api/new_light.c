@@ -1,8 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /*
  * New lights: one is put at the end of a copy of the scene, changed there key by key until it fits, and read off as
- * YAML.
- * How strong it should be is told by two pictures of the copy, by the light that it is like and by itself.
+ * YAML.  How strong it should be is told by two pictures of the copy, by the light that it is like and by itself.
  */
 #include <math.h>
 #include <stdlib.h>
@@ -16,6 +15,8 @@
 #include "../base/number.h"
 #include "../base/text.h"
 #include "../light/light.h"
+#include "../parameter/decode.h"
+#include "../scene/scene.h"
 
 enum {
     LOOK = 48,  /* pixels across of the pictures that tell how strong lights are */
@@ -88,10 +89,7 @@ static void take_out(struct trial *trial, const char *name)
 
 static const struct lx_variant *find_kind(const char *name)
 {
-    for (size_t i = 0; name && lx_light_variants[i]; i++)
-        if (strcmp(lx_light_variants[i]->name, name) == 0)
-            return lx_light_variants[i];
-    return NULL;
+    return name ? lx_find_variant(lx_find_parameter(&lx_scene_table, "lights"), name) : NULL;
 }
 
 static const struct lx_variant *kind_of(struct trial *trial, size_t light)
@@ -104,10 +102,7 @@ static const struct lx_variant *kind_of(struct trial *trial, size_t light)
 
 static bool has_key(const struct lx_variant *kind, const char *name)
 {
-    for (size_t i = 0; kind && i < kind->table->count; i++)
-        if (strcmp(kind->table->parameters[i].name, name) == 0)
-            return true;
-    return false;
+    return kind && lx_find_parameter(kind->table, name);
 }
 
 /* ---- numbers of a list in brackets ---- */
