@@ -7,6 +7,7 @@
 #include <luxel/luxel.h>
 
 #include "cli.h"
+#include "grid_limits.h"
 #include "json.h"
 #include "load.h"
 #include "message.h"
@@ -21,10 +22,14 @@ static const char *const reason_names[] = {
     [LUXEL_GLARE_HIDDEN] = "hidden", [LUXEL_GLARE_DARK] = "dark",       [LUXEL_GLARE_BACKGROUND] = "background",
 };
 
+/* Ratings of the observers of --eye, else of those of the scene. */
 struct ratings {
-    const struct options *options;
     const struct loaded *loaded;
-    luxel_glare **list; /* one for each observer */
+    luxel_glare_sight *sights;
+    luxel_glare **list; /* one for each */
+    size_t count;
+    bool is_of_scene;
+    struct observers observers; /* those, which then have `list` */
 };
 
 /* ---- text ---- */
@@ -54,12 +59,12 @@ static void add_source(struct text_table *table, const luxel_glare_source *sourc
 static void print_rating(const struct ratings *ratings, size_t i)
 {
     const luxel_glare *glare = ratings->list[i];
-    const double *numbers = ratings->options->places[i].numbers;
+    const luxel_glare_sight *sight = &ratings->sights[i];
     struct text_table *table = text_table_new("llrrrrr");
     char place[TEXT_SIZE], value[TEXT_SIZE], background[TEXT_SIZE];
 
-    printf(_("the eye at %s mm, looking along (%.6g, %.6g, %.6g)\n"), text_lengths(numbers, 3, place), numbers[3],
-           numbers[4], numbers[5]);
+    printf(_("the eye at %s mm, looking along (%.6g, %.6g, %.6g)\n"), text_lengths(sight->eye_mm, 3, place),
+           sight->view[0], sight->view[1], sight->view[2]);
     /* the rating is defined to a tenth: a bound below its rounding says nothing */
     if (glare->has_rating && glare->rating.error < 0.05)
         printf(_("  UGR %.1f\n"), glare->rating.value);
@@ -96,12 +101,21 @@ static void write_source(struct json *json, const luxel_glare_source *source)
     json_close(json, '}');
 }
 
-static void write_rating(struct json *json, const double numbers[6], const luxel_glare *glare)
+static void write_rating(struct json *json, const struct ratings *ratings, size_t i)
 {
+    const luxel_glare *glare = ratings->list[i];
+    const char *name = NULL;
+
     json_open(json, NULL, '{');
-    json_numbers(json, "eye", numbers, 3);
-    json_numbers(json, "view", numbers + 3, 3);
+    if (ratings->is_of_scene) {
+        luxel_scene_observer(ratings->loaded->scene, i, &name, NULL);
+        json_text(json, "name", name);
+    }
+    json_numbers(json, "eye", ratings->sights[i].eye_mm, 3);
+    json_numbers(json, "view", ratings->sights[i].view, 3);
     result_write_rating(json, glare);
+    if (ratings->is_of_scene)
+        limits_write(json, &ratings->observers.judged[i]);
     json_open(json, "sources", '[');
     for (size_t k = 0; k < glare->source_count; k++)
         write_source(json, &glare->sources[k]);
@@ -109,81 +123,130 @@ static void write_rating(struct json *json, const double numbers[6], const luxel
     json_close(json, '}');
 }
 
-static void print(const struct ratings *ratings)
+/* The lights of each observer that is alone; tables of those with several places. */
+static void print_text(const struct ratings *ratings)
 {
-    const struct options *options = ratings->options;
+    text_print_escaped(stdout, ratings->loaded->name);
+    printf(_(": unified glare rating\n"));
+    if (ratings->is_of_scene) {
+        fputc('\n', stdout);
+        observers_print(&ratings->observers);
+    }
+    for (size_t i = 0; i < ratings->count; i++) {
+        luxel_observer_places places = {.count = 1};
+
+        if (ratings->is_of_scene)
+            luxel_scene_observer_places(ratings->loaded->scene, i, &places);
+        if (places.count > 1)
+            continue;
+        if (i > 0 || !ratings->is_of_scene)
+            fputc('\n', stdout);
+        print_rating(ratings, i);
+    }
+}
+
+static void print(const struct ratings *ratings, const struct options *options)
+{
     struct json json = {.stream = stdout};
 
     if (!options->json) {
-        text_print_escaped(stdout, ratings->loaded->name);
-        printf(_(": unified glare rating\n"));
-        for (size_t i = 0; i < options->place_count; i++) {
-            fputc('\n', stdout);
-            print_rating(ratings, i);
-        }
+        print_text(ratings);
         return;
     }
     json_open(&json, NULL, '{');
     json_text(&json, "unit", "cd/m²");
     json_open(&json, "observers", '[');
-    for (size_t i = 0; i < options->place_count; i++)
-        write_rating(&json, options->places[i].numbers, ratings->list[i]);
+    for (size_t i = 0; i < ratings->count; i++)
+        write_rating(&json, ratings, i);
     json_close(&json, ']');
     json_close(&json, '}');
 }
 
 /* ---- the command ---- */
 
+/* The observers of --eye, else those of the scene. */
+static void take_sights(struct ratings *ratings, const struct options *options)
+{
+    ratings->is_of_scene = options->place_count == 0;
+    ratings->count = ratings->is_of_scene ? luxel_scene_observer_count(ratings->loaded->scene) : options->place_count;
+    ratings->sights = message_allocate(ratings->count, sizeof *ratings->sights);
+    for (size_t i = 0; i < ratings->count; i++) {
+        luxel_glare_sight *sight = &ratings->sights[i];
+
+        *sight = (luxel_glare_sight){.eye_mm = {0}};
+        if (ratings->is_of_scene) {
+            luxel_scene_observer(ratings->loaded->scene, i, NULL, sight);
+        } else {
+            memcpy(sight->eye_mm, options->places[i].numbers, sizeof sight->eye_mm);
+            memcpy(sight->view, options->places[i].numbers + 3, sizeof sight->view);
+        }
+        memcpy(sight->up, options->up, sizeof sight->up);
+    }
+}
+
 static luxel_status rate_all(struct ratings *ratings, const luxel_settings *settings)
 {
     luxel_status status = LUXEL_OK;
 
-    for (size_t i = 0; i < ratings->options->place_count && status == LUXEL_OK; i++) {
-        luxel_glare_sight sight = {.eye_mm = {0}};
-
-        memcpy(sight.eye_mm, ratings->options->places[i].numbers, sizeof sight.eye_mm);
-        memcpy(sight.view, ratings->options->places[i].numbers + 3, sizeof sight.view);
-        memcpy(sight.up, ratings->options->up, sizeof sight.up);
-        status =
-            luxel_find_glare(ratings->loaded->scene, settings, &sight, ratings->loaded->diagnostics, &ratings->list[i]);
+    if (ratings->is_of_scene) {
+        status = observers_rate(ratings->loaded->scene, settings, ratings->loaded->diagnostics, &ratings->observers);
+        ratings->list = ratings->observers.list;
+        return status;
     }
+    ratings->list = message_allocate(ratings->count, sizeof *ratings->list);
+    for (size_t i = 0; i < ratings->count && status == LUXEL_OK; i++)
+        status = luxel_find_glare(ratings->loaded->scene, settings, &ratings->sights[i], ratings->loaded->diagnostics,
+                                  &ratings->list[i]);
     return status;
+}
+
+static void clear(struct ratings *ratings)
+{
+    if (ratings->is_of_scene) {
+        observers_clear(&ratings->observers);
+    } else {
+        for (size_t i = 0; i < ratings->count; i++)
+            luxel_glare_free(ratings->list[i]);
+        free(ratings->list);
+    }
+    free(ratings->sights);
 }
 
 static int rate(const struct options *options, const struct loaded *loaded)
 {
-    struct ratings ratings = {.options = options, .loaded = loaded};
+    struct ratings ratings = {.loaded = loaded};
     struct work work;
     int code;
 
+    take_sights(&ratings, options);
+    if (ratings.count == 0) {
+        free(ratings.sights);
+        message_error(_("luxel glare needs an observer, and %s has none"), loaded->name);
+        message_hint(_("name one with --eye X,Y,Z,VX,VY,VZ: where the eye is, in mm, and where it looks; or give the "
+                       "scene observers"));
+        return EXIT_USAGE;
+    }
     if (strcmp(luxel_scene_unit(loaded->scene, LUXEL_IRRADIANCE), "W/m²") == 0) {
         message_error(_("%s is in radiometric units, and glare is rated by luminances"), loaded->name);
         message_hint(_("units: photometric, or -s units=photometric"));
+        free(ratings.sights);
         return EXIT_SCENE;
     }
-    ratings.list = message_allocate(options->place_count, sizeof *ratings.list);
     work_begin(&work, options);
     code = work_end(&work, rate_all(&ratings, &work.settings), loaded->diagnostics);
     if (code == EXIT_DONE) {
-        for (size_t i = 0; i < options->place_count; i++)
+        for (size_t i = 0; i < ratings.count; i++)
             code = ratings.list[i]->reached ? code : EXIT_TOLERANCE;
-        print(&ratings);
+        print(&ratings, options);
         if (code == EXIT_TOLERANCE)
             message_error(_("reflected light is not known as well as --reflected-error asks for; the bounds hold"));
     }
-    for (size_t i = 0; i < options->place_count; i++)
-        luxel_glare_free(ratings.list[i]);
-    free(ratings.list);
+    clear(&ratings);
     return code;
 }
 
 static int run(const struct options *options)
 {
-    if (options->place_count == 0) {
-        message_error(_("luxel glare needs an observer"));
-        message_hint(_("name one with --eye X,Y,Z,VX,VY,VZ: where the eye is, in mm, and where it looks"));
-        return EXIT_USAGE;
-    }
     return load_and(options, rate);
 }
 
@@ -198,7 +261,10 @@ const struct command command_glare = {
         "its error, the luminance of the background, and for each light its luminance, the solid angle and the "
         "position index under which it is seen, how much of it surfaces leave to be seen, and its share of the glare. "
         "The background is the light that reaches the eye by reflections, which the scene must ask for (reflections), "
-        "and as ambient light. A luminaire that shines as a point counts with the luminous opening of its file."),
+        "and as ambient light. A luminaire that shines as a point counts with the luminous opening of its file. "
+        "Without "
+        "--eye the observers of the scene are rated and judged by their limits; one with several places (size, n) is a "
+        "table, and one without a view looks in four level directions."),
     .examples = "luxel glare office -s reflections=1 --eye 0,1200,5300,0,0,-1\n"
                 "luxel glare room.yaml --eye 0,-1900,1200,0,1,0 --eye 1900,0,1200,-1,0,0 --json",
     .run = run,

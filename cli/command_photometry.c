@@ -342,6 +342,10 @@ static void print_text(const struct luminaire *luminaire)
         add(table, _("CIE flux code"), code_text(figures, text));
     if (isfinite(figures->spacing[0]) && isfinite(figures->spacing[1]) && isfinite(figures->spacing[2]))
         add(table, _("spacing criterion"), spacing_text(figures, text));
+    if (luminaire->bug.exists)
+        add(table, _("backlight, uplight, glare (TM-15-11)"),
+            text_format(text, _("B%u U%u G%u, the front at C = %.0f degrees"), luminaire->bug.backlight,
+                        luminaire->bug.uplight, luminaire->bug.glare, luminaire->bug.front_c_deg));
     text_table_print(table, stdout, 2);
     if (isfinite(figures->direct_ratios[0])) {
         fputc('\n', stdout);
@@ -356,17 +360,29 @@ static void print_text(const struct luminaire *luminaire)
 
 /* ---- files ---- */
 
-static const char *const endings[] = {".png", ".svg", ".pdf", ".ies", ".ldt"};
-enum { FIGURE_ENDINGS = 3 };
+static const char *const endings[] = {".png", ".svg", ".pdf", ".html", ".md", ".tex", ".csv", ".ies", ".ldt"};
+enum { PDF = 2, DRAWN_ENDINGS = 7 };
 
 static luxel_status check_name(const char *path, luxel_diagnostics *diagnostics)
 {
     return luxel_check_ending(path, endings, COUNT_OF(endings), diagnostics);
 }
 
-static bool is_figure(const char *path)
+static bool is_among(const char *path, const char *const *some, size_t count)
 {
-    return luxel_check_ending(path, endings, FIGURE_ENDINGS, NULL) == LUXEL_OK;
+    return luxel_check_ending(path, some, count, NULL) == LUXEL_OK;
+}
+
+bool luminaire_is_sheet(const struct options *options, const char *path)
+{
+    return is_among(path, endings + PDF, DRAWN_ENDINGS - PDF) &&
+           !(options_given(options, "diagram") && is_among(path, endings + PDF, 1));
+}
+
+/* A diagram or a sheet. */
+static bool is_drawn(const char *path)
+{
+    return is_among(path, endings, DRAWN_ENDINGS);
 }
 
 static int write_outputs(const struct options *options, const struct luminaire *luminaire, luminaire_draw *draw)
@@ -376,7 +392,7 @@ static int write_outputs(const struct options *options, const struct luminaire *
 
     for (size_t i = 0; i < options->output_count; i++) {
         const char *path = options->outputs[i];
-        const luxel_status status = draw && is_figure(path)
+        const luxel_status status = draw && is_drawn(path)
                                         ? draw(options, luminaire, path, diagnostics)
                                         : luxel_photometry_write(luminaire->photometry, path, diagnostics);
 
@@ -413,13 +429,16 @@ int luminaire_show(const struct options *options, luminaire_draw *draw)
 static int run(const struct options *options)
 {
     const int code = outputs_check(options, check_name);
-    bool draws = false;
+    bool draws = false, has_diagram = false;
 
     if (code != EXIT_DONE)
         return code;
-    for (size_t i = 0; i < options->output_count; i++)
-        draws = draws || is_figure(options->outputs[i]);
-    if (options_given(options, "diagram") && !draws) {
+    for (size_t i = 0; i < options->output_count; i++) {
+        draws = draws || is_drawn(options->outputs[i]);
+        has_diagram =
+            has_diagram || (is_drawn(options->outputs[i]) && !luminaire_is_sheet(options, options->outputs[i]));
+    }
+    if (options_given(options, "diagram") && !has_diagram) {
         message_error(_("--diagram names what a figure shows, and no file of -o is a figure"));
         message_hint(_("add -o FILE.png, -o FILE.svg or -o FILE.pdf"));
         return EXIT_USAGE;
@@ -432,7 +451,7 @@ const struct command command_photometry = {
     .bit = COMMAND_PHOTOMETRY,
     .operand = N_("FILE"),
     .operand_kind = OPERAND_FILE,
-    .endings = ".png .svg .pdf .ies .ldt",
+    .endings = ".pdf .html .md .tex .csv .png .svg .ies .ldt",
     .summary = N_("what a luminaire file (IES, EULUMDAT) says"),
     .description = N_(
         "Reads a luminaire file, IES LM-63 of 1986 to 2019 or EULUMDAT, and prints what it says and what follows "
@@ -440,12 +459,16 @@ const struct command command_photometry = {
         "downward flux fraction, the greatest intensity, beam and field angle, CIE flux code, spacing criterion, "
         "direct ratios and the table of unified glare ratings (UGR) of standard rooms. All errors of a wrong file are "
         "listed with line and column; what is odd is a warning, and no number is ever rescaled in silence. A FILE of "
-        "-o shows the luminaire (.png, .svg, .pdf): its "
-        "polar diagram or what --diagram names; or it is the same luminaire as LM-63-2002 (.ies) or EULUMDAT (.ldt)."),
+        "-o is the luminaire's sheet (.pdf, .html, .md, .tex; its tables: .csv), with diagrams, intensities, flux of "
+        "zones, luminances, "
+        "utilization factors, glare ratings and the rating of backlight and uplight; or a diagram alone (.png, .svg), "
+        "the polar one or what --diagram names, which makes a .pdf one, too; or the same luminaire as LM-63-2002 "
+        "(.ies) or EULUMDAT (.ldt)."),
     .examples = "luxel photometry lamp.ies\n"
                 "luxel photometry lamp.ldt --json\n"
                 "luxel photometry lamp.ldt --spacing 1 --room 4,8\n"
                 "luxel photometry lamp.ldt -o lamp.ies\n"
+                "luxel photometry lamp.ldt -o sheet.pdf\n"
                 "luxel photometry lamp.ies -o polar.svg\n"
                 "luxel photometry lamp.ies -o cone.pdf --diagram cone",
     .run = run,

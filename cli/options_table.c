@@ -502,7 +502,7 @@ static const struct option_row rows[] = {
     {"diagram", 0, N_("KIND"), COMMAND_PHOTOMETRY, TAKES(take_diagram), WORDS(diagram_words),
      .help =
          N_("what a figure shows: the polar diagram (default), cartesian, the intensity over gamma, or cone, the beam "
-            "from 1 to 5 m away")},
+            "from 1 to 5 m away; a .pdf is then that diagram and not the luminaire's sheet")},
     {"spacing", 0, N_("RATIO"), COMMAND_PHOTOMETRY, TAKES(room_take_spacing), WORDS(spacing_words),
      .help = N_("of the UGR table: between luminaires, over their height above the eye; 0.25 (default), as in "
                 "catalogues, or 1, as in CIE 190, or another part of it")},

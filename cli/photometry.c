@@ -48,6 +48,12 @@ int luminaire_open(const struct options *options, struct luminaire *luminaire)
     if (status == LUXEL_OK)
         status = luxel_photometry_find_ugr_table(
             luminaire->photometry, options->drawing.spacing > 0 ? options->drawing.spacing : 0.25, &luminaire->glare);
+    if (status == LUXEL_OK)
+        status = luxel_photometry_find_zones(luminaire->photometry, luminaire->zones);
+    if (status == LUXEL_OK)
+        status = luxel_photometry_find_utilization(luminaire->photometry, &luminaire->utilization);
+    if (status == LUXEL_OK)
+        status = luxel_photometry_find_bug_rating(luminaire->photometry, &luminaire->bug);
     return status == LUXEL_OK ? EXIT_DONE : message_failure(status, luminaire->diagnostics);
 }
 

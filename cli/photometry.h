@@ -13,6 +13,9 @@ struct luminaire {
     luxel_photometry *photometry;
     luxel_photometry_figures figures;
     luxel_ugr_table glare;
+    double zones[LUXEL_FLUX_ZONES];
+    luxel_utilization_table utilization;
+    luxel_bug_rating bug;
     struct room_ratings room;
     luxel_diagnostics *diagnostics; /* its advice are the warnings */
 };
@@ -23,6 +26,9 @@ void luminaire_close(struct luminaire *luminaire);
 
 /* The i-th warning with its place, in the language of the user or in English; NULL beyond the last.  For free(). */
 char *luminaire_warning(const struct luminaire *luminaire, size_t i, bool in_english);
+
+/* Whether a file of -o is the luminaire's sheet, not a diagram alone. */
+bool luminaire_is_sheet(const struct options *options, const char *path);
 
 /* Draws a luminaire to a file. */
 typedef luxel_status luminaire_draw(const struct options *options, const struct luminaire *luminaire, const char *path,

@@ -81,7 +81,6 @@ static void write_ratios(struct json *json, const luxel_photometry_figures *figu
     json_close(json, '}');
 }
 
-/* The ratings; null: the luminaire has none. */
 /* A room by the light that its walls really reflect. */
 static void write_room(struct json *json, const struct luminaire *luminaire)
 {
@@ -107,10 +106,24 @@ static void write_room(struct json *json, const struct luminaire *luminaire)
     json_close(json, '}');
 }
 
+static void write_reflectances(struct json *json, size_t count, double (*reflectance)(size_t i, size_t part))
+{
+    static const char *const parts[] = {"ceiling", "walls", "floor"};
+
+    json_open(json, "reflectances", '[');
+    for (size_t i = 0; i < count; i++) {
+        json_open(json, NULL, '{');
+        for (size_t part = 0; part < 3; part++)
+            json_number(json, parts[part], reflectance(i, part));
+        json_close(json, '}');
+    }
+    json_close(json, ']');
+}
+
+/* The ratings; null: the luminaire has none. */
 static void write_glare(struct json *json, const struct luminaire *luminaire)
 {
     const luxel_ugr_table *glare = &luminaire->glare;
-    static const char *const parts[] = {"ceiling", "walls", "floor"};
     static const char *const ways[] = {"crosswise", "endwise"};
 
     if (!glare->exists) {
@@ -119,14 +132,7 @@ static void write_glare(struct json *json, const struct luminaire *luminaire)
     }
     json_open(json, "ugr", '{');
     json_number(json, "spacing", glare->spacing);
-    json_open(json, "reflectances", '[');
-    for (size_t i = 0; i < LUXEL_UGR_REFLECTANCES; i++) {
-        json_open(json, NULL, '{');
-        for (size_t part = 0; part < 3; part++)
-            json_number(json, parts[part], luxel_ugr_reflectance(i, part));
-        json_close(json, '}');
-    }
-    json_close(json, ']');
+    write_reflectances(json, LUXEL_UGR_REFLECTANCES, luxel_ugr_reflectance);
     json_open(json, "rooms", '[');
     for (size_t i = 0; i < LUXEL_UGR_ROOMS; i++) {
         json_open(json, NULL, '{');
@@ -138,6 +144,49 @@ static void write_glare(struct json *json, const struct luminaire *luminaire)
     }
     json_close(json, ']');
     write_room(json, luminaire);
+    json_close(json, '}');
+}
+
+/* Utilization factors by room index; null: there are none. */
+static void write_utilization(struct json *json, const luxel_utilization_table *table)
+{
+    if (!table->exists) {
+        json_null(json, "utilization");
+        return;
+    }
+    json_open(json, "utilization", '{');
+    json_number(json, "lumens", table->lumens);
+    write_reflectances(json, LUXEL_UTILIZATION_REFLECTANCES, luxel_utilization_reflectance);
+    json_open(json, "rooms", '[');
+    for (size_t k = 0; k < LUXEL_ROOM_INDICES; k++) {
+        json_open(json, NULL, '{');
+        json_number(json, "room_index", luxel_photometry_room_index(k));
+        json_numbers(json, "factors", table->factors[k], LUXEL_UTILIZATION_REFLECTANCES);
+        json_close(json, '}');
+    }
+    json_close(json, ']');
+    json_close(json, '}');
+}
+
+/* Backlight, uplight and glare outdoors; null: types A and B. */
+static void write_bug(struct json *json, const luxel_bug_rating *bug)
+{
+    static const char *const names[] = {"fl", "fm", "fh", "fvh", "bl", "bm", "bh", "bvh", "ul", "uh"};
+
+    if (!bug->exists) {
+        json_null(json, "bug");
+        return;
+    }
+    json_open(json, "bug", '{');
+    json_whole(json, "backlight", bug->backlight);
+    json_whole(json, "uplight", bug->uplight);
+    json_whole(json, "glare", bug->glare);
+    json_number(json, "front_c", bug->front_c_deg);
+    json_bool(json, "around", bug->is_around);
+    json_open(json, "lumens", '{');
+    for (size_t i = 0; i < LUXEL_BUG_ZONES; i++)
+        json_number(json, names[i], bug->lumens[i]);
+    json_close(json, '}');
     json_close(json, '}');
 }
 
@@ -226,6 +275,9 @@ void luminaire_print_json(const struct luminaire *luminaire)
     write_code(&json, figures);
     write_ratios(&json, figures);
     write_glare(&json, luminaire);
+    json_numbers(&json, "zone_lumens", luminaire->zones, LUXEL_FLUX_ZONES);
+    write_utilization(&json, &luminaire->utilization);
+    write_bug(&json, &luminaire->bug);
     write_lamps(&json, photometry);
     write_tilt(&json, photometry);
     write_angles(&json, photometry);

@@ -9,6 +9,7 @@
 #include "../cli.h"
 #include "../drawing.h"
 #include "../photometry.h"
+#include "../work.h"
 
 /* The name of the luminaire in the file, else the name of the file: as much of its first line as a title may be. */
 static char *default_title(const struct luminaire *luminaire)
@@ -32,16 +33,15 @@ static char *default_title(const struct luminaire *luminaire)
     return luxel_escaped_text(line);
 }
 
-static luxel_status draw(const struct options *options, const struct luminaire *luminaire, const char *path,
-                         luxel_diagnostics *diagnostics)
+static luxel_status draw_diagram(const struct options *options, const struct luminaire *luminaire, const char *path,
+                                 const luxel_language *language, luxel_diagnostics *diagnostics)
 {
-    const luxel_language language = {.translate = language_translate, .code = language_code()};
     luxel_diagram_settings settings;
     char *title = options->drawing.title ? NULL : default_title(luminaire);
     luxel_status status;
 
     luxel_diagram_settings_init(&settings);
-    settings.language = &language;
+    settings.language = language;
     settings.diagram = (luxel_diagram)options->drawing.diagram;
     settings.title = options->drawing.title ? options->drawing.title : title;
     settings.dark = options->drawing.dark;
@@ -51,6 +51,39 @@ static luxel_status draw(const struct options *options, const struct luminaire *
         settings.dots_per_inch = options->drawing.dots_per_inch;
     status = luxel_diagram_write(luminaire->photometry, &settings, path, diagnostics);
     luxel_text_free(title);
+    return status;
+}
+
+/* The file's name without its folders. */
+static const char *own_name(const char *path)
+{
+    const char *slash = strrchr(path, '/');
+
+    return slash ? slash + 1 : path;
+}
+
+static luxel_status draw(const struct options *options, const struct luminaire *luminaire, const char *path,
+                         luxel_diagnostics *diagnostics)
+{
+    const luxel_language language = {.translate = language_translate, .code = language_code()};
+    const bool has_path = strcmp(options->operand, "-") != 0;
+    struct work work;
+    luxel_status status;
+
+    if (!luminaire_is_sheet(options, path))
+        return draw_diagram(options, luminaire, path, &language, diagnostics);
+    work_begin(&work, options);
+    work.settings.reflected_error = 0;
+    status = luxel_sheet_write(luminaire->photometry,
+                               &(luxel_sheet_settings){.title = options->drawing.title,
+                                                       .file = own_name(luminaire->name),
+                                                       .path = has_path ? options->operand : NULL,
+                                                       .spacing = options->drawing.spacing,
+                                                       .warnings = luminaire->diagnostics,
+                                                       .settings = &work.settings,
+                                                       .language = &language},
+                               path, diagnostics);
+    progress_end(&work.progress);
     return status;
 }
 

@@ -45,7 +45,7 @@ int drawing_report(const struct options *options)
 
     if (options->output_count == 0) {
         message_error(_("luxel report needs a file to write to"));
-        message_hint(_("add -o FILE.pdf, -o FILE.html, -o FILE.md or -o FILE.tex"));
+        message_hint(_("add -o FILE.pdf, -o FILE.html, -o FILE.md, -o FILE.tex or -o FILE.csv"));
         return EXIT_USAGE;
     }
     code = outputs_check(options, luxel_check_report_name);

@@ -66,7 +66,7 @@ typedef struct luxel_figure_settings {
     bool dark;                    /* light lines on a dark ground, for projectors; false */
     bool small_print;             /* the parameters under the picture; true */
     const luxel_language *language; /* NULL: English */
-    size_t grid;       /* 0: the picture; else the plane of the scene's grid of this number, from 1 on; see below */
+    size_t grid;           /* 0: the picture; else the plane of the scene's grid of this number, from 1 on; see below */
     luxel_color_view view; /* of a picture in colour; luminance.  Others have no sections, and lines of pixels alone */
     void *reserved[3];     /* for later versions: NULL */
 } luxel_figure_settings;
@@ -149,6 +149,33 @@ LUXEL_API luxel_status luxel_diagram_write_memory(const luxel_photometry *photom
                                                   luxel_diagnostics *diagnostics, unsigned char **bytes,
                                                   size_t *length);
 
+/* What a luminaire's sheet says and computes beside what its file gives; zero-initialise it, all may be NULL or 0. */
+typedef struct luxel_sheet_settings {
+    const char *title;                 /* NULL: the name of the luminaire in the file */
+    const char *file;                  /* the file's name as the sheet shows it; NULL: none */
+    const char *path;                  /* of the file, for rooms that are solved with reflections; NULL: none are */
+    double spacing;                    /* of the UGR table; 0: 0.25 */
+    const luxel_diagnostics *warnings; /* of reading the file, to be listed; NULL: none */
+    const luxel_settings *settings;    /* of those rooms; NULL: the defaults */
+    const luxel_language *language;    /* NULL: English */
+    void *reserved[4];                 /* for later versions: NULL */
+} luxel_sheet_settings;
+
+/*
+ * Writes the sheet of a luminaire by the extension of the name, .pdf (A4), .html (one file), .md, .tex, .csv (its tables): what its file
+ * says, diagrams, intensities, flux of zones, luminances, utilization factors, unified glare ratings, and the rating of
+ * backlight, uplight and glare.  Types A and B, and points, have not all of it.  `settings` NULL: none of its texts.
+ * LUXEL_ERROR_ARGUMENT: another extension.  LUXEL_ERROR_FILE: it cannot be written.  LUXEL_ERROR_MEMORY.  Of `path`
+ * errors as luxel_find_room_utilization() lists them, too.
+ */
+LUXEL_API luxel_status luxel_sheet_write(const luxel_photometry *photometry, const luxel_sheet_settings *settings,
+                                         const char *path, luxel_diagnostics *diagnostics);
+
+/* Makes the sheet in memory, as luxel_figure_write_memory() does a figure; errors as luxel_sheet_write(). */
+LUXEL_API luxel_status luxel_sheet_write_memory(const luxel_photometry *photometry,
+                                                const luxel_sheet_settings *settings, const char *name,
+                                                luxel_diagnostics *diagnostics, unsigned char **bytes, size_t *length);
+
 /* The purpose of a report. */
 typedef enum luxel_report_purpose {
     LUXEL_REPORT_EXERCISE, /* what students hand in */
@@ -175,7 +202,8 @@ typedef struct luxel_report_settings {
 } luxel_report_settings;
 
 /*
- * Writes the report that the exercise asks for, by the extension of the name: .pdf (A4), .html (one file), .md, .tex:
+ * Writes the report that the exercise asks for, by the extension of the name: .pdf (A4), .html (one file), .md, .tex
+ * or, of its tables alone, .csv:
  * aim, task, parameters, formulas, pictures, sections, points, extrema, conclusions, and the scene to reproduce them.
  * With LUXEL_REPORT_LIGHTING: a summary of the limits with their verdicts, the plan, the luminaires with totals, each
  * measuring grid as figure and table, the glare of observers, the light on surfaces, the conventions, and the scene.

@@ -27,7 +27,8 @@ typedef struct luxel_limit {
     bool has_value;        /* false, and the value 0: of a grid without values, where nothing dazzles */
     luxel_bounded value;   /* its error may be infinite */
     luxel_verdict verdict; /* what is said of it */
-    void *reserved[4];     /* for later versions: NULL */
+    double above;          /* of "share": the value that so many percents of the cells are to have; else 0 */
+    void *reserved[3];     /* for later versions: NULL */
 } luxel_limit;
 
 enum { LUXEL_MOST_LIMITS = 8 };
@@ -38,18 +39,33 @@ LUXEL_API bool luxel_scene_has_limits(const luxel_scene *scene);
 /*
  * Judges the values of the scene's i-th grid, as luxel_find_grid() or luxel_find_grid_values() has found them, by its
  * limits, of which there are *count, in the order of the keys.  `average` is that of the values, `uniformity` the
- * minimum by it; `ratio` up to 1 is the minimum by the maximum, above 1 the maximum by the minimum.
+ * minimum by it; `ratio` up to 1 is the minimum by the maximum, above 1 the maximum by the minimum; `share` is
+ * the percents of the cells that have at least `above`.
  * LUXEL_ERROR_ARGUMENT: NULL, or no such grid.
  */
 LUXEL_API luxel_status luxel_judge_grid(const luxel_scene *scene, size_t i, const luxel_grid *grid,
                                         luxel_limit limits[LUXEL_MOST_LIMITS], size_t *count);
 
-/* The number of observers (the key `observers`) of a committed scene. */
+/* The number of observers (the key `observers`) of a committed scene; one with several places or without a view counts
+ * once for each place and each way that it looks, place by place, row by row. */
 LUXEL_API size_t luxel_scene_observer_count(const luxel_scene *scene);
 /* The i-th of them: its name, the scene's until that changes, NULL where it has none, and where it is and looks; either
  * may be NULL.  LUXEL_ERROR_ARGUMENT: no such. */
 LUXEL_API luxel_status luxel_scene_observer(const luxel_scene *scene, size_t i, const char **name,
                                             luxel_glare_sight *sight);
+
+/* Those that are one entry of the list in the scene. */
+typedef struct luxel_observer_places {
+    size_t first;      /* the first of them */
+    size_t count;      /* how many there are: columns x rows x views */
+    unsigned columns;  /* of places, side by side */
+    unsigned rows;     /* of places; row 0 is the farthest one along up x across */
+    unsigned views;    /* ways it looks from each: 1, or 4 level ones */
+    void *reserved[4]; /* for later versions: NULL */
+} luxel_observer_places;
+
+/* Those that the i-th observer belongs to.  LUXEL_ERROR_ARGUMENT: NULL, or no such observer. */
+LUXEL_API luxel_status luxel_scene_observer_places(const luxel_scene *scene, size_t i, luxel_observer_places *places);
 
 /*
  * Judges the rating of the i-th observer by its limits, of which there are *count.  Where nothing dazzles there is no
@@ -58,6 +74,9 @@ LUXEL_API luxel_status luxel_scene_observer(const luxel_scene *scene, size_t i, 
  */
 LUXEL_API luxel_status luxel_judge_glare(const luxel_scene *scene, size_t i, const luxel_glare *glare,
                                          luxel_limit limits[LUXEL_MOST_LIMITS], size_t *count);
+
+/* Limits of one kind, at least one, as one: the greatest value, and the worst verdict. */
+LUXEL_API luxel_limit luxel_worst_limit(const luxel_limit *limits, size_t count);
 
 #ifdef __cplusplus
 }

@@ -71,6 +71,7 @@
 #include <luxel/study.h>
 #include <luxel/table.h>
 #include <luxel/text.h>
+#include <luxel/utilization.h>
 #include <luxel/version.h>
 #include <luxel/view.h>
 

@@ -190,6 +190,44 @@ typedef struct luxel_photometry_figures {
 LUXEL_API luxel_status luxel_photometry_find_figures(const luxel_photometry *photometry,
                                                      luxel_photometry_figures *figures);
 
+enum { LUXEL_FLUX_ZONES = 18 };
+
+/* The flux by the zone rule in zones of ten degrees, from the axis on; types A and B: NaN.  LUXEL_ERROR_MEMORY. */
+LUXEL_API luxel_status luxel_photometry_find_zones(const luxel_photometry *photometry, double lumens[LUXEL_FLUX_ZONES]);
+
+/* The mean luminance of the opening in a direction, in cd/m²; NaN where it shows no area, and of types A and B. */
+LUXEL_API double luxel_photometry_luminance(const luxel_photometry *photometry, double plane_deg, double angle_deg);
+
+/* The zones of IES TM-15-11: before and behind the luminaire, and above it. */
+typedef enum luxel_bug_zone {
+    LUXEL_BUG_FORWARD_LOW,       /* FL: gamma up to 30 degrees, within 90 degrees of the front */
+    LUXEL_BUG_FORWARD_MID,       /* FM: up to 60 degrees */
+    LUXEL_BUG_FORWARD_HIGH,      /* FH: up to 80 degrees */
+    LUXEL_BUG_FORWARD_VERY_HIGH, /* FVH: up to 90 degrees */
+    LUXEL_BUG_BACK_LOW,          /* BL: gamma up to 30 degrees, on the other side */
+    LUXEL_BUG_BACK_MID,          /* BM: up to 60 degrees */
+    LUXEL_BUG_BACK_HIGH,         /* BH: up to 80 degrees */
+    LUXEL_BUG_BACK_VERY_HIGH,    /* BVH: up to 90 degrees */
+    LUXEL_BUG_UP_LOW,            /* UL: 90 to 100 degrees, all around */
+    LUXEL_BUG_UP_HIGH,           /* UH: 100 to 180 degrees */
+    LUXEL_BUG_ZONES              /* how many there are */
+} luxel_bug_zone;
+
+/* Backlight, uplight and glare of a luminaire outdoors, each rated 0 to 5. */
+typedef struct luxel_bug_rating {
+    bool exists;                    /* false: types A and B */
+    double front_c_deg;             /* which way the front is: C = 0 of LM-63, C = 90 of EULUMDAT */
+    bool is_around;                 /* it lights all sides alike (type V), and the back counts as the front does */
+    double lumens[LUXEL_BUG_ZONES]; /* by the zone rule */
+    unsigned backlight;             /* B */
+    unsigned uplight;               /* U */
+    unsigned glare;                 /* G */
+    void *reserved[4];              /* for later versions: NULL */
+} luxel_bug_rating;
+
+/* Rates it by IES TM-15-11, addendum A.  LUXEL_ERROR_ARGUMENT: NULL.  LUXEL_ERROR_MEMORY. */
+LUXEL_API luxel_status luxel_photometry_find_bug_rating(const luxel_photometry *photometry, luxel_bug_rating *rating);
+
 /*
  * Writes a luminaire by the extension of the name: .ies as IESNA:LM-63-2002, .ldt as EULUMDAT, whole or not at all.
  * What is written reads back as the same table, but for planes that repeat others, and roundings of EULUMDAT in the

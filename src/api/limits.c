@@ -6,7 +6,7 @@
 #include <math.h>
 
 #include "../base/phrase.h"
-#include "../scene/scene.h"
+#include "../scene/observer.h"
 
 /* Room for the roundings of an interval. */
 static const double ROUNDINGS = 8 * DBL_EPSILON;
@@ -67,6 +67,20 @@ static struct interval quotient(struct interval above, struct interval below)
                              below.low > 0 ? above.high / below.low * (1 + ROUNDINGS) : HUGE_VAL};
 }
 
+/* The percents of the cells that have at least so much: for certain, by their values, and at most. */
+static void judge_share(const luxel_grid *grid, luxel_limit *limit)
+{
+    double certain = 0, found = 0, possible = 0;
+    for (size_t i = 0; i < (size_t)grid->columns * grid->rows; i++)
+        if (grid->mask[i]) {
+            certain += grid->values[i] - grid->errors[i] >= limit->above;
+            found += grid->values[i] >= limit->above;
+            possible += grid->values[i] + grid->errors[i] >= limit->above;
+        }
+    const double percent = 100 / (double)grid->measured;
+    conclude(limit, found * percent, (struct interval){certain * percent, possible * percent});
+}
+
 static void judge_number(const luxel_grid *grid, enum lx_grid_limit which, luxel_limit *limit)
 {
     const struct interval minimum = extreme(grid, false), maximum = extreme(grid, true);
@@ -79,6 +93,7 @@ static void judge_number(const luxel_grid *grid, enum lx_grid_limit which, luxel
     case LX_LIMIT_UNIFORMITY:
         conclude(limit, grid->minimum.value / grid->average.value, quotient(minimum, average));
         return;
+    case LX_LIMIT_SHARE: judge_share(grid, limit); return;
     case LX_LIMIT_RATIO: break;
     }
     if (limit->is_most)
@@ -100,6 +115,7 @@ luxel_status luxel_judge_grid(const luxel_scene *scene, size_t i, const luxel_gr
         limit.wanted = lx_grid_limit(&from->limits, which, &limit.name);
         if (isnan(limit.wanted))
             continue;
+        limit.above = which == LX_LIMIT_SHARE ? from->limits.share.above : 0;
         limit.is_most = which == LX_LIMIT_MAXIMUM || (which == LX_LIMIT_RATIO && limit.wanted > 1);
         if (grid->measured > 0)
             judge_number(grid, which, &limit);
@@ -110,28 +126,78 @@ luxel_status luxel_judge_grid(const luxel_scene *scene, size_t i, const luxel_gr
 
 /* ---- observers ---- */
 
+/* How many ways an observer looks from each of its places. */
+static size_t count_views(const struct lx_glare_observer *observer)
+{
+    return lx_observer_has_view(observer) ? 1 : LX_LEVEL_VIEWS;
+}
+
+static size_t count_sights(const struct lx_glare_observer *observer)
+{
+    return (size_t)observer->n[0] * observer->n[1] * count_views(observer);
+}
+
 size_t luxel_scene_observer_count(const luxel_scene *scene)
 {
-    return scene && luxel_scene_is_committed(scene) ? lx_scene_parameters(scene)->glare_observers.count : 0;
+    size_t count = 0;
+    if (!scene || !luxel_scene_is_committed(scene))
+        return 0;
+    const struct lx_groups *observers = &lx_scene_parameters(scene)->glare_observers;
+    for (size_t i = 0; i < observers->count; i++)
+        count += count_sights((const struct lx_glare_observer *)observers->items + i);
+    return count;
+}
+
+/* The observer that the i-th sight belongs to, whose first sight is *first; NULL: there is no such. */
+static const struct lx_glare_observer *observer_of(const luxel_scene *scene, size_t i, size_t *first)
+{
+    const size_t count =
+        scene && luxel_scene_is_committed(scene) ? lx_scene_parameters(scene)->glare_observers.count : 0;
+    *first = 0;
+    for (size_t k = 0; k < count; k++) {
+        const struct lx_glare_observer *observer =
+            (const struct lx_glare_observer *)lx_scene_parameters(scene)->glare_observers.items + k;
+        const size_t sights = count_sights(observer);
+        if (i < *first + sights)
+            return observer;
+        *first += sights;
+    }
+    return NULL;
 }
 
 static const struct lx_glare_observer *sight_of(const luxel_scene *scene, size_t i)
 {
-    return i < luxel_scene_observer_count(scene)
-               ? (const struct lx_glare_observer *)lx_scene_parameters(scene)->glare_observers.items + i
-               : NULL;
+    size_t first;
+    return observer_of(scene, i, &first);
 }
 
 luxel_status luxel_scene_observer(const luxel_scene *scene, size_t i, const char **name, luxel_glare_sight *sight)
 {
-    const struct lx_glare_observer *from = sight_of(scene, i);
+    size_t first;
+    const struct lx_glare_observer *from = observer_of(scene, i, &first);
     if (!from)
         return LUXEL_ERROR_ARGUMENT;
     if (name)
         *name = from->name;
-    if (sight)
-        *sight = (luxel_glare_sight){.eye_mm = {from->eye_mm[0], from->eye_mm[1], from->eye_mm[2]},
-                                     .view = {from->view[0], from->view[1], from->view[2]}};
+    if (sight) {
+        *sight = (luxel_glare_sight){.eye_mm = {0}};
+        lx_observer_sight(lx_scene_parameters(scene), from, (i - first) / count_views(from),
+                          (i - first) % count_views(from), sight->eye_mm, sight->view);
+    }
+    return LUXEL_OK;
+}
+
+luxel_status luxel_scene_observer_places(const luxel_scene *scene, size_t i, luxel_observer_places *places)
+{
+    size_t first;
+    const struct lx_glare_observer *from = observer_of(scene, i, &first);
+    if (!from || !places)
+        return LUXEL_ERROR_ARGUMENT;
+    *places = (luxel_observer_places){.first = first,
+                                      .count = count_sights(from),
+                                      .columns = from->n[0],
+                                      .rows = from->n[1],
+                                      .views = (unsigned)count_views(from)};
     return LUXEL_OK;
 }
 
@@ -163,6 +229,21 @@ luxel_status luxel_judge_glare(const luxel_scene *scene, size_t i, const luxel_g
         limit.verdict = LUXEL_PASS;
     limits[0] = limit;
     return LUXEL_OK;
+}
+
+luxel_limit luxel_worst_limit(const luxel_limit *limits, size_t count)
+{
+    luxel_limit worst = limits[0];
+    for (size_t i = 1; i < count; i++) {
+        const luxel_limit *limit = &limits[i];
+        if (limit->has_value && (!worst.has_value || limit->value.value > worst.value.value)) {
+            worst.has_value = true;
+            worst.value = limit->value;
+        }
+        if (limit->verdict == LUXEL_FAIL || (limit->verdict == LUXEL_UNDECIDED && worst.verdict == LUXEL_PASS))
+            worst.verdict = limit->verdict;
+    }
+    return worst;
 }
 
 bool luxel_scene_has_limits(const luxel_scene *scene)

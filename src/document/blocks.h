@@ -83,6 +83,8 @@ void lx_document_write_plain(const struct luxel_document *document, struct lx_te
 void lx_document_write_markdown(const struct luxel_document *document, struct lx_text *text);
 void lx_document_write_latex(const struct luxel_document *document, struct lx_text *text);
 void lx_document_write_html(const struct luxel_document *document, struct lx_text *text);
+/* Its tables alone. */
+void lx_document_write_csv(const struct luxel_document *document, struct lx_text *text);
 
 /* Adds a formula for LaTeX and its like; in a table of Markdown, | would end the cell. */
 void lx_add_tex_formula(struct lx_text *text, const char *notation, bool in_cell);

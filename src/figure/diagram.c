@@ -3,8 +3,10 @@
 #include "diagram.h"
 
 #include <math.h>
+#include <stdlib.h>
 
 #include "../base/diagnostics.h"
+#include "../base/memory.h"
 #include "../base/phrase.h"
 #include "sheet.h"
 
@@ -140,6 +142,77 @@ static luxel_status check_settings(const luxel_diagram_settings *settings, luxel
         return LUXEL_ERROR_ARGUMENT;
     return LX_CHECK_RESERVE(settings, diagnostics);
 }
+
+/* ---- in a document ---- */
+
+enum { PAIR_MM = 160, PAIR_DPI = 150 };
+static const double POINTS = 72 / 25.4;
+
+/* Both diagrams, the polar one on the left. */
+static double draw_pair(const void *what, cairo_t *cairo, double width)
+{
+    const struct lx_diagram *diagram = what;
+    cairo_surface_t *nowhere = cairo ? NULL : cairo_recording_surface_create(CAIRO_CONTENT_COLOR_ALPHA, NULL);
+    cairo_t *context = cairo ? cairo : cairo_create(nowhere);
+    struct lx_canvas canvas = lx_canvas_of(context, false);
+    const double size = 7, gap = 2 * size, part = 0.45 * (width - gap);
+    const struct lx_pane left = {.x = 0, .y = size, .width = part},
+                         right = {.x = part + gap, .y = size, .width = width - part - gap};
+    double end = fmax(lx_draw_polar(diagram, &canvas, &left, size, cairo != NULL),
+                      lx_draw_cartesian(diagram, &canvas, &right, size, cairo != NULL));
+    lx_canvas_clear(&canvas);
+    if (!cairo) {
+        cairo_destroy(context);
+        cairo_surface_destroy(nowhere);
+    }
+    return end + size;
+}
+
+static void draw_part(void *cairo, void *data)
+{
+    draw_pair(data, cairo, PAIR_MM * POINTS);
+}
+
+static void release(void *data)
+{
+    struct lx_diagram *diagram = data;
+    for (int i = 0; diagram && i < 2; i++)
+        lx_section_clear(&diagram->sections[i]);
+    free(diagram);
+}
+
+luxel_status lx_diagram_add(const luxel_photometry *photometry, const luxel_language *language,
+                            struct luxel_document *document, luxel_diagnostics *diagnostics)
+{
+    struct lx_diagram *diagram = lx_new_array(1, sizeof *diagram);
+    const struct lx_page_sheet sheet = {
+        .title = "", .width_mm = PAIR_MM, .dots_per_inch = PAIR_DPI, .draw = draw_pair, .what = diagram};
+    unsigned char *bytes = NULL;
+    size_t length = 0;
+    if (!diagram)
+        return lx_out_of_memory(diagnostics);
+    diagram->photometry = photometry;
+    luxel_diagram_settings_init(&diagram->settings);
+    diagram->settings.language = language;
+    luxel_status status = take_sections(diagram) ? LUXEL_OK : lx_out_of_memory(diagnostics);
+    if (status == LUXEL_OK)
+        status = lx_sheet_png(&sheet, diagnostics, &bytes, &length);
+    if (status != LUXEL_OK) {
+        release(diagram);
+        return status;
+    }
+    const struct lx_drawing drawing = {.width_pt = PAIR_MM * POINTS,
+                                       .height_pt = draw_pair(diagram, NULL, PAIR_MM * POINTS),
+                                       .draw = draw_part,
+                                       .release = release,
+                                       .data = diagram};
+    lx_document_picture(document, bytes, length, &drawing,
+                        LX_N("The polar diagram, and the intensity over the angle from the axis."), NULL);
+    free(bytes);
+    return LUXEL_OK;
+}
+
+/* ---- as a file ---- */
 
 static luxel_status write_to(const struct lx_destination *destination, const luxel_photometry *photometry,
                              const luxel_diagram_settings *settings, luxel_diagnostics *diagnostics)

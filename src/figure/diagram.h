@@ -5,6 +5,7 @@
 
 #include <luxel/figure.h>
 
+#include "../document/document.h"
 #include "../format/lamp/photometry_section.h"
 #include "canvas.h"
 
@@ -41,5 +42,9 @@ double lx_draw_cartesian(const struct lx_diagram *diagram, const struct lx_canva
                          double size, bool drawn);
 double lx_draw_cone(const struct lx_diagram *diagram, const struct lx_canvas *canvas, const struct lx_pane *place,
                     double size, bool drawn);
+
+/* Adds the polar and the Cartesian diagram to a document, side by side. */
+luxel_status lx_diagram_add(const luxel_photometry *photometry, const luxel_language *language,
+                            struct luxel_document *document, luxel_diagnostics *diagnostics);
 
 #endif

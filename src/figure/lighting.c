@@ -59,28 +59,6 @@ static luxel_status measure_grids(struct lx_design_report *lighting)
     return status;
 }
 
-static luxel_status rate_observers(struct lx_design_report *lighting)
-{
-    struct lx_report *report = lighting->report;
-    const size_t count = report->parameters->units == LX_PHOTOMETRIC ? luxel_scene_observer_count(report->scene) : 0;
-    luxel_status status = LUXEL_OK;
-    lighting->glares = lx_new_array(count + 1, sizeof *lighting->glares);
-    lighting->of_observers = lx_new_array(count + 1, sizeof *lighting->of_observers);
-    if (!lighting->glares || !lighting->of_observers)
-        return lx_out_of_memory(report->diagnostics);
-    for (size_t i = 0; i < count && status == LUXEL_OK; i++) {
-        luxel_glare_sight sight;
-        luxel_scene_observer(report->scene, i, NULL, &sight);
-        status = luxel_find_glare(report->scene, report->settings, &sight, report->diagnostics, &lighting->glares[i]);
-        if (status != LUXEL_OK)
-            break;
-        lighting->observer_count++;
-        status = luxel_judge_glare(report->scene, i, lighting->glares[i], lighting->of_observers[i].limits,
-                                   &lighting->of_observers[i].count);
-    }
-    return status;
-}
-
 /* The area of the floors of all rooms. */
 static double find_floor(const struct lx_scene_parameters *parameters)
 {
@@ -102,7 +80,7 @@ static luxel_status compute(struct lx_design_report *lighting)
     struct lx_report *report = lighting->report;
     luxel_status status = measure_grids(lighting);
     if (status == LUXEL_OK)
-        status = rate_observers(lighting);
+        status = lx_lighting_rate(lighting);
     if (status == LUXEL_OK)
         status = luxel_find_balance(report->scene, report->settings, report->diagnostics, &report->balance);
     lighting->floor_m2 = find_floor(report->parameters);
@@ -123,13 +101,12 @@ static void clear(struct lx_design_report *lighting)
 
 /* ---- the summary ---- */
 
-/* The name of a grid or observer, or its number behind a word. */
-static const char *name_of(const struct lx_report *report, const char *name, const char *english, size_t i,
-                           char *buffer, size_t size)
+const char *lx_lighting_name(const struct lx_report *report, const char *name, const char *english, size_t i,
+                             char buffer[LX_LIGHTING_NAME])
 {
     if (name)
         return name;
-    snprintf(buffer, size, "%s %zu", lx_document_word(report->document, english), i + 1);
+    snprintf(buffer, LX_LIGHTING_NAME, "%s %zu", lx_document_word(report->document, english), i + 1);
     return buffer;
 }
 
@@ -137,11 +114,9 @@ static const char *limit_word(const luxel_limit *limit)
 {
     static const struct {
         const char *key, *words;
-    } known[] = {{"average", LX_N("average")},
-                 {"minimum", LX_N("minimum")},
-                 {"maximum", LX_N("maximum")},
-                 {"uniformity", LX_N("uniformity U0")},
-                 {"ugr", "UGR"}};
+    } known[] = {{"average", LX_N("average")},         {"minimum", LX_N("minimum")},
+                 {"maximum", LX_N("maximum")},         {"uniformity", LX_N("uniformity U0")},
+                 {"share", LX_N("share of the area")}, {"ugr", "UGR"}};
     for (size_t i = 0; i < sizeof known / sizeof *known; i++)
         if (strcmp(known[i].key, limit->name) == 0)
             return known[i].words;
@@ -154,11 +129,14 @@ static void add_verdicts(const struct lx_report *report, const char *name, const
 {
     for (size_t i = 0; i < judged->count; i++) {
         const luxel_limit *limit = &judged->limits[i];
-        const bool has_unit = limit->name[0] == 'a' || limit->name[0] == 'm';
+        const bool has_unit = limit->name[0] == 'a' || limit->name[0] == 'm', is_share = limit->name[0] == 's';
         char wanted[LX_NUMBER_SIZE + 40], number[LX_NUMBER_SIZE], cell[LX_LIGHTING_CELL];
         snprintf(wanted, sizeof wanted, "%s %s%s%s", limit->is_most ? "≤" : "≥",
                  lx_write_digits(limit->wanted, 6, number), has_unit ? " " : "",
                  has_unit ? lx_document_word(report->document, unit) : "");
+        if (is_share)
+            snprintf(wanted, sizeof wanted, "≥ %g %%: ≥ %g %s", limit->wanted, limit->above,
+                     lx_document_word(report->document, unit));
         lx_document_row(report->document,
                         LX_SPANS(LX_PLAIN(name), LX_TERM_SPAN(limit_word(limit)), LX_PLAIN(wanted),
                                  LX_PLAIN(limit->has_value ? lx_lighting_amount(report, limit->value, cell) : "–"),
@@ -168,17 +146,25 @@ static void add_verdicts(const struct lx_report *report, const char *name, const
     }
 }
 
+static void count_judged(const struct lx_judged *judged, size_t *count, size_t *missed)
+{
+    *count += judged->count;
+    for (size_t k = 0; k < judged->count; k++)
+        *missed += judged->limits[k].verdict != LUXEL_PASS;
+}
+
 /* How many limits there are, and how many are not kept for certain. */
 static size_t count_limits(const struct lx_design_report *lighting, size_t *missed)
 {
+    luxel_observer_places places;
     size_t count = 0;
     *missed = 0;
-    for (size_t i = 0; i < lighting->grid_count + lighting->observer_count; i++) {
-        const struct lx_judged *judged =
-            i < lighting->grid_count ? &lighting->of_grids[i] : &lighting->of_observers[i - lighting->grid_count];
-        count += judged->count;
-        for (size_t k = 0; k < judged->count; k++)
-            *missed += judged->limits[k].verdict != LUXEL_PASS;
+    for (size_t i = 0; i < lighting->grid_count; i++)
+        count_judged(&lighting->of_grids[i], &count, missed);
+    for (size_t i = 0; i < lighting->observer_count; i += places.count) {
+        luxel_scene_observer_places(lighting->report->scene, i, &places);
+        const struct lx_judged judged = lx_lighting_judged(lighting, &places);
+        count_judged(&judged, &count, missed);
     }
     return count;
 }
@@ -208,16 +194,18 @@ static void add_summary(const struct lx_design_report *lighting)
                              LX_TERM_SPAN(LX_N("limit")), LX_TERM_SPAN(LX_N("value")), LX_TERM_SPAN(LX_N("verdict"))),
                     false);
     for (size_t i = 0; i < lighting->grid_count; i++) {
-        char name[80];
-        add_verdicts(report, name_of(report, lighting->grids[i]->name, LX_N("grid"), i, name, sizeof name),
+        char name[LX_LIGHTING_NAME];
+        add_verdicts(report, lx_lighting_name(report, lighting->grids[i]->name, LX_N("grid"), i, name),
                      &lighting->of_grids[i], lighting->grids[i]->unit);
     }
-    for (size_t i = 0; i < lighting->observer_count; i++) {
+    luxel_observer_places places;
+    for (size_t i = 0, number = 0; i < lighting->observer_count; i += places.count, number++) {
         const char *own = NULL;
-        char name[80];
+        char name[LX_LIGHTING_NAME];
         luxel_scene_observer(report->scene, i, &own, NULL);
-        add_verdicts(report, name_of(report, own, LX_N("observer"), i, name, sizeof name), &lighting->of_observers[i],
-                     "");
+        luxel_scene_observer_places(report->scene, i, &places);
+        const struct lx_judged judged = lx_lighting_judged(lighting, &places);
+        add_verdicts(report, lx_lighting_name(report, own, LX_N("observer"), number, name), &judged, "");
     }
 }
 
@@ -290,9 +278,9 @@ static luxel_status add_grid(const struct lx_design_report *lighting, size_t i)
     struct lx_report *report = lighting->report;
     struct luxel_document *document = report->document;
     const luxel_grid *grid = lighting->grids[i];
-    char name[80], numbers[7][LX_NUMBER_SIZE], average[LX_LIGHTING_CELL];
+    char name[LX_LIGHTING_NAME], numbers[7][LX_NUMBER_SIZE], average[LX_LIGHTING_CELL];
     lx_document_heading(document, 2, "{0}",
-                        LX_SPANS(LX_PLAIN(name_of(report, grid->name, LX_N("grid"), i, name, sizeof name))));
+                        LX_SPANS(LX_PLAIN(lx_lighting_name(report, grid->name, LX_N("grid"), i, name))));
     if (grid->measured == 0) {
         lx_document_paragraph(document, LX_N("No cell has a value: all lie inside of bodies or on sources."), NULL);
         return LUXEL_OK;
@@ -329,51 +317,6 @@ static luxel_status add_grids(const struct lx_design_report *lighting)
     for (size_t i = 0; i < lighting->grid_count && status == LUXEL_OK; i++)
         status = add_grid(lighting, i);
     return status;
-}
-
-/* ---- glare ---- */
-
-static void add_place(struct lx_text *text, const double numbers[3])
-{
-    char number[LX_NUMBER_SIZE];
-    for (int i = 0; i < 3; i++)
-        lx_text_printf(text, "%s%s", i > 0 ? ", " : "", lx_report_number(numbers[i] + 0.0, number));
-}
-
-static void add_glare(const struct lx_design_report *lighting)
-{
-    struct lx_report *report = lighting->report;
-    struct luxel_document *document = report->document;
-    if (lighting->observer_count == 0)
-        return;
-    lx_document_heading(document, 1, LX_N("Glare"), NULL);
-    lx_document_paragraph(document,
-                          LX_N("The unified glare rating (UGR, CIE 117) of each observer, and the luminance of the "
-                               "background. Lights without a luminous area are left out of it."),
-                          NULL);
-    lx_document_table(document, "lllrr");
-    lx_document_row(document,
-                    LX_SPANS(LX_TERM_SPAN(LX_N("observer")), LX_TERM_SPAN(LX_N("eye, mm")), LX_TERM_SPAN(LX_N("view")),
-                             LX_PLAIN("UGR"), LX_TERM_SPAN(LX_N("background, cd/m²"))),
-                    false);
-    for (size_t i = 0; i < lighting->observer_count; i++) {
-        const luxel_glare *glare = lighting->glares[i];
-        struct lx_text eye = {0}, view = {0};
-        luxel_glare_sight sight;
-        const char *own = NULL;
-        char name[80], rating[LX_LIGHTING_CELL], background[LX_LIGHTING_CELL];
-        luxel_scene_observer(report->scene, i, &own, &sight);
-        add_place(&eye, sight.eye_mm);
-        add_place(&view, sight.view);
-        lx_document_row(document,
-                        LX_SPANS(LX_PLAIN(name_of(report, own, LX_N("observer"), i, name, sizeof name)),
-                                 LX_PLAIN(eye.bytes ? eye.bytes : ""), LX_PLAIN(view.bytes ? view.bytes : ""),
-                                 LX_PLAIN(glare->has_rating ? lx_lighting_amount(report, glare->rating, rating) : "–"),
-                                 LX_PLAIN(lx_lighting_amount(report, glare->background, background))),
-                        false);
-        lx_text_clear(&eye);
-        lx_text_clear(&view);
-    }
 }
 
 /* ---- conventions ---- */
@@ -422,7 +365,7 @@ static luxel_status build(struct lx_design_report *lighting)
         status = add_grids(lighting);
     if (status != LUXEL_OK)
         return status;
-    add_glare(lighting);
+    lx_lighting_glare(lighting);
     if (report->balance)
         lx_document_heading(report->document, 1, LX_N("Surfaces"), NULL);
     lx_report_balance(report);

@@ -28,7 +28,17 @@ struct lx_design_report {
 /* The direction that is up. */
 const double *lx_lighting_up(const struct lx_design_report *lighting);
 
+/* The name of a grid or observer, or its number behind a word. */
+enum { LX_LIGHTING_NAME = 80 };
+const char *lx_lighting_name(const struct lx_report *report, const char *name, const char *english, size_t i,
+                             char buffer[LX_LIGHTING_NAME]);
+
+/* Rates the observers; and the limits of those that are one entry of the scene, as one. */
+luxel_status lx_lighting_rate(struct lx_design_report *lighting);
+struct lx_judged lx_lighting_judged(const struct lx_design_report *lighting, const luxel_observer_places *places);
+
 /* Sections, each with its heading. */
+void lx_lighting_glare(const struct lx_design_report *lighting);
 luxel_status lx_lighting_plan(struct lx_design_report *lighting);
 luxel_status lx_lighting_lamps(struct lx_design_report *lighting);
 

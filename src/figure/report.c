@@ -16,8 +16,8 @@
 #include "lighting.h"
 #include "pages.h"
 
-static const char *const endings[] = {".pdf", ".html", ".md", ".tex"};
-enum { PDF, HTML, MARKDOWN, LATEX };
+static const char *const endings[] = {".pdf", ".html", ".md", ".tex", ".csv"};
+enum { PDF, HTML, MARKDOWN, LATEX, CSV };
 
 enum { GREY_MM = 80, FALSE_COLOUR_MM = 120, PICTURE_DPI = 150 };
 
@@ -202,13 +202,14 @@ static luxel_status build(struct lx_report *report)
     return lx_document_failed(report->document) ? lx_out_of_memory(report->diagnostics) : LUXEL_OK;
 }
 
-static luxel_status write_pages(const struct lx_report *report, const struct lx_destination *destination)
+static luxel_status write_pages(const struct luxel_document *document, const struct lx_destination *destination,
+                                luxel_diagnostics *diagnostics)
 {
     struct lx_sink *sink;
-    luxel_status status = lx_sink_open_at(destination, report->diagnostics, &sink);
+    luxel_status status = lx_sink_open_at(destination, diagnostics, &sink);
     if (status != LUXEL_OK)
         return status;
-    status = lx_pages_write(report->document, sink, report->diagnostics);
+    status = lx_pages_write(document, sink, diagnostics);
     if (status == LUXEL_OK)
         return lx_sink_commit(sink);
     lx_sink_abort(sink);
@@ -228,15 +229,29 @@ static luxel_status check(const struct lx_destination *destinations, size_t coun
     return status;
 }
 
-static luxel_status write_as(const struct lx_report *report, const struct lx_destination *destination)
+static luxel_status write_tables(const struct luxel_document *document, const struct lx_destination *destination,
+                                 luxel_diagnostics *diagnostics)
+{
+    struct lx_text text = {0};
+    lx_document_write_csv(document, &text);
+    const luxel_status status = text.failed
+                                    ? lx_out_of_memory(diagnostics)
+                                    : lx_sink_put(destination, text.bytes ? text.bytes : "", text.length, diagnostics);
+    lx_text_clear(&text);
+    return status;
+}
+
+luxel_status lx_report_put(const struct luxel_document *document, const struct lx_destination *destination,
+                           luxel_diagnostics *diagnostics)
 {
     size_t format;
     const luxel_status status =
-        lx_find_ending(destination->path, endings, sizeof endings / sizeof endings[0], report->diagnostics, &format);
+        lx_find_ending(destination->path, endings, sizeof endings / sizeof endings[0], diagnostics, &format);
     if (status != LUXEL_OK)
         return status;
-    return format == PDF ? write_pages(report, destination)
-                         : lx_document_put(report->document, destination, report->diagnostics);
+    return format == PDF   ? write_pages(document, destination, diagnostics)
+           : format == CSV ? write_tables(document, destination, diagnostics)
+                           : lx_document_put(document, destination, diagnostics);
 }
 
 static luxel_status write_to(const struct lx_destination *destinations, size_t count, const luxel_scene *scene,
@@ -261,7 +276,7 @@ static luxel_status write_to(const struct lx_destination *destinations, size_t c
     report.parameters = lx_scene_parameters(report.scene);
     status = build(&report);
     for (size_t i = 0, built = status == LUXEL_OK; i < count && built; i++) {
-        const luxel_status one = write_as(&report, &destinations[i]);
+        const luxel_status one = lx_report_put(report.document, &destinations[i], diagnostics);
         written[i] = one == LUXEL_OK;
         status = one == LUXEL_OK ? status : one;
     }

@@ -45,6 +45,10 @@ enum { LX_REPORT_DIGITS = 7, LX_REPORT_EXACT_DIGITS = 12 }; /* of values, and of
 luxel_status lx_report_compute(struct lx_report *report);
 void lx_report_clear(struct lx_report *report);
 
+/* Writes a document by the extension of its name: pages of a PDF, or as luxel_document_write() does. */
+luxel_status lx_report_put(const struct luxel_document *document, const struct lx_destination *destination,
+                           luxel_diagnostics *diagnostics);
+
 /* The sections, each with its heading; the first has the aim, too. */
 void lx_report_task(struct lx_report *report);
 luxel_status lx_report_results(struct lx_report *report);

@@ -172,7 +172,6 @@ static void advise_room(struct lx_walk *walk, const struct lx_item *room, size_t
 static size_t find_lookers(const struct lx_walk *walk, const struct lx_scene_parameters *scene, struct looker *lookers)
 {
     const struct lx_document *document = walk->document;
-    const struct lx_table *grid_table = lx_find_parameter(&lx_scene_table, "grids")->group;
     size_t count = 0;
     lx_node_id id = lx_document_node(document, lx_document_find(document, document->root, "lights"))->first;
     for (size_t i = 0; i < scene->lights.count; i++, id = lx_document_node(document, id)->next) {
@@ -190,8 +189,9 @@ static size_t find_lookers(const struct lx_walk *walk, const struct lx_scene_par
     id = grids ? lx_document_node(document, grids)->first : 0;
     for (size_t i = 0; i < scene->grids.count; i++, id = lx_document_node(document, id)->next) {
         const struct lx_grid *grid = (const struct lx_grid *)scene->grids.items + i;
-        lookers[count++] =
-            (struct looker){"grids", i, id, grid->center_mm, grid->axis, lx_is_given(grid_table, grid, "axis")};
+        if (!grid->surface)
+            lookers[count++] =
+                (struct looker){"grids", i, id, grid->center_mm, grid->axis, lx_is_given(&lx_grid_table, grid, "axis")};
     }
     return count;
 }

@@ -148,6 +148,7 @@ bool lx_bound_check(luxel_scene *scene, const struct lx_binding *bindings, size_
                 mapping->table->check(&check, mapping->parameters);
         }
     }
+    lx_place_grids(&walk, scene);
     lx_validate_reflections(&walk, scene);
     return !walk.failed && !walk.out_of_memory;
 }

@@ -54,6 +54,9 @@ void lx_advise_design(struct lx_walk *walk, const luxel_scene *scene);
 /* Advice about colours of a committed scene. */
 void lx_advise_colors(struct lx_walk *walk, const luxel_scene *scene);
 
+/* Lays measuring grids that name a surface on its side, and reports those that cannot lie there. */
+void lx_place_grids(struct lx_walk *walk, luxel_scene *scene);
+
 /* Checks what reflected light asks of surfaces and lights. */
 void lx_validate_reflections(struct lx_walk *walk, const luxel_scene *scene);
 

@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "../base/pose.h"
+#include "../base/vector.h"
 #include "../parameter/check.h"
 #include "../parameter/decode.h"
 
@@ -170,4 +171,28 @@ const double *lx_scene_up(const struct lx_scene_parameters *scene)
 double lx_observer_height(const struct lx_observer *observer)
 {
     return lx_observer_is_placed(observer) ? lx_distance(observer->position_mm, observer->target_mm) : observer->z_mm;
+}
+
+void lx_observer_sight(const struct lx_scene_parameters *scene, const struct lx_glare_observer *observer, size_t place,
+                       size_t view, double eye_mm[3], double direction[3])
+{
+    static const double z[3] = {0, 0, 1};
+    const double *given = lx_scene_up(scene);
+    double up[3], across[3], along[3];
+    memcpy(up, given ? given : z, sizeof up);
+    lx_normalize(up);
+    /* across is x made level, or y where x goes up */
+    const double sideways[3] = {fabs(up[0]) < 0.9, !(fabs(up[0]) < 0.9), 0};
+    for (int i = 0; i < 3; i++)
+        across[i] = sideways[i] - lx_dot(sideways, up) * up[i];
+    lx_normalize(across);
+    lx_cross(up, across, along);
+    const double x = ((double)(place % observer->n[0]) + 0.5) / observer->n[0] - 0.5;
+    const double y = 0.5 - ((double)(place / observer->n[0]) + 0.5) / observer->n[1];
+    const double ways[LX_LEVEL_VIEWS][2] = {{1, 0}, {0, 1}, {-1, 0}, {0, -1}};
+    for (int i = 0; i < 3; i++) {
+        eye_mm[i] = observer->eye_mm[i] + x * observer->size_mm[0] * across[i] + y * observer->size_mm[1] * along[i];
+        direction[i] = lx_observer_has_view(observer) ? observer->view[i]
+                                                      : ways[view][0] * across[i] + ways[view][1] * along[i] + 0.0;
+    }
 }

@@ -29,6 +29,10 @@ double lx_observer_height(const struct lx_observer *observer);
  * its plan does not change, else the observer's `up`; NULL: neither is given. */
 const double *lx_scene_up(const struct lx_scene_parameters *scene);
 
+/* Where the eye of somebody who is asked about glare is at one of its places, row by row, and which way it looks. */
+void lx_observer_sight(const struct lx_scene_parameters *scene, const struct lx_glare_observer *observer, size_t place,
+                       size_t view, double eye_mm[3], double direction[3]);
+
 /* Adds the sides of the screen ("left, top") beyond which a surface reaches; none of one that surrounds the observer or
  * fills the whole screen behind others. */
 void lx_add_sides_beyond(const struct lx_scene_parameters *scene, size_t surface, struct lx_text *sides);

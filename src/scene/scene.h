@@ -60,7 +60,10 @@ struct lx_grid {
     double center_mm[3];
     double size_mm[2];
     double axis[3], up[3]; /* as of a rectangle: the normal of the elements; along the rows' order */
-    unsigned n[2];         /* columns, rows; as the spacing says where they are not given */
+    const char *surface;   /* NULL: it lies where it says; else the above are those of a side of it */
+    const char *side;      /* NULL: none is named */
+    double border_mm;
+    unsigned n[2]; /* columns, rows; as the spacing says where they are not given */
     int spacing;
     int measure; /* enum lx_measure */
     struct lx_grid_limits limits;
@@ -101,7 +104,7 @@ struct lx_scene_parameters {
     unsigned channel;                 /* of materials' colours, from 1; 0: their luminance (colours.h); no key */
 };
 
-extern const struct lx_table lx_scene_table;
+extern const struct lx_table lx_scene_table, lx_grid_table;
 
 /* How many materials free elements may name: those of the surfaces, else that which has all keys by default. */
 static inline size_t lx_material_count(const struct lx_scene_parameters *scene)

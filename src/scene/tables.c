@@ -2,10 +2,7 @@
 /* The tables of what a scene holds beside its surfaces, materials and lights, and the table of the whole. */
 #include <math.h>
 
-#include "../base/number.h"
 #include "../light/light.h"
-#include "../material/measure.h"
-#include "../parameter/check.h"
 #include "../surface/surface.h"
 #include "observer.h"
 
@@ -159,153 +156,6 @@ static const struct lx_table light_common_table = {
     .size = sizeof(struct lx_light_common),
 };
 
-/* ---- measuring grids ---- */
-
-enum { MOST_IN_A_ROW = 65536, MOST_CELLS = 10000000 };
-
-static const char *const spacing_names[] = {"en12464", NULL};
-
-static const struct lx_parameter grid_parameters[] = {
-    {
-        .name = "name",
-        .label = "Name",
-        .type = LX_TEXT,
-        .offset = offsetof(struct lx_grid, name),
-        .meaning = "a name for messages and tables",
-    },
-    {
-        .name = "center",
-        .label = "Centre",
-        .type = LX_REALS,
-        .offset = offsetof(struct lx_grid, center_mm),
-        .count = 3,
-        .unit = LX_UNIT_MM,
-        .required = true,
-        .meaning = "the centre of the measuring plane",
-    },
-    {
-        .name = "size",
-        .label = "Size",
-        .type = LX_REALS,
-        .offset = offsetof(struct lx_grid, size_mm),
-        .count = 2,
-        .unit = LX_UNIT_MM,
-        .required = true,
-        .legal = LX_ABOVE(0),
-        .meaning = "the width and the height of the measuring plane; the height runs along up",
-    },
-    {
-        .name = "axis",
-        .label = "Axis",
-        .type = LX_REALS,
-        .offset = offsetof(struct lx_grid, axis),
-        .count = 3,
-        .nonzero = true,
-        .initial = "[0, 0, 1]",
-        .meaning = "the normal of the measuring plane, of any length: the side that it is lit from",
-    },
-    {
-        .name = "up",
-        .label = "Up direction",
-        .type = LX_REALS,
-        .offset = offsetof(struct lx_grid, up),
-        .count = 3,
-        .nonzero = true,
-        .initial = "[0, 1, 0]",
-        .meaning = "the direction along which the height runs, made perpendicular to axis; where it is not given and "
-                   "the axis runs along y, (0, 0, 1)",
-    },
-    {
-        .name = "n",
-        .label = "Cells",
-        .type = LX_WHOLES,
-        .offset = offsetof(struct lx_grid, n),
-        .count = 2,
-        .legal = LX_BETWEEN(1, MOST_IN_A_ROW),
-        .advised = {LX_BETWEEN(2, 500)},
-        .meaning = "the number of cells, [columns, rows], at most ten million; the irradiance is measured at the "
-                   "centre of each",
-    },
-    {
-        .name = "spacing",
-        .label = "Spacing",
-        .type = LX_CHOICE,
-        .offset = offsetof(struct lx_grid, spacing),
-        .choices = spacing_names,
-        .meaning = "the number of cells by a rule: en12464 makes them at most 0.2 * 5^log10(d) metres wide and high, "
-                   "but no more than 10, where d is the longer side in metres, or the shorter one where the longer is "
-                   "twice as long or more",
-    },
-    {
-        .name = "measure",
-        .label = "Measure",
-        .type = LX_CHOICE,
-        .offset = offsetof(struct lx_grid, measure),
-        .choices = lx_measure_names,
-        .meaning = "what is measured at the centre of each cell: the illuminance on the plane, or the mean of that on "
-                   "the surface of a small body there: on the side of a cylinder along the axis, on that half of "
-                   "it which faces along up, on a sphere, or on the half of a sphere that looks along the axis",
-    },
-    {
-        .name = "limits",
-        .label = "Limits",
-        .type = LX_GROUP,
-        .offset = offsetof(struct lx_grid, limits),
-        .group = &lx_grid_limits_table,
-        .meaning = "what the values are to keep: pass, fail, or undecided where their bounds span the limit",
-    },
-};
-
-static const struct lx_rule grid_rules[] = {
-    {LX_RULE_ONE, "n", NULL, "n|spacing"},
-};
-
-/* EN 12464-1:2011, 4.4: the greatest distance between points of a plane, in mm. */
-static double en12464_spacing_mm(const double size_mm[2])
-{
-    const double longer = fmax(size_mm[0], size_mm[1]), shorter = fmin(size_mm[0], size_mm[1]);
-    const double d_m = (longer >= 2 * shorter ? shorter : longer) / 1000;
-    return 1000 * fmin(0.2 * pow(5, log10(d_m)), 10);
-}
-
-/* The cells of a plane: as many as n says, or by the spacing, as a whole number that may be too large. */
-static void count_cells(const struct lx_grid *grid, bool is_by_n, double cells[2])
-{
-    const double spacing = en12464_spacing_mm(grid->size_mm);
-    for (int i = 0; i < 2; i++) {
-        /* what rounding cannot tell from whole cells is whole */
-        const double fit = grid->size_mm[i] / spacing;
-        cells[i] = is_by_n ? grid->n[i] : fmax(ceil(fit - 1e-9 * fit), 1);
-    }
-}
-
-static void check_grid(const struct lx_check *check, void *parameters)
-{
-    struct lx_grid *grid = parameters;
-    const bool is_by_n = lx_is_given(check->table, grid, "n");
-    double cells[2];
-    lx_check_pose(check, grid->axis, grid->up);
-    count_cells(grid, is_by_n, cells);
-    if (cells[0] <= MOST_IN_A_ROW && cells[1] <= MOST_IN_A_ROW && cells[0] * cells[1] <= MOST_CELLS) {
-        for (int i = 0; i < 2; i++)
-            grid->n[i] = (unsigned)cells[i];
-        return;
-    }
-    char columns[LX_NUMBER_SIZE], rows[LX_NUMBER_SIZE], most[LX_NUMBER_SIZE];
-    lx_check_report(check, is_by_n ? "n" : "size", LX_ALL_OF_IT, LX_MSG_TOO_MANY_CELLS,
-                    LX_ARGS(lx_write_number(cells[0], columns), lx_write_number(cells[1], rows),
-                            lx_write_number(MOST_CELLS, most)));
-}
-
-static const struct lx_table grid_table = {
-    .parameters = grid_parameters,
-    .count = LX_COUNT(grid_parameters),
-    .rules = grid_rules,
-    .rule_count = LX_COUNT(grid_rules),
-    .size = sizeof(struct lx_grid),
-    .check = check_grid,
-};
-
 /* ---- the scene ---- */
 
 static const struct lx_parameter scene_parameters[] = {
@@ -443,7 +293,7 @@ static const struct lx_parameter scene_parameters[] = {
         .type = LX_GROUPS,
         .offset = offsetof(struct lx_scene_parameters, grids),
         .initial = "[]",
-        .group = &grid_table,
+        .group = &lx_grid_table,
         .meaning = "measuring planes of luxel grid: the irradiance at the centres of their cells",
     },
     {

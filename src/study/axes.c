@@ -44,17 +44,54 @@ static unsigned width_of(const struct lx_parameter *parameter)
     }
 }
 
+/* Element i of the list in place of all of them: the text is the caller's, NULL where memory ran out. */
+static char *key_of_element(const char *key, const char *all, size_t i)
+{
+    struct lx_text text = {0};
+    lx_text_printf(&text, "%.*s[%zu]%s", (int)(all - key), key, i, all + strlen("[*]"));
+    return lx_text_take(&text);
+}
+
+/* Follows a key, one of all elements of a list (lights[*].factor) by the first that has it; the last one's errors are
+ * told. */
+static luxel_status follow(const luxel_scene *scene, const char *key, luxel_diagnostics *found, struct lx_path *path)
+{
+    const char *all = strstr(key, "[*]");
+    struct lx_place place = {.source = "-s", .text = key, .length = strlen(key)};
+    luxel_status status = LUXEL_ERROR_PATH;
+    size_t count = 0;
+    if (!all)
+        return lx_follow_path(scene, &place, place.length, found, path);
+    char *list = lx_copy_text(key, (size_t)(all - key));
+    if (!list)
+        return LUXEL_ERROR_MEMORY;
+    place = (struct lx_place){.source = "-s", .text = list, .length = strlen(list)};
+    status = lx_follow_list(scene, &place, found, path, &count);
+    free(list);
+    if (status != LUXEL_OK)
+        return status;
+    status = LUXEL_ERROR_PATH;
+    for (size_t i = 0; (i < count || i == 0) && status == LUXEL_ERROR_PATH; i++) {
+        char *one = key_of_element(key, all, i);
+        if (!one)
+            return LUXEL_ERROR_MEMORY;
+        place = (struct lx_place){.source = "-s", .text = one, .length = strlen(one)};
+        status = lx_follow_path(scene, &place, place.length, i + 1 >= count ? found : NULL, path);
+        free(one);
+    }
+    return status;
+}
+
 /* Follows the key; what is wrong with it is told at the study's place. */
 static bool follow_key(struct making *making)
 {
     const char *key = making->vary->key;
     struct lx_axis *axis = making->axis;
-    struct lx_place within = {.source = "-s", .text = key, .length = strlen(key)};
     const struct lx_document *document = making->walk->document;
     struct lx_place place = lx_document_place(document, lx_document_find(document, making->mapping, "key"));
     luxel_diagnostics *found = luxel_diagnostics_new();
     struct lx_path path;
-    bool good = lx_follow_path(making->study->plain, &within, within.length, found, &path) == LUXEL_OK;
+    bool good = follow(making->study->plain, key, found, &path) == LUXEL_OK;
     lx_hand_over(making->walk->diagnostics, found, "-s", &place);
     luxel_diagnostics_free(found);
     if (!good) {

@@ -2,6 +2,8 @@
 /* The parts of surfaces: the surface itself, unless its kind says otherwise. */
 #include "part.h"
 
+#include <string.h>
+
 unsigned lx_part_count(const struct lx_surface_kind *kind)
 {
     return kind->part_names ? kind->part_count : 1;
@@ -37,4 +39,17 @@ void lx_piece_make(const struct lx_surface_kind *kind, const void *parameters, s
 const char *lx_part_name(const struct lx_surface_kind *kind, unsigned i)
 {
     return kind->part_names ? kind->part_names[i] : NULL;
+}
+
+bool lx_part_flat(const struct lx_part *part, struct lx_flat *flat)
+{
+    extern const struct lx_surface_kind lx_plate_kind;
+    if (part->kind != &lx_plate_kind)
+        return false;
+    const struct lx_plate_parameters *plate = part->parameters;
+    memcpy(flat->center_mm, plate->center_mm, sizeof flat->center_mm);
+    memcpy(flat->size_mm, plate->size_mm, sizeof flat->size_mm);
+    memcpy(flat->axis, plate->axis, sizeof flat->axis);
+    memcpy(flat->up, plate->up, sizeof flat->up);
+    return true;
 }

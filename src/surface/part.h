@@ -37,4 +37,12 @@ void lx_piece_make(const struct lx_surface_kind *kind, const void *parameters, s
 /* What part i is called ("floor"); NULL: the surface is one by itself. */
 const char *lx_part_name(const struct lx_surface_kind *kind, unsigned i);
 
+/* How a flat part with four sides lies, as base/pose.h has it: seen from its front along -axis. */
+struct lx_flat {
+    double center_mm[3], size_mm[2], axis[3], up[3];
+};
+
+/* False: the part is not flat, or has other sides. */
+bool lx_part_flat(const struct lx_part *part, struct lx_flat *flat);
+
 #endif

@@ -232,7 +232,10 @@ def presets(tap, tool):
             "en12464-reception": (300, 0.6, 22), "en12464-archive": (200, 0.4, 25), "en12464-classroom": (300, 0.6, 19),
             "en12464-evening-class": (500, 0.6, 19), "en12464-lecture-hall": (500, 0.6, 19),
             "en12464-walls": (75, 0.1, None), "en12464-ceiling": (50, 0.1, None),
-            "en12464-cylindrical": (150, 0.1, None)}
+            "en12464-cylindrical": (150, 0.1, None), "en12193-hall-1": (750, 0.7, None),
+            "en12193-hall-2": (500, 0.7, None), "en12193-hall-3": (200, 0.5, None),
+            "en12193-football-1": (500, 0.7, None), "en12193-football-2": (200, 0.6, None),
+            "en12193-football-3": (75, 0.5, None)}
     for name, (average, uniformity, ugr) in rows.items():
         sight = [{"eye": [0, 0, 0], "view": [0, 1, 0], "limits": {"preset": name}}] if ugr else []
         result = tool.run("grid", "-", "--limits", "--json",
@@ -247,4 +250,118 @@ def presets(tap, tool):
               "a number replaces that of the row")
 
 
-run_tests(Tap(), maintained, all_lights, verdicts, undecided, without_values, told, observers, presets)
+def shares(tap, tool):
+    """The percents of the cells, by the values one by one."""
+    own = sorted(values())
+    for above, percent, verdict in ((own[0] * (1 - 1e-9), 100, "pass"), (own[-1] * (1 + 1e-9), 1, "fail"),
+                                    (own[4] * (1 - 1e-9), 33, "pass"), (own[4] * (1 - 1e-9), 34, "fail")):
+        found, result = judge(tool, {"share": {"above": above, "percent": percent}})
+        share = found["share"]
+        count = 100 * sum(value >= above for value in own) / 6
+        tap.ok(share["verdict"] == verdict and abs(share["value"] - count) < 1e-9 and share["above"] == above and
+               share["wanted"] == percent and result.code == (verdict == "fail"), "%g %% from %g on" % (percent, above),
+               share)
+    text = tool.run("grid", "-", stdin=scene(POINT, grid={"limits": {"share": {"above": 200, "percent": 50}}}))
+    tap.ok("at least 50 % from 200 lx on" in text.out, "in words", text)
+    for wrong, words in (({"above": 300}, "percent"), ({"above": 300, "percent": 101}, "percent"), (300, "mapping")):
+        result = tool.run("check", "-", stdin=scene(POINT, grid={"limits": {"share": wrong}}))
+        tap.ok(result.code == 3 and words in result.err, "share %s" % wrong, result)
+
+
+# ---- observers at several places ----
+
+def places(tap, tool):
+    """Each place and way is one observer; the limit is kept where all keep it."""
+    seats = {"name": "seats", "eye": [100, 0, 0], "size": [1000, 600], "n": [2, 3], "limits": {"ugr": 19}}
+    text = scene(PANEL, SKY, observers=[{"name": "desk", "eye": [0, 0, 0], "view": [0, 1, 0]}, seats])
+    found = tool.run("glare", "-", "--json", stdin=text).json()["observers"]
+    eyes = [[100 + 1000 * (x - 0.5) / 2, 600 * y / 3, 0] for y, x in itertools.product((1, 0, -1), (0, 1))]
+    ways = [[1, 0, 0], [0, 1, 0], [-1, 0, 0], [0, -1, 0]]
+    own = [(eye, way) for eye in eyes for way in ways]
+    tap.ok(len(found) == 25 and all(math.dist(a["eye"], eye) < 1e-9 and math.dist(a["view"], way) < 1e-12
+                                    for a, (eye, way) in zip(found[1:], own)), "where they are and look", found[1:])
+    by_hand = [tool.run("glare", "-", "--json", "--eye", ",".join(map(repr, [*eye, *way])),
+                        stdin=text).json()["observers"][0]["ugr"] for eye, way in own[:8]]
+    tap.equal([one["ugr"] for one in found[1:9]], by_hand, "as one by one")
+    told = tool.run("glare", "-", stdin=text)
+    worst = max(one["ugr"] for one in found[1:] if one["ugr"] is not None)
+    tap.ok(told.code == 0 and "2 × 3 places" in told.out and "%.2f" % worst in told.out and "pass" in told.out,
+           "a table", told)
+    strict = scene(PANEL, SKY, observers=[{**seats, "limits": {"ugr": worst - 1e-6}}])
+    judged = tool.run("grid", "-", "--limits", stdin=strict)
+    tap.ok(judged.code == 1 and judged.out.count("fail") == 1, "one verdict of all", judged)
+    one_way = scene(PANEL, SKY, observers=[{**seats, "view": [0, 1, 0]}])
+    tap.equal(len(tool.run("glare", "-", "--json", stdin=one_way).json()["observers"]), 6, "with a view only that")
+    for wrong, words in (({**seats, "n": None}, "n"), ({key: seats[key] for key in ("eye", "n")}, "size"),
+                         ({key: seats[key] for key in ("eye", "size")}, "n"), ({**seats, "n": [0, 1]}, "n"),
+                         ({**seats, "size": [0, 5]}, "size")):
+        for language in "en", "ru":
+            result = tool.run("check", "-", stdin=scene(PANEL, observers=[wrong]), environment={"LANGUAGE": language})
+            tap.ok(result.code == 3 and words in result.err,
+                   "observers %s" % wrong, result)
+    nobody = tool.run("glare", "-", stdin=scene(PANEL, SKY))
+    tap.ok(nobody.code == 2 and "--eye" in nobody.err, "a scene without observers", nobody)
+
+
+# ---- grids on sides ----
+
+def sides(tap, tool):
+    """A grid of a side is the same as one that is written out."""
+    room = {**CLOSED, "name": "hall", "center": [100, 0, 1500]}
+    box = {"type": "box", "name": "cupboard", "center": [-1500, -1000, 400], "size": [600, 400, 800],
+           "rotate": [0, 0, 30], "up": "z", "material": CLOSED["material"]}
+    plate = {"type": "rectangle", "center": [500, 500, 700], "size": [900, 400], "axis": [0, 0, 1],
+             "material": CLOSED["material"]}
+    ball = {"type": "sphere", "name": "ball", "center": [1200, 0, 300], "radius": 200, "material": CLOSED["material"]}
+    surfaces = [room, box, plate, ball]
+
+    def measure(*grids, code=0, **others):
+        result = tool.run("grid", "-", "--json", stdin=json.dumps({**SCREEN, "surfaces": surfaces, "lights": [POINT],
+                                                                    "grids": grids, **others}))
+        assert result.code == code, result
+        return result.json()["grids"] if code == 0 else result
+    written = {
+        ("hall", "left"): ([-1900, 0, 1500], [3000, 3000], [1, 0, 0], [0, 0, 1]),
+        ("hall", "right"): ([2100, 0, 1500], [3000, 3000], [-1, 0, 0], [0, 0, 1]),
+        ("hall", "floor"): ([100, 0, 0], [4000, 3000], [0, 0, 1], [0, 1, 0]),
+        ("hall", "ceiling"): ([100, 0, 3000], [4000, 3000], [0, 0, -1], [0, 1, 0]),
+        ("hall", "back"): ([100, 1500, 1500], [4000, 3000], [0, -1, 0], [0, 0, 1]),
+        ("hall", "front"): ([100, -1500, 1500], [4000, 3000], [0, 1, 0], [0, 0, 1]),
+        ("surfaces[2]", None): ([500, 500, 700], [900, 400], [0, 0, 1], [0, 1, 0]),
+        ("surfaces[2]", "back"): ([500, 500, 700], [900, 400], [0, 0, -1], [0, 1, 0]),
+    }
+    for (surface, side), (center, size, axis, up) in written.items():
+        by_name = {"surface": surface, "n": [5, 4], "border": 100, **({"side": side} if side else {})}
+        plain = {"center": center, "size": [number - 200 for number in size], "axis": axis, "up": up, "n": [5, 4]}
+        a, b = measure(by_name, plain)
+        tap.ok(a["values"] == b["values"] and a["errors"] == b["errors"] and a["size"] == b["size"],
+               "%s %s" % (surface, side), a, b)
+    top, = measure({"surface": "cupboard", "side": "top", "n": [3, 2]})
+    turned = math.radians(30)
+    tap.ok(math.dist(top["center"], [-1500, -1000, 800]) < 1e-9 and math.dist(top["axis"], [0, 0, 1]) < 1e-12 and
+           abs(abs(top["up"][1]) - math.cos(turned)) < 1e-12, "a side of a turned box", top)
+    spaced, = measure({"surface": "hall", "side": "floor", "border": 500, "spacing": "en12464"})
+    tap.equal(spaced["n"], [7, 5], "the spacing of EN 12464-1: 3 x 2 m, p = 0.431 m")
+    for wrong, words in (({"surface": "hal", "side": "left"}, "hall, cupboard, surfaces[2]"),
+                         ({"surface": "ball"}, "hall, cupboard, surfaces[2]"),
+                         ({"surface": "hall"}, "left, right, floor, ceiling, back, front"),
+                         ({"surface": "hall", "side": "top"}, "left, right, floor, ceiling, back, front"),
+                         ({"surface": "cupboard", "side": "floor"}, "left, right, bottom, top, back, front"),
+                         ({"surface": "surfaces[2]", "side": "top"}, "front, back"),
+                         ({"surface": "hall", "side": "floor", "border": 1500}, "1500"),
+                         ({"surface": "hall", "side": "floor", "border": -1}, "border"),
+                         ({"surface": "hall", "side": "floor", "center": [0, 0, 0], "size": [1, 1]}, "center"),
+                         ({"surface": "hall", "side": "floor", "axis": [0, 0, 1]}, "axis"),
+                         ({"center": [0, 0, 0]}, "size"), ({}, "center")):
+        for language in "en", "ru":
+            text = json.dumps({**SCREEN, "surfaces": surfaces, "lights": [POINT], "grids": [{**wrong, "n": [2, 2]}]})
+            result = tool.run("check", "-", stdin=text, environment={"LANGUAGE": language})
+            tap.ok(result.code == 3 and words in result.err, "grid %s, %s" %
+                   (wrong, language), result)
+    both = tool.run("check", "-", stdin=json.dumps({**SCREEN, "surfaces": surfaces, "lights": [POINT], "grids": [
+        {"surface": "no", "n": [2, 2]}, {"surface": "hall", "side": "no", "n": [2, 2]}]}))
+    tap.ok("surface must be one of" in both.err and "side must be one of" in both.err, "all errors at once", both)
+
+
+run_tests(Tap(), maintained, all_lights, verdicts, undecided, without_values, told, observers, presets, shares, places,
+          sides)

@@ -98,6 +98,9 @@ struct lx_polar_curve {
     size_t count;
 };
 bool lx_polar_curve_of(const luxel_photometry *photometry, struct lx_polar_curve *curve);
+/* That of type C over C from one angle, 0 to 360, so far on, in degrees. */
+bool lx_polar_curve_within(const luxel_photometry *photometry, double from_deg, double width_deg,
+                           struct lx_polar_curve *curve);
 void lx_polar_curve_clear(struct lx_polar_curve *curve);
 /* Its flux between two polar angles in degrees. */
 double lx_polar_flux(const struct lx_polar_curve *curve, luxel_photometry_interpolation rule, double from_deg,

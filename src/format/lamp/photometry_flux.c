@@ -5,6 +5,7 @@
  */
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "../../base/memory.h"
 #include "photometry.h"
@@ -41,6 +42,44 @@ bool lx_polar_curve_of(const luxel_photometry *photometry, struct lx_polar_curve
             curve->values[j] += weight * row[j * (is_sideways ? angles : 1)];
     }
     return true;
+}
+
+/* What each plane counts in a sum over C from one angle on, so wide, of an intensity that is linear between planes. */
+static void weigh_planes(const luxel_photometry *photometry, double from_deg, double width_deg, double *weights)
+{
+    const double *planes = photometry->planes;
+    for (size_t i = 0; i + 1 < photometry->plane_count; i++)
+        for (int turn = -1; turn <= 1; turn++) { /* the range may lie across the seam */
+            double low = fmax(planes[i], from_deg + 360 * turn);
+            double high = fmin(planes[i + 1], from_deg + width_deg + 360 * turn);
+            if (!(high > low))
+                continue;
+            double share = (0.5 * (low + high) - planes[i]) / (planes[i + 1] - planes[i]);
+            weights[i] += (1 - share) * (high - low) * DEGREE;
+            weights[i + 1] += share * (high - low) * DEGREE;
+        }
+}
+
+bool lx_polar_curve_within(const luxel_photometry *photometry, double from_deg, double width_deg,
+                           struct lx_polar_curve *curve)
+{
+    size_t angles = photometry->angle_count;
+    double *weights = lx_new_array(photometry->plane_count, sizeof *weights);
+    curve->count = angles;
+    curve->angles_deg = lx_new_array(angles, sizeof *curve->angles_deg);
+    curve->values = lx_new_array(angles, sizeof *curve->values);
+    bool is_done = weights && curve->angles_deg && curve->values;
+    if (is_done) {
+        weigh_planes(photometry, from_deg, width_deg, weights);
+        memcpy(curve->angles_deg, photometry->angles, angles * sizeof *curve->angles_deg);
+        for (size_t i = 0; i < photometry->plane_count; i++)
+            for (size_t j = 0; j < angles; j++)
+                curve->values[j] += weights[i] * photometry->intensities[i * angles + j];
+    } else {
+        lx_polar_curve_clear(curve);
+    }
+    free(weights);
+    return is_done;
 }
 
 void lx_polar_curve_clear(struct lx_polar_curve *curve)

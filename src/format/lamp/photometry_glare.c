@@ -17,11 +17,11 @@
 #include "../../base/memory.h"
 #include "photometry.h"
 #include "photometry_area.h"
+#include "photometry_cavity.h"
 
 static const double PI = 3.141592653589793;
 static const double DEGREE = 0.017453292519943295;
 
-enum { FLOOR, WALLS, CEILING, PARTS };
 /* Luminaires count up to 85 degrees in whole degrees: CIE 190 has those 11.5 heights ahead, at 85.03. */
 static const double GREATEST_GAMMA = 85.5;
 
@@ -29,7 +29,7 @@ static const unsigned char rooms[LUXEL_UGR_ROOMS][2] = {{2, 2}, {2, 3},  {2, 4},
                                                         {4, 3}, {4, 4},  {4, 6},  {4, 8},  {4, 12}, {8, 4},  {8, 6},
                                                         {8, 8}, {8, 12}, {12, 4}, {12, 6}, {12, 8}};
 
-static const double reflectances[LUXEL_UGR_REFLECTANCES][PARTS] = {
+static const double reflectances[LUXEL_UGR_REFLECTANCES][LX_CAVITY_PARTS] = {
     /* floor, walls, ceiling */
     {0.2, 0.5, 0.7},
     {0.2, 0.3, 0.7},
@@ -40,9 +40,9 @@ static const double reflectances[LUXEL_UGR_REFLECTANCES][PARTS] = {
 /* ---- direct and reflected light on the walls ---- */
 
 struct room {
-    size_t across, along;    /* how many luminaires there are */
-    double size[2], spacing; /* in heights of the luminaires above the eye */
-    double shares[PARTS];    /* lumens of one luminaire that first fall on each part */
+    size_t across, along;           /* how many luminaires there are */
+    double size[2], spacing;        /* in heights of the luminaires above the eye */
+    double shares[LX_CAVITY_PARTS]; /* lumens of one luminaire that first fall on each part */
 };
 
 /* The share of a circle of directions, `radius` heights wide on the plane of the eye, that falls on it; the mean over
@@ -75,45 +75,18 @@ static bool find_shares(struct room *room, const struct lx_polar_curve *curve)
         on_floor += flux * share_inside(room, tan(0.5 * (from + to) * DEGREE), starts, starts + room->across);
     }
     free(starts);
-    room->shares[FLOOR] = on_floor;
-    room->shares[WALLS] = down - on_floor;
-    room->shares[CEILING] = fmax(0, whole - down);
+    room->shares[LX_FLOOR] = on_floor;
+    room->shares[LX_WALLS] = down - on_floor;
+    room->shares[LX_CEILING] = fmax(0, whole - down);
     return true;
 }
 
-/* The form factor of two rectangles, x by y, opposite each other at the distance 1. */
-static double opposite_factor(double x, double y)
-{
-    double p = hypot(1, x), q = hypot(1, y);
-    double sum = log(p * q / sqrt(1 + x * x + y * y)) + x * q * atan(x / q) + y * p * atan(y / p);
-    return 2 / (PI * x * y) * (sum - x * atan(x) - y * atan(y));
-}
-
 /* The indirect illuminance of the walls, lm per square height, for one luminaire of the room. */
-static double wall_light(const struct room *room, const double reflectance[PARTS])
+static double wall_light(const struct room *room, const double reflectance[LX_CAVITY_PARTS])
 {
-    double x = room->size[0], y = room->size[1], floor_area = x * y, wall_area = 2 * (x + y);
-    double across = opposite_factor(x, y), to_walls = 1 - across, from_walls = to_walls * floor_area / wall_area;
-    const double factors[PARTS][PARTS] = {
-        [FLOOR] = {0, to_walls, across},
-        [WALLS] = {from_walls, 1 - 2 * from_walls, from_walls},
-        [CEILING] = {across, to_walls, 0},
-    };
-    const double areas[PARTS] = {floor_area, wall_area, floor_area};
-    double direct[PARTS], light[PARTS], change = 1;
-    for (int i = 0; i < PARTS; i++)
-        light[i] = direct[i] = room->shares[i] / areas[i];
-    for (int round = 0; round < 1000 && change > 1e-15; round++) { /* at most 0.7 of the change is left by each */
-        change = 0;
-        for (int i = 0; i < PARTS; i++) {
-            double next = direct[i];
-            for (int j = 0; j < PARTS; j++)
-                next += factors[i][j] * reflectance[j] * light[j];
-            change = fmax(change, fabs(next - light[i]) / fmax(next, 1e-300));
-            light[i] = next;
-        }
-    }
-    return light[WALLS] - direct[WALLS];
+    double light[LX_CAVITY_PARTS];
+    lx_cavity_light(room->size[0], room->size[1], room->shares, reflectance, light);
+    return light[LX_WALLS] - room->shares[LX_WALLS] / (2 * (room->size[0] + room->size[1]));
 }
 
 /* ---- luminaires ---- */
@@ -186,5 +159,5 @@ double luxel_ugr_room(size_t i, size_t axis)
 
 double luxel_ugr_reflectance(size_t i, size_t part)
 {
-    return i < LUXEL_UGR_REFLECTANCES && part < PARTS ? reflectances[i][CEILING - part] : (double)NAN;
+    return i < LUXEL_UGR_REFLECTANCES && part < LX_CAVITY_PARTS ? reflectances[i][LX_CEILING - part] : (double)NAN;
 }
