@@ -162,9 +162,10 @@ typedef struct luxel_sheet_settings {
 } luxel_sheet_settings;
 
 /*
- * Writes the sheet of a luminaire by the extension of the name, .pdf (A4), .html (one file), .md, .tex, .csv (its tables): what its file
- * says, diagrams, intensities, flux of zones, luminances, utilization factors, unified glare ratings, and the rating of
- * backlight, uplight and glare.  Types A and B, and points, have not all of it.  `settings` NULL: none of its texts.
+ * Writes the sheet of a luminaire by the extension of the name, .pdf (A4), .html (one file), .md, .tex, .csv (its
+ * tables): what its file says, diagrams, intensities, flux of zones, luminances, utilization factors, unified glare
+ * ratings, and the rating of backlight, uplight and glare.  Types A and B, and points, have not all of it.  `settings`
+ * NULL: none of its texts.
  * LUXEL_ERROR_ARGUMENT: another extension.  LUXEL_ERROR_FILE: it cannot be written.  LUXEL_ERROR_MEMORY.  Of `path`
  * errors as luxel_find_room_utilization() lists them, too.
  */

@@ -550,6 +550,24 @@ outputs: {brightness: float32}
 """
 
 
+def keys_of_all(tap, tool):
+    """A key of all lights that have it is one axis."""
+    tool.write("all.yaml", """study: 1
+scene: three-lights
+set: ['screen.resolution=[25,20]']
+vary:
+  - {key: 'lights[*].intensity', values: [1, 2]}
+outputs: {brightness: float32}
+""")
+    result = tool.run("sweep", "all.yaml", "-o", "all", "-q")
+    shard = numpy.load(tool.file("all/shard-000000/brightness.npy"))
+    tool.run("render", "three-lights", "-s", "screen.resolution=[25,20]", "-s", "lights[*].intensity=2", "-o", "two.npy")
+    tap.ok(result.code == 0 and (shard[1] == numpy.load(tool.file("two.npy"))).all(), "lights[*] in a study", result)
+    wrong = tool.run("sweep", "-", "-o", "wrong", stdin="study: 1\nscene: three-lights\nvary:\n"
+                     "  - {key: 'lights[*].intensty', values: [1]}\noutputs: {brightness: float32}\n")
+    tap.ok(wrong.code == 3 and "intensity" in wrong.err, "and a key that none has", wrong)
+
+
 def missed_bounds(tap, tool):
     tool.write("crossing.yaml", CROSSING)
     tool.write("s.yaml", CROSSINGS)
@@ -565,5 +583,5 @@ def missed_bounds(tap, tool):
 
 tap = Tap()
 run_tests(tap, workers, scenes, grids, outputs, wrong, folders, kills, merging, instruction_sets, alone, dry_runs,
-          words, missed_bounds)
+          words, missed_bounds, keys_of_all)
 tap.finish()
