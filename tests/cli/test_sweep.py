@@ -561,7 +561,8 @@ outputs: {brightness: float32}
 """)
     result = tool.run("sweep", "all.yaml", "-o", "all", "-q")
     shard = numpy.load(tool.file("all/shard-000000/brightness.npy"))
-    tool.run("render", "three-lights", "-s", "screen.resolution=[25,20]", "-s", "lights[*].intensity=2", "-o", "two.npy")
+    tool.run("render", "three-lights", "-s", "screen.resolution=[25,20]", "-s", "lights[*].intensity=2",
+             "-o", "two.npy")
     tap.ok(result.code == 0 and (shard[1] == numpy.load(tool.file("two.npy"))).all(), "lights[*] in a study", result)
     wrong = tool.run("sweep", "-", "-o", "wrong", stdin="study: 1\nscene: three-lights\nvary:\n"
                      "  - {key: 'lights[*].intensty', values: [1]}\noutputs: {brightness: float32}\n")

@@ -172,7 +172,8 @@ def forms(tap, tool):
     piped = tool.run("photometry", "-", "-o", "piped.md", "-q", stdin=lamp(lambert))
     tap.ok(piped.code == 0 and b"by reflections" not in tool.read("piped.md"), "of standard input no room is solved")
     tables = sheet(tool, "sheet.csv")
-    tap.ok("Utilization factors" in tables and '"LM-63-1995, type C"' in tables and "0–10," in tables, "tables for spreadsheets", tables[:200])
+    tap.ok("Utilization factors" in tables and '"LM-63-1995, type C"' in tables and "0–10," in tables,
+           "tables for spreadsheets", tables[:200])
     wrong = tool.run("photometry", "lamp.ies", "-o", "sheet.docx")
     tap.ok(wrong.code == 2 and ".html" in wrong.err, "another extension", wrong)
 
