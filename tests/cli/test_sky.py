@@ -2,6 +2,8 @@
 """The sky and the sun: closed forms, integrals to twelve digits, positions of the sun, what hides them, wrong keys."""
 import math
 
+import mpmath
+
 from tap import Tap
 from tool import run_tests
 
@@ -193,6 +195,34 @@ def windows(tap, tool):
         tap.equal([value for value, _ in light(tool, sun, seen, room)], [1, 1, 1, 0, 0, 0, 0], "window: " + wall)
 
 
+def lambert(corners):
+    """The irradiance of a plane z = 0 by a polygon of radiance 1, with 40 digits."""
+    mpmath.mp.dps = 40
+    total = mpmath.mpf(0)
+    for a, b in zip(corners, corners[1:] + corners[:1]):
+        a, b = ([mpmath.mpf(part) for part in corner] for corner in (a, b))
+        turn = [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
+        size = mpmath.sqrt(sum(part * part for part in turn))
+        total += turn[2] / size * mpmath.atan2(size, sum(x * y for x, y in zip(a, b)))
+    return abs(total) / 2
+
+
+def at_windows(tap, tool):
+    """Places in the plane of a window, and before it."""
+    even = "{type: sky, kind: 5, zenith: 1, ground: 1}"
+    lid = ROOM % "{wall: ceiling, size: [4000, 4000]}"
+    places = [(2000, 2000, 3000, *way) for way in ((1, 0, 0), (.6, 0, .8), (.6, 0, -.8), (0, 0, -1), (0, 0, 1))]
+    for found, truth in zip(light(tool, even, places, lid), (.5, .9, .1, 0, 1)):
+        holds(tap, found, math.pi * truth, "in the plane of an opening")
+    # all around a window as large as its wall there is light, but for what the room takes
+    wall = ROOM % "{wall: left, size: [4000, 3000]}"
+    for away in (1, 10, 300):
+        found, = light(tool, even, [(-away, 3980, 1500, 1, 0, 0)], wall)
+        sides = [(y, z, away) for y, z in ((-3980, -1500), (20, -1500), (20, 1500), (-3980, 1500))]
+        truth = float(mpmath.pi - lambert(sides))
+        holds(tap, found, truth, "%g mm before an opening" % away, 1e-6)
+
+
 # Percent of the horizontal irradiance in the room of `daylight`, by 1.5 million random ways, and their deviation.
 PATHS = ((6.0324, .0163), (6.1553, .0168))
 
@@ -295,4 +325,4 @@ def pictures(tap, tool):
 
 
 if __name__ == "__main__":
-    run_tests(Tap(), open_skies, suns, roofs, obstacles, windows, daylight, wrong, pictures)
+    run_tests(Tap(), open_skies, suns, roofs, obstacles, windows, at_windows, daylight, wrong, pictures)
