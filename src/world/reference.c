@@ -249,8 +249,10 @@ static bool looks_out(const struct lx_glass_pane *opening, const double place_mm
     double from[3];
     for (int k = 0; k < 3; k++)
         from[k] = place_mm[k] - opening->center_mm[k];
-    return fabs(lx_dot(from, opening->axis)) <= near && fabs(lx_dot(from, opening->across)) <= opening->half_mm[0] + near &&
-           fabs(lx_dot(from, opening->upward)) <= opening->half_mm[1] + near && lx_dot(normal, opening->axis) < 1 - 1e-12;
+    return fabs(lx_dot(from, opening->axis)) <= near &&
+           fabs(lx_dot(from, opening->across)) <= opening->half_mm[0] + near &&
+           fabs(lx_dot(from, opening->upward)) <= opening->half_mm[1] + near &&
+           lx_dot(normal, opening->axis) < 1 - 1e-12;
 }
 
 /* The room around a place, whose walls hide from it all but what is seen through its openings; SIZE_MAX: there is
@@ -325,10 +327,9 @@ static struct lx_lighting light_by_dome(const struct lx_prepared *prepared, cons
         if (!looks_below && is_below(&view, place, normal))
             continue;
         set_panes(prepared, &view.emitter);
-        const struct lx_lighting part =
-            room < SIZE_MAX && view.emitter.facets
-                ? light_through(&shared, element, &view, room, sum.irradiance.value)
-                : light_by_extended(&shared, element, &view.emitter, sum.irradiance.value);
+        const struct lx_lighting part = room < SIZE_MAX && view.emitter.facets
+                                            ? light_through(&shared, element, &view, room, sum.irradiance.value)
+                                            : light_by_extended(&shared, element, &view.emitter, sum.irradiance.value);
         sum.irradiance = lx_add(sum.irradiance, part.irradiance);
         sum.diffuse = lx_add(sum.diffuse, part.diffuse);
         sum.specular = lx_add(sum.specular, part.specular);

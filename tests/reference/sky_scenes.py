@@ -8,6 +8,8 @@ import json
 import math
 import subprocess
 
+import perez
+
 # Coefficients a, b, c, d, e of CIE S 011/E:2003, table 1: gradation groups I to VI, indicatrix groups 1 to 6.
 GRADATIONS = ((4, -.7), (1.1, -.8), (0, -1), (-1, -.55), (-1, -.32), (-1, -.15))
 INDICATRICES = ((0, -1, 0), (2, -1.5, .15), (5, -2.5, .3), (10, -3, .45), (16, -3, .3), (24, -2.8, .15))
@@ -162,6 +164,15 @@ def sky(kind, altitude, azimuth, by, value, ground):
                        ground)
 
 
+def weather(altitude, azimuth, direct, diffuse, ground):
+    """The sky of Perez; None where the model has none."""
+    found = perez.coefficients(direct, diffuse, altitude)
+    made = {'type': 'sky', 'model': 'perez', 'direct': direct, 'diffuse': diffuse, 'extraterrestrial': 1367,
+            'ground': ground, 'sun': {'altitude': altitude, 'azimuth': azimuth}}
+    return found and (made, words('sky', *found, 0, [0, 0, 1], to_sun(altitude, azimuth), 'horizontal', diffuse,
+                                  ground))
+
+
 def sun(altitude, azimuth, diameter, irradiance):
     return ({'type': 'sun', 'altitude': altitude, 'azimuth': azimuth, 'diameter': diameter, 'irradiance': irradiance},
             words('sun', to_sun(altitude, azimuth), math.radians(diameter / 2), irradiance))
@@ -226,6 +237,10 @@ def some_source(random, inside=None):
     azimuth = random.choice((0, 90, 180, random.uniform(0, 360)))
     kind = random.choice(['sky'] * 6 + ['sun'] * 2 + (['plate', 'globe', 'point', 'distant'] if inside else []))
     if kind == 'sky':
+        made = random.random() < .3 and weather(altitude, azimuth, random.choice((0, random.uniform(0, 900))),
+                                                 random.uniform(10, 400), random.choice((0, .2)))
+        if made:
+            return made
         return sky(random.randint(1, 16), altitude, azimuth, random.choice(('zenith', 'horizontal')), 1000,
                    random.choice((0, 0, .2, 1)))
     if kind == 'sun':

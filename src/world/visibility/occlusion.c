@@ -390,7 +390,8 @@ int lx_occlusion_make(const struct lx_prepared *prepared, const struct lx_elemen
         const bool is_own = surface == element->own;
         if (surface->authored + 1 == prepared->left_out)
             continue;
-        if (prepared->pane_count > 0) /* walls stand as much farther back and are as much larger (lx_shape_in_the_way()),
+        if (prepared->pane_count >
+            0) /* walls stand as much farther back and are as much larger (lx_shape_in_the_way()),
                                          and so the openings are smaller */
             beyond_mm = fmax(beyond_mm, shape->touch_mm + 3 * shape->behind_mm);
         const bool is_turned =
