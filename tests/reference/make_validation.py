@@ -101,8 +101,8 @@ CIE_CASES = (
 
 def cie(page):
     page.heading('CIE 171: which cases are here, and which are not',
-                 'The publication has 19 cases. Those of light from point and area sources, direct and reflected, are '
-                 'on this page; the others are not.')
+                 'The publication has 19 cases. Those of light from point and area sources, direct and reflected, and '
+                 'of daylight are on this page; the others are not.')
     page.table(['case', 'subject', 'here', 'remark'], CIE_CASES)
 
     case = case_named('cie171-5.2')
