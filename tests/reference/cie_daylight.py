@@ -15,6 +15,7 @@ import sky_scenes
 from tap import Tap
 
 GLASS = {'n': 1.526, 'transmittance': .96}
+KNOWN = 1e-9  # what the witness is trusted with here, relatively
 AGREES = .0155  # percent: the print has two digits, and its own values are rounded ones of rounded ones
 NAMES = 'ABCDEFGHIJKLMN'
 WALL = [([2000, 0, 2750 - 500 * i], [0, 1, 0]) for i in range(6)]
@@ -29,7 +30,7 @@ class Case:
     def __init__(self, test, opening, printed, glass=None, ceiling=None):
         self.test, self.title, self.printed, self.ceiling = test, opening, printed, ceiling
         width, height = (float(part) for part in opening.split(' x '))
-        self.is_roof = width == height
+        self.is_roof, self.is_small = width == height, width < 3
         self.opening = {'wall': 'ceiling' if self.is_roof else 'front', 'center': [0., 0.],
                         'size': [1000 * width, 1000 * height]}
         if glass:
@@ -75,11 +76,11 @@ def check(luxel, witness, kinds):
         for kind in kinds:
             for name, printed, (exact, doubt), (value, bound) in measure(case, kind, luxel, witness):
                 where = '%s, %s m, sky %d, %s' % (case.test, case.title, kind, name)
-                tap.ok(abs(value - exact) <= bound + 10 * doubt + 1e-12 and bound < 1e-6 * exact, where,
+                tap.ok(abs(value - exact) <= bound + 10 * doubt + KNOWN * exact and bound < 1e-6 * exact, where,
                        'exact %.12g, found %.12g +- %.2g' % (exact, value, bound))
                 agreeing += abs(printed - exact) < AGREES
                 count += 1
-        tap.ok(agreeing >= .4 * count, '%s, %s m: %d of %d printed numbers agree' % (case.test, case.title, agreeing,
+        tap.ok(agreeing >= (.85 if case.is_small else .05) * count, '%s, %s m: %d of %d printed numbers agree' % (case.test, case.title, agreeing,
                                                                                      count))
     tap.finish()
 
