@@ -7,11 +7,14 @@
 #include <luxel/luxel.h>
 
 #include "cli.h"
+#include "csv.h"
 #include "json.h"
 #include "load.h"
 #include "message.h"
 #include "options.h"
+#include "outputs.h"
 #include "places.h"
+#include "standard_output.h"
 #include "text.h"
 #include "work.h"
 
@@ -36,6 +39,19 @@ static int steps_kept(const luxel_daylight_grid *grid)
     while (kept < STEPS && grid->shares[steps[kept].half] >= 0.5 && grid->shares[steps[kept].most] >= 0.95)
         kept++;
     return kept;
+}
+
+/* The share of the cells from which no sky is seen: behind the no-sky line. */
+static double share_without_sky(const luxel_daylight_grid *grid)
+{
+    size_t count = 0;
+
+    for (size_t i = 0; i < (size_t)grid->columns * grid->rows; i++) {
+        const luxel_daylight_factor *cell = &grid->cells[i];
+
+        count += cell->has_value && !(cell->sky.value + cell->sky.error > 0.0);
+    }
+    return (double)count / (double)grid->measured;
 }
 
 /* ---- JSON ---- */
@@ -74,6 +90,7 @@ static void write_grid(struct json *json, const luxel_daylight *found, const lux
     json_number_if(json, "mean_error", grid->measured > 0, grid->mean.error);
     json_number_if(json, "median", grid->measured > 0, grid->median.value);
     json_number_if(json, "median_error", grid->measured > 0, grid->median.error);
+    json_number_if(json, "without_sky", grid->measured > 0, share_without_sky(grid));
     if (isfinite(found->outdoor) && grid->measured > 0) {
         json_open(json, "en17037", '{');
         json_number(json, "outdoor", found->outdoor);
@@ -173,6 +190,7 @@ static void print_grid(const luxel_daylight *found, size_t i)
         return;
     printf(_("  mean %s %%, median %s %%\n"), text_value_bound(mean, 6, grid->mean.value, grid->mean.error),
            text_value_bound(median, 6, grid->median.value, grid->median.error));
+    printf(_("  no sky is seen from %.1f %% of the cells\n"), 100.0 * share_without_sky(grid));
     if (isfinite(found->outdoor))
         print_shares(found, grid);
 }
@@ -213,6 +231,57 @@ static void print_text(const struct loaded *loaded, const luxel_daylight *found)
         print_elements(found);
 }
 
+/* ---- tables ---- */
+
+static void write_number(struct csv *csv, bool is_known, double number)
+{
+    if (is_known)
+        csv_number(csv, number);
+    else
+        csv_blank(csv);
+}
+
+static void write_factor(struct csv *csv, const luxel_daylight_factor *factor)
+{
+    write_number(csv, factor->has_value, factor->value.value);
+    write_number(csv, factor->has_value, factor->value.error);
+    write_number(csv, factor->has_value, factor->sky.value);
+    write_number(csv, factor->has_value, factor->external.value);
+    write_number(csv, factor->has_value, factor->internal.value);
+    csv_end_line(csv);
+}
+
+/* A line for each cell of the grids, then one for each element, P1 and so on, whose column and row are blank. */
+static void write_table(struct csv *csv, const void *data)
+{
+    static const char *const places[] = {"grid", "column", "row"}, *const factors[] = {"daylight_factor", "error",
+                                                                                       "sky", "external", "internal"};
+    const luxel_daylight *found = data;
+    char name[TEXT_SIZE];
+
+    for (size_t i = 0; i < sizeof places / sizeof *places; i++)
+        csv_text(csv, places[i]);
+    for (size_t i = 0; i < sizeof factors / sizeof *factors; i++)
+        csv_heading(csv, factors[i], "%");
+    csv_end_line(csv);
+    for (size_t i = 0; i < found->grid_count; i++) {
+        const luxel_daylight_grid *grid = &found->grids[i];
+
+        for (size_t cell = 0; cell < (size_t)grid->columns * grid->rows; cell++) {
+            csv_text(csv, grid->name ? grid->name : "");
+            csv_whole(csv, cell % grid->columns);
+            csv_whole(csv, cell / grid->columns);
+            write_factor(csv, &grid->cells[cell]);
+        }
+    }
+    for (size_t i = 0; i < found->element_count; i++) {
+        csv_text(csv, text_format(name, "P%zu", i + 1));
+        csv_blank(csv);
+        csv_blank(csv);
+        write_factor(csv, &found->elements[i]);
+    }
+}
+
 /* ---- the command ---- */
 
 static int find(const struct options *options, const struct loaded *loaded)
@@ -237,9 +306,10 @@ static int find(const struct options *options, const struct loaded *loaded)
         code = work_end(&work, status, loaded->diagnostics);
     }
     if (code == EXIT_DONE) {
+        code = csv_write(options, write_table, found);
         if (options->json)
             print_json(loaded->scene, found);
-        else
+        else if (options->csv == CSV_NONE && standard_output_is_free(options))
             print_text(loaded, found);
         if (!found->reached) {
             message_error(_("daylight factors are not known as well as asked for; the bounds hold"));
@@ -253,23 +323,28 @@ static int find(const struct options *options, const struct loaded *loaded)
 
 static int run(const struct options *options)
 {
-    return load_and(options, find);
+    const int code = outputs_check(options, outputs_check_csv);
+
+    return code == EXIT_DONE ? load_and(options, find) : code;
 }
 
 const struct command command_daylight = {
     .name = "daylight",
     .bit = COMMAND_DAYLIGHT,
     .operand = N_("SCENE"),
-    .endings = "",
+    .endings = ".csv",
+    .default_format = "csv",
     .summary = N_("daylight factors of measuring grids and elements"),
     .description = N_(
         "Prints what share of the light that a horizontal plane has under the open sky reaches the cells of the "
         "scene's measuring grids, and free elements, in percent with bounds: the daylight factor, of which parts come "
         "from the sky, from the ground, and from surfaces that reflect (the scene's key reflections). The sun and "
-        "lamps do not count. For each grid it prints the mean, the median and, by EN 17037, the share of its cells "
-        "that reach 100, 300, 500 and 750 lx."),
+        "lamps do not count. For each grid it prints the mean, the median, the share of its cells from which no sky is "
+        "seen and, by EN 17037, of those that reach 100, 300, 500 and 750 lx. -o writes a table of all cells and "
+        "elements."),
     .examples = "luxel daylight room.yaml\n"
                 "luxel daylight room.yaml --outdoor 13900 --json\n"
+                "luxel daylight room.yaml -o factors.csv\n"
                 "luxel daylight room.yaml --at 0,0,850,0,0,1",
     .run = run,
 };

@@ -17,8 +17,8 @@
 #include "../base/phrase.h"
 #include "../light/array.h"
 #include "../light/sky/dome.h"
-#include "../scene/scene.h"
 #include "../scene/object.h"
+#include "../scene/scene.h"
 #include "refuse.h"
 
 static const double levels[LUXEL_DAYLIGHT_LEVELS] = {100, 300, 500, 750};
@@ -105,16 +105,27 @@ static luxel_status part_scenes(const luxel_scene *scene, struct asked *asked)
         status = change(scene, &none, 1, asked->diagnostics, &asked->made[DIRECT]);
         asked->scenes[DIRECT] = asked->made[DIRECT];
     }
+    asked->scenes[SKY] = asked->scenes[DIRECT];
     for (size_t i = 0; i < asked->sky_count && status == LUXEL_OK; i++) {
+        const struct lx_item *sky = &scene->parameters.lights.items[asked->skies[i]];
+        const struct lx_parameter *ground = lx_find_parameter(sky->variant->table, "ground");
         char key[64];
+        if (*(const double *)((const char *)sky->parameters + ground->offset) == 0)
+            continue;
         snprintf(key, sizeof key, "lights[%zu].ground=0", asked->skies[i]);
         const char *const dark = key;
         luxel_scene *before = asked->made[SKY];
         status = change(before ? before : asked->scenes[DIRECT], &dark, 1, asked->diagnostics, &asked->made[SKY]);
         luxel_scene_free(before);
+        asked->scenes[SKY] = asked->made[SKY];
     }
-    asked->scenes[SKY] = asked->made[SKY];
     return status;
+}
+
+/* Whether a part is what the one before is: it is not calculated anew. */
+static bool is_repeated(const struct asked *asked, int part)
+{
+    return part > ALL && asked->scenes[part] == asked->scenes[part - 1];
 }
 
 /* ---- factors ---- */
@@ -146,12 +157,17 @@ static luxel_status find_elements(struct asked *asked, const luxel_place *places
     luxel_probes *found[PARTS] = {NULL};
     luxel_status status = LUXEL_OK;
     for (int part = 0; part < PARTS && status == LUXEL_OK; part++)
-        status = luxel_probe_places(asked->scenes[part], &asked->settings, places, made->element_count,
-                                    asked->diagnostics, &found[part]);
+        if (!is_repeated(asked, part))
+            status = luxel_probe_places(asked->scenes[part], &asked->settings, places, made->element_count,
+                                        asked->diagnostics, &found[part]);
     for (size_t i = 0; i < made->element_count && status == LUXEL_OK; i++) {
         luxel_bounded values[PARTS];
         bool has_values = true;
         for (int part = 0; part < PARTS; part++) {
+            if (!found[part]) {
+                values[part] = values[part - 1];
+                continue;
+            }
             const luxel_probe *probe = luxel_probes_get(found[part], i);
             has_values = has_values && probe->has_value;
             values[part] = (luxel_bounded){probe->value, probe->error};
@@ -184,8 +200,7 @@ static void judge(const luxel_daylight *daylight, luxel_daylight_grid *grid, dou
     }
     const size_t count = grid->measured;
     for (int k = 0; k < LUXEL_DAYLIGHT_LEVELS; k++)
-        grid->shares[k] =
-            count > 0 && isfinite(daylight->outdoor) ? (double)reached[k] / (double)count : (double)NAN;
+        grid->shares[k] = count > 0 && isfinite(daylight->outdoor) ? (double)reached[k] / (double)count : (double)NAN;
     if (count == 0)
         return;
     qsort(sorted, count, sizeof *sorted, lx_by_value);
@@ -200,7 +215,8 @@ static luxel_status find_grid(struct asked *asked, size_t i, luxel_daylight *mad
     luxel_status status = LUXEL_OK;
     double *sorted = NULL;
     for (int part = 0; part < PARTS && status == LUXEL_OK; part++)
-        status = luxel_find_grid_values(asked->scenes[part], &asked->settings, i, asked->diagnostics, &found[part]);
+        if (!is_repeated(asked, part))
+            status = luxel_find_grid_values(asked->scenes[part], &asked->settings, i, asked->diagnostics, &found[part]);
     if (status == LUXEL_OK) {
         const size_t cells = (size_t)found[ALL]->columns * found[ALL]->rows;
         grid->columns = found[ALL]->columns;
@@ -212,7 +228,8 @@ static luxel_status find_grid(struct asked *asked, size_t i, luxel_daylight *mad
         for (size_t cell = 0; cell < cells && status == LUXEL_OK; cell++) {
             luxel_bounded values[PARTS];
             for (int part = 0; part < PARTS; part++)
-                values[part] = (luxel_bounded){found[part]->values[cell], found[part]->errors[cell]};
+                values[part] = found[part] ? (luxel_bounded){found[part]->values[cell], found[part]->errors[cell]}
+                                           : values[part - 1];
             if (found[ALL]->mask[cell])
                 grid->cells[cell] = factor_of(asked, values);
         }
@@ -243,7 +260,9 @@ static luxel_status find(const luxel_scene *scene, struct asked *asked, const lu
     const bool is_photometric = scene->parameters.units == LX_PHOTOMETRIC;
     *daylight = (luxel_daylight){
         .horizontal = asked->horizontal,
-        .outdoor = outdoor > 0 ? outdoor : is_photometric ? asked->horizontal.value : (double)NAN,
+        .outdoor = outdoor > 0      ? outdoor
+                   : is_photometric ? asked->horizontal.value
+                                    : (double)NAN,
         .grids = lx_new_array(luxel_scene_grid_count(scene) + 1, sizeof *daylight->grids),
         .elements = lx_new_array(place_count + 1, sizeof *daylight->elements),
         .reached = true,

@@ -106,22 +106,43 @@ const char *lx_foreign_law(const struct lx_item *light)
     return word && strcmp(word, "inverse-square") != 0 ? word : NULL;
 }
 
+/* Reports at a key of an element of a list of the scene. */
+static void report_at(struct lx_walk *walk, const char *list, size_t i, const char *key, enum lx_message message,
+                      const char *first, const char *second)
+{
+    struct descent descent = begin(walk->document);
+    struct lx_step whole = {NULL, list, 0}, item = {&whole, NULL, i}, step = {&item, key, 0};
+    go_to_key(&descent, list);
+    go_to_element(&descent, i);
+    go_to_key(&descent, key);
+    lx_walk_report(walk, LUXEL_SEVERITY_ERROR, lx_document_place(walk->document, descent.place), &step, message, first,
+                   second);
+}
+
+/* What is compared with the sun outside of the atmosphere, whose default is in radiometric units. */
+static void check_weather(struct lx_walk *walk, const luxel_scene *scene)
+{
+    static const char KEY[] = "extraterrestrial";
+    for (size_t i = 0; i < scene->parameters.lights.count && scene->parameters.units == LX_PHOTOMETRIC; i++) {
+        const struct lx_item *light = &scene->parameters.lights.items[i];
+        const struct lx_table *table = light->variant ? light->variant->table : NULL;
+        if (!table || !lx_find_parameter(table, KEY) || !lx_is_given(table, light->parameters, "diffuse") ||
+            lx_is_given(table, light->parameters, KEY))
+            continue;
+        report_at(walk, "lights", i, KEY, LX_MSG_PEREZ_UNITS, NULL, NULL);
+        lx_hint(walk->diagnostics, LX_MSG_HINT_PEREZ_UNITS, NULL);
+    }
+}
+
 static void check_laws(struct lx_walk *walk, const luxel_scene *scene)
 {
-    const struct lx_document *document = walk->document;
     for (size_t i = 0; i < scene->parameters.lights.count; i++) {
         const struct lx_item *light = &scene->parameters.lights.items[i];
         const bool is_on = light->variant && ((const struct lx_light_common *)light->common)->enabled;
         const char *law = is_on ? lx_foreign_law(light) : NULL;
         if (!law)
             continue;
-        struct descent descent = begin(document);
-        struct lx_step list = {NULL, "lights", 0}, item = {&list, NULL, i}, step = {&item, "attenuation", 0};
-        go_to_key(&descent, "lights");
-        go_to_element(&descent, i);
-        go_to_key(&descent, "attenuation");
-        lx_walk_report(walk, LUXEL_SEVERITY_ERROR, lx_document_place(document, descent.place), &step,
-                       LX_MSG_REFLECTS_BY_LAW, law, NULL);
+        report_at(walk, "lights", i, "attenuation", LX_MSG_REFLECTS_BY_LAW, law, NULL);
         lx_hint(walk->diagnostics, LX_MSG_HINT_INVERSE_SQUARE, NULL);
     }
 }
@@ -130,13 +151,7 @@ static void check_laws(struct lx_walk *walk, const luxel_scene *scene)
 static void report_surface(struct lx_walk *walk, size_t surface, const char *key, enum lx_message message,
                            const char *first, const char *second)
 {
-    struct descent descent = begin(walk->document);
-    struct lx_step list = {NULL, "surfaces", 0}, item = {&list, NULL, surface}, step = {&item, key, 0};
-    go_to_key(&descent, "surfaces");
-    go_to_element(&descent, surface);
-    go_to_key(&descent, key);
-    lx_walk_report(walk, LUXEL_SEVERITY_ERROR, lx_document_place(walk->document, descent.place), &step, message, first,
-                   second);
+    report_at(walk, "surfaces", surface, key, message, first, second);
 }
 
 static const struct lx_surface_kind *kind_of(const luxel_scene *scene, size_t surface)
@@ -269,6 +284,7 @@ void lx_validate_reflections(struct lx_walk *walk, const luxel_scene *scene)
 {
     if (is_sound(&scene->parameters))
         check_mirrors(walk, scene);
+    check_weather(walk, scene);
     if (scene->parameters.reflections.choice == LX_REFLECTIONS_NONE)
         return;
     if (is_sound(&scene->parameters)) {

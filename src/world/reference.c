@@ -224,10 +224,12 @@ static bool is_below(const struct lx_dome_view *view, const double place_mm[3], 
     return view->emitter.facets != NULL;
 }
 
+/* What is nearer to a wall, of a room's size, may be on it. */
+static const double ON_WALL = 1e-6;
+
 /* Whether a place is in the room of an opening, or on a wall of it and looks inwards. */
 static bool is_in_room(const struct lx_glass_pane *opening, const double place_mm[3], const double normal[3])
 {
-    static const double ON_WALL = 1e-6;
     double from[3];
     for (int k = 0; k < 3; k++)
         from[k] = place_mm[k] - opening->room_center_mm[k];
@@ -238,6 +240,32 @@ static bool is_in_room(const struct lx_glass_pane *opening, const double place_m
             return false;
     }
     return true;
+}
+
+/* Whether a place is in an opening, and looks outside as well. */
+static bool looks_out(const struct lx_glass_pane *opening, const double place_mm[3], const double normal[3])
+{
+    const double *size = opening->room_half_mm, near = ON_WALL * fmax(size[0], fmax(size[1], size[2]));
+    double from[3];
+    for (int k = 0; k < 3; k++)
+        from[k] = place_mm[k] - opening->center_mm[k];
+    return fabs(lx_dot(from, opening->axis)) <= near &&
+           fabs(lx_dot(from, opening->across)) <= opening->half_mm[0] + near &&
+           fabs(lx_dot(from, opening->upward)) <= opening->half_mm[1] + near &&
+           lx_dot(normal, opening->axis) < 1 - 1e-12;
+}
+
+/* The room around a place, whose walls hide from it all but what is seen through its openings; SIZE_MAX: there is
+ * none. */
+static size_t find_room(const struct lx_prepared *prepared, const double place_mm[3], const double normal[3])
+{
+    size_t room = SIZE_MAX;
+    for (size_t i = 0; i < prepared->pane_count; i++)
+        room = is_in_room(&prepared->panes[i], place_mm, normal) ? prepared->panes[i].surface : room;
+    for (size_t i = 0; i < prepared->pane_count && room < SIZE_MAX; i++)
+        if (prepared->panes[i].surface == room && looks_out(&prepared->panes[i], place_mm, normal))
+            return SIZE_MAX;
+    return room;
 }
 
 /* The corners of an opening from a place. */
@@ -292,19 +320,16 @@ static struct lx_lighting light_by_dome(const struct lx_prepared *prepared, cons
     const double away_mm = beyond(prepared, place);
     struct lx_prepared shared = *prepared;
     shared.tolerance /= SHARES;
-    size_t room = SIZE_MAX;
-    for (size_t i = 0; i < prepared->pane_count && prepared->shadows_extended && !looks_below; i++)
-        room = is_in_room(&prepared->panes[i], place, normal) ? prepared->panes[i].surface : room;
+    const size_t room = prepared->shadows_extended && !looks_below ? find_room(prepared, place, normal) : SIZE_MAX;
     for (size_t i = 0; i < dome->patch_count; i++) {
         struct lx_dome_view view;
         lx_dome_see(dome, i, place, away_mm, &view);
         if (!looks_below && is_below(&view, place, normal))
             continue;
         set_panes(prepared, &view.emitter);
-        const struct lx_lighting part =
-            room < SIZE_MAX && view.emitter.facets
-                ? light_through(&shared, element, &view, room, sum.irradiance.value)
-                : light_by_extended(&shared, element, &view.emitter, sum.irradiance.value);
+        const struct lx_lighting part = room < SIZE_MAX && view.emitter.facets
+                                            ? light_through(&shared, element, &view, room, sum.irradiance.value)
+                                            : light_by_extended(&shared, element, &view.emitter, sum.irradiance.value);
         sum.irradiance = lx_add(sum.irradiance, part.irradiance);
         sum.diffuse = lx_add(sum.diffuse, part.diffuse);
         sum.specular = lx_add(sum.specular, part.specular);

@@ -1,6 +1,9 @@
 # SPDX-License-Identifier: MIT
 """The sky and the sun: closed forms, integrals to twelve digits, positions of the sun, what hides them, wrong keys."""
+import csv
 import math
+
+import mpmath
 
 from tap import Tap
 from tool import run_tests
@@ -193,6 +196,34 @@ def windows(tap, tool):
         tap.equal([value for value, _ in light(tool, sun, seen, room)], [1, 1, 1, 0, 0, 0, 0], "window: " + wall)
 
 
+def lambert(corners):
+    """The irradiance of a plane z = 0 by a polygon of radiance 1, with 40 digits."""
+    mpmath.mp.dps = 40
+    total = mpmath.mpf(0)
+    for a, b in zip(corners, corners[1:] + corners[:1]):
+        a, b = ([mpmath.mpf(part) for part in corner] for corner in (a, b))
+        turn = [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
+        size = mpmath.sqrt(sum(part * part for part in turn))
+        total += turn[2] / size * mpmath.atan2(size, sum(x * y for x, y in zip(a, b)))
+    return abs(total) / 2
+
+
+def at_windows(tap, tool):
+    """Places in the plane of a window, and before it."""
+    even = "{type: sky, kind: 5, zenith: 1, ground: 1}"
+    lid = ROOM % "{wall: ceiling, size: [4000, 4000]}"
+    places = [(2000, 2000, 3000, *way) for way in ((1, 0, 0), (.6, 0, .8), (.6, 0, -.8), (0, 0, -1), (0, 0, 1))]
+    for found, truth in zip(light(tool, even, places, lid), (.5, .9, .1, 0, 1)):
+        holds(tap, found, math.pi * truth, "in the plane of an opening")
+    # all around a window as large as its wall there is light, but for what the room takes
+    wall = ROOM % "{wall: left, size: [4000, 3000]}"
+    for away in (1, 10, 300):
+        found, = light(tool, even, [(-away, 3980, 1500, 1, 0, 0)], wall)
+        sides = [(y, z, away) for y, z in ((-3980, -1500), (20, -1500), (20, 1500), (-3980, 1500))]
+        truth = float(mpmath.pi - lambert(sides))
+        holds(tap, found, truth, "%g mm before an opening" % away, 1e-6)
+
+
 # Percent of the horizontal irradiance in the room of `daylight`, by 1.5 million random ways, and their deviation.
 PATHS = ((6.0324, .0163), (6.1553, .0168))
 
@@ -240,12 +271,41 @@ def daylight(tap, tool):
                "reflected light against random ways", found, truth)
     text = tool.run("daylight", "room.yaml")
     tap.ok(text.code == 0 and "desk" in text.out and "median" in text.out and "EN 17037" in text.out, "as text", text)
+    # a table of the same numbers, and the cells behind the no-sky line: beside the window below its wall
+    made = tool.run("daylight", "room.yaml", "--at", "2000,2000,850,0,0,1", "-o", "factors.csv")
+    with open(tool.file("factors.csv"), encoding="utf-8", newline="") as file:
+        lines = list(csv.DictReader(file))
+    held = direct["values"]
+    tap.ok(made.code == 0 and len(lines) == 7 and lines[6]["grid"] == "P1" and lines[6]["column"] == "" and all(
+        float(line["daylight_factor_%"]) == held[int(line["row"])][int(line["column"])] for line in lines[:6]),
+        "a table", made, lines[:2])
+    tap.equal(tool.run("daylight", "room.yaml", "--csv").out.splitlines()[0],
+              "grid,column,row,daylight_factor_%,error_%,sky_%,external_%,internal_%", "its heading")
+    tap.equal(tool.run("daylight", "room.yaml", "-o", "factors.png").code, 2, "no other ending")
+    tap.equal(direct["without_sky"], 0, "sky is seen from all cells")
+    high = SCENE % (window, "{type: sky, kind: 5, horizontal: 10000, ground: 1}") + \
+        "grids: [{name: top, center: [2000, 2000, 2500], size: [3000, 3000], n: [2, 2]}]\n"
+    tool.write("high.yaml", high)
+    tap.equal(tool.run("daylight", "high.yaml", "--json").json()["grids"][0]["without_sky"], 1, "the no-sky line")
     lamp = SCENE % ("[]", "{type: ambient, irradiance: 1}") + GRIDS
     tool.write("lamp.yaml", lamp)
     result = tool.run("daylight", "lamp.yaml")
     tap.ok(result.code == 3 and "no sky" in result.err and "type: sky" in result.err, "no sky", result)
     tap.equal(tool.run("daylight", "open.yaml").code, 2, "nothing to find")
     tap.equal(tool.run("daylight", "room.yaml", "--outdoor", "0").code, 2, "no outdoor light")
+
+
+PEREZ, SUN = "{type: sky, model: perez, extraterrestrial: 1367, %s", "sun: {altitude: 40, azimuth: 120}}"
+
+
+def weather(tap, tool):
+    """The sky of Perez: its level, and that it is brighter on the side of the sun."""
+    up, towards, away = (0, 0, 0, 0, 0, 1), (0, 0, 0, .8660254, -.5, 0), (0, 0, 0, -.8660254, .5, 0)
+    for direct, diffuse in ((0, 60), (200, 150), (600, 120), (850, 80)):
+        source = PEREZ % ("direct: %g, diffuse: %g, " % (direct, diffuse)) + SUN
+        level, near, far = light(tool, source, [up, towards, away])
+        holds(tap, level, diffuse, "the light of the sky", known=1e-12)
+        tap.ok(near[0] > (1.5 if direct > 100 else 1) * far[0], "brighter around the sun", near, far)
 
 
 def wrong(tap, tool):
@@ -257,6 +317,16 @@ def wrong(tap, tool):
             ("{type: sky, kind: 12, zenith: 1, sun: {altitude: -3, azimuth: 0}}", ("> 0",)),
             ("{type: sky, kind: 12, zenith: 1, sun: {date: 2026-06-21T23:00Z, latitude: 50, longitude: 8}}",
              ("below the horizon",)),
+            ("{type: sky}", ("kind", "zenith")),
+            (PEREZ % "direct: 600, diffuse: 900, " + SUN, ("perez-range", "from 31.95 to 528.3")),
+            (PEREZ % "direct: 1500, diffuse: 100, " + SUN, ("perez-range", "1367")),
+            (PEREZ % "direct: 100, diffuse: 20, " + SUN, ("perez-range", "kind of the CIE")),
+            (PEREZ % "direct: 100, " + SUN, ("diffuse",)),
+            (PEREZ % "direct: 100, diffuse: 20, zenith: 3, " + SUN, ("exclusive",)),
+            (PEREZ % "direct: 100, diffuse: 50}", ("sun",)),
+            (PEREZ.replace("extraterrestrial: 1367, ", "") % "direct: 900, diffuse: 300, " + SUN,
+             ("perez-units", "127500")),
+            ("{type: sky, kind: 5, direct: 1, diffuse: 1}", ("perez-only", "model: perez")),
             ("{type: sun, irradiance: 1, date: 2026-06-21T12:00Z}", ("latitude", "longitude")),
             ("{type: sun, irradiance: 1, date: midsummer, latitude: 1, longitude: 1}", ("sun-date", "T12:00")),
             ("{type: sun, irradiance: 1, date: 2026-02-29T12:00Z, latitude: 1, longitude: 1}", ("sun-date",)),
@@ -295,4 +365,4 @@ def pictures(tap, tool):
 
 
 if __name__ == "__main__":
-    run_tests(Tap(), open_skies, suns, roofs, obstacles, windows, daylight, wrong, pictures)
+    run_tests(Tap(), open_skies, suns, roofs, obstacles, windows, at_windows, weather, daylight, wrong, pictures)

@@ -16,6 +16,7 @@ import model
 from cases import CASES
 from luxel import TOLERANCE, Luxel
 from tap import Tap
+from validation_daylight import daylight
 from validation_inverse import inverse
 from validation_lamps import lamps
 from validation_page import STAGE, Page, figures, off_exact, off_printed, power_above
@@ -89,17 +90,19 @@ CIE_CASES = (
     ('5.7', 'diffuse reflection with an internal obstruction', 'yes',
      'the reflecting wall is given as a source; the printed numbers are the corrected ones'),
     ('5.8', 'interreflection in a cube', 'yes', 'the printed means, and points of a wall'),
-    ('5.9, 5.10', 'sky component under a roof opening, unglazed and glazed', 'no',
-     'computed, but not on this page: tests/cli/test_sky.py has 5.9 to 5.11'),
-    ('5.11 to 5.14', 'sky and ground through a facade opening, glazed, with horizontal and vertical masks', 'no',
-     'computed, but not on this page: tests/cli/test_sky.py has 5.9 to 5.11'),
+    ('5.9, 5.10', 'sky component under a roof opening, unglazed and glazed', 'yes',
+     'printed numbers that are off; tests/reference/cie_daylight.py prints all'),
+    ('5.11, 5.12', 'sky and ground through a facade opening, unglazed and glazed', 'yes',
+     'printed numbers that are off; tests/reference/cie_daylight.py prints all'),
+    ('5.13, 5.14', 'the same with horizontal and vertical masks', 'no',
+     'not said: what light the masks themselves send, which the printed numbers hold'),
 )
 
 
 def cie(page):
     page.heading('CIE 171: which cases are here, and which are not',
-                 'The publication has 19 cases. Those of light from point and area sources, direct and reflected, are '
-                 'on this page; the others are not.')
+                 'The publication has 19 cases. Those of light from point and area sources, direct and reflected, and '
+                 'of daylight are on this page; the others are not.')
     page.table(['case', 'subject', 'here', 'remark'], CIE_CASES)
 
     case = case_named('cie171-5.2')
@@ -389,7 +392,7 @@ def highlights(page):
 
 def page_of(luxel):
     page = Page(luxel, HEAD)
-    for part in (cie, lamps, reflected, factors, sphere_means, highlights, inverse):
+    for part in (cie, daylight, lamps, reflected, factors, sphere_means, highlights, inverse):
         part(page)
     return page.text()
 

@@ -199,8 +199,7 @@ void lx_dome_see(const struct lx_dome *dome, size_t patch, const double place_mm
     view->facets.corners_mm = view->corners_mm;
     const lx_wide3 place = lx_wide3_of(place_mm);
     for (size_t i = 0; i < view->facets.corner_count; i++)
-        view->corners_mm[i] =
-            lx_wide3_add(place, lx_wide3_mul(seen->facets->corners_mm[i], lx_wide_of(away_mm)));
+        view->corners_mm[i] = lx_wide3_add(place, lx_wide3_mul(seen->facets->corners_mm[i], lx_wide_of(away_mm)));
     for (int k = 0; k < 3; k++)
         view->facets.center_mm[k] = place_mm[k] + away_mm * seen->facets->center_mm[k];
     view->facets.radius_mm *= away_mm * (1 + DIRECTION_ERROR);

@@ -9,16 +9,15 @@
 
 /* a, b, c, d, e of the types 1 to 15. */
 static const double coefficients[LX_SKY_KINDS - 1][5] = {
-    {4, -0.7, 0, -1, 0},          {4, -0.7, 2, -1.5, 0.15},     {1.1, -0.8, 0, -1, 0},
-    {1.1, -0.8, 2, -1.5, 0.15},   {0, -1, 0, -1, 0},            {0, -1, 2, -1.5, 0.15},
-    {0, -1, 5, -2.5, 0.3},        {0, -1, 10, -3, 0.45},        {-1, -0.55, 2, -1.5, 0.15},
-    {-1, -0.55, 5, -2.5, 0.3},    {-1, -0.55, 10, -3, 0.45},    {-1, -0.32, 10, -3, 0.45},
-    {-1, -0.32, 16, -3, 0.3},     {-1, -0.15, 16, -3, 0.3},     {-1, -0.15, 24, -2.8, 0.15},
+    {4, -0.7, 0, -1, 0},        {4, -0.7, 2, -1.5, 0.15},  {1.1, -0.8, 0, -1, 0},       {1.1, -0.8, 2, -1.5, 0.15},
+    {0, -1, 0, -1, 0},          {0, -1, 2, -1.5, 0.15},    {0, -1, 5, -2.5, 0.3},       {0, -1, 10, -3, 0.45},
+    {-1, -0.55, 2, -1.5, 0.15}, {-1, -0.55, 5, -2.5, 0.3}, {-1, -0.55, 10, -3, 0.45},   {-1, -0.32, 10, -3, 0.45},
+    {-1, -0.32, 16, -3, 0.3},   {-1, -0.15, 16, -3, 0.3},  {-1, -0.15, 24, -2.8, 0.15},
 };
 
 bool lx_sky_has_sun(unsigned kind)
 {
-    return kind < LX_SKY_OVERCAST && coefficients[kind - 1][2] != 0;
+    return kind == LX_SKY_PEREZ || (kind > 0 && kind < LX_SKY_OVERCAST && coefficients[kind - 1][2] != 0);
 }
 
 /* phi by the cosine of Z, which is no less than 0. */
@@ -29,24 +28,32 @@ static double gradation(const struct lx_sky *sky, double cosine)
 
 static double indicatrix(const struct lx_sky *sky, double chi)
 {
-    const double cosine = cos(chi);
-    return 1 + sky->c * (exp(sky->d * chi) - exp(sky->d * M_PI_2)) + sky->e * cosine * cosine;
+    const double cosine = cos(chi), off = sky->kind == LX_SKY_PEREZ ? 0 : exp(sky->d * M_PI_2);
+    return 1 + sky->c * (exp(sky->d * chi) - off) + sky->e * cosine * cosine;
 }
 
-struct lx_sky lx_sky_of_kind(unsigned kind, const double up[3], const double sun[3])
+static struct lx_sky make(unsigned kind, const double *numbers, const double up[3], const double sun[3])
 {
-    struct lx_sky sky = {.kind = kind, .scale = 1};
+    struct lx_sky sky = {
+        .kind = kind, .a = numbers[0], .b = numbers[1], .c = numbers[2], .d = numbers[3], .e = numbers[4]};
     memcpy(sky.up, up, sizeof sky.up);
     memcpy(sky.sun, lx_sky_has_sun(kind) ? sun : up, sizeof sky.sun);
-    if (kind == LX_SKY_OVERCAST)
-        return sky;
-    const double *numbers = coefficients[kind - 1];
-    sky.a = numbers[0], sky.b = numbers[1], sky.c = numbers[2], sky.d = numbers[3], sky.e = numbers[4];
     sky.scale = gradation(&sky, 1);
     if (lx_sky_has_sun(kind))
         sky.scale *= indicatrix(&sky, lx_angle_between(sky.sun, up));
     sky.scale = 1 / sky.scale;
     return sky;
+}
+
+struct lx_sky lx_sky_of_kind(unsigned kind, const double up[3], const double sun[3])
+{
+    static const double none[5] = {0};
+    return make(kind, kind == LX_SKY_OVERCAST ? none : coefficients[kind - 1], up, sun);
+}
+
+struct lx_sky lx_sky_of_perez(const double numbers[5], const double up[3], const double sun[3])
+{
+    return make(LX_SKY_PEREZ, numbers, up, sun);
 }
 
 double lx_sky_luminance(const struct lx_sky *sky, const double towards[3])
@@ -62,7 +69,10 @@ double lx_sky_greatest(const struct lx_sky *sky)
 {
     if (sky->kind == LX_SKY_OVERCAST)
         return 1;
-    return (1 + fmax(sky->a, 0)) * indicatrix(sky, 0) * sky->scale;
+    if (sky->kind != LX_SKY_PEREZ)
+        return (1 + fmax(sky->a, 0)) * indicatrix(sky, 0) * sky->scale;
+    const double round = fmax(sky->c, 0) * fmax(exp(sky->d * M_PI), 1) + fmax(sky->e, 0);
+    return (1 + fmax(sky->a, 0)) * (1 + round) * sky->scale;
 }
 
 /* ---- the integral ---- */

@@ -6,14 +6,15 @@
  *     L/Lz = f(chi) phi(Z) / (f(Zs) phi(0)),   phi(Z) = 1 + a exp(b / cos Z),
  *     f(chi) = 1 + c (exp(d chi) - exp(d pi/2)) + e cos^2 chi
  *
- * for the angle Z to the zenith, chi to the sun, and Zs of the sun to the zenith.
+ * for the angle Z to the zenith, chi to the sun, and Zs of the sun to the zenith.  The all-weather sky of Perez
+ * (perez.h) is LX_SKY_PEREZ: the same but for f(chi) = 1 + c exp(d chi) + e cos^2 chi.
  */
 #ifndef LX_LIGHT_SKY_LUMINANCE_H
 #define LX_LIGHT_SKY_LUMINANCE_H
 
 #include "../../base/bounded.h"
 
-enum { LX_SKY_UNIFORM = 5, LX_SKY_OVERCAST = 16, LX_SKY_KINDS = 16 };
+enum { LX_SKY_UNIFORM = 5, LX_SKY_OVERCAST = 16, LX_SKY_KINDS = 16, LX_SKY_PEREZ };
 
 struct lx_sky {
     unsigned kind;
@@ -27,6 +28,9 @@ bool lx_sky_has_sun(unsigned kind);
 
 /* `sun` is above the horizon, or anything where it does not matter. */
 struct lx_sky lx_sky_of_kind(unsigned kind, const double up[3], const double sun[3]);
+
+/* By a, b, c, d, e of Perez's. */
+struct lx_sky lx_sky_of_perez(const double coefficients[5], const double up[3], const double sun[3]);
 
 /* In a unit direction, that of the horizon below it; good to LX_SKY_ROUNDING of its value. */
 double lx_sky_luminance(const struct lx_sky *sky, const double towards[3]);

@@ -103,3 +103,10 @@ void lx_sun_position(double julian, double latitude_deg, double longitude_deg, d
     *altitude_deg = atan2(above, hypot(east, north)) / DEGREE;
     *azimuth_deg = azimuth < 0 ? azimuth + 360 : azimuth;
 }
+
+double lx_sun_nearness(double julian)
+{
+    const double anomaly = (357.528 + 0.9856003 * (julian - 2451545)) * DEGREE;
+    const double distance = 1.00014 - 0.01671 * cos(anomaly) - 0.00014 * cos(2 * anomaly);
+    return 1 / (distance * distance);
+}

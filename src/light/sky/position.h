@@ -19,4 +19,7 @@ bool lx_read_date(const char *text, double *julian);
 void lx_sun_position(double julian, double latitude_deg, double longitude_deg, double *altitude_deg,
                      double *azimuth_deg);
 
+/* What light the sun gives then outside of the atmosphere, of that at its mean distance. */
+double lx_sun_nearness(double julian);
+
 #endif

@@ -55,8 +55,7 @@ void lx_check_sun_stand(const struct lx_check *check, const struct lx_sun_stand 
         lx_check_report(check, "date", LX_ALL_OF_IT, LX_MSG_SUN_DATE, NULL);
         lx_check_hint(check, LX_MSG_HINT_SUN_DATE, NULL);
     } else if (!(altitude > 0)) {
-        lx_check_report(check, "date", LX_ALL_OF_IT, LX_MSG_SUN_BELOW,
-                        LX_ARGS(lx_write_digits(altitude, 4, number)));
+        lx_check_report(check, "date", LX_ALL_OF_IT, LX_MSG_SUN_BELOW, LX_ARGS(lx_write_digits(altitude, 4, number)));
         lx_check_hint(check, LX_MSG_HINT_SUN_BELOW, NULL);
     }
 }

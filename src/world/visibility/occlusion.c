@@ -390,8 +390,10 @@ int lx_occlusion_make(const struct lx_prepared *prepared, const struct lx_elemen
         const bool is_own = surface == element->own;
         if (surface->authored + 1 == prepared->left_out)
             continue;
-        if (prepared->pane_count > 0) /* walls are as much larger, and so the openings smaller */
-            beyond_mm = fmax(beyond_mm, shape->touch_mm);
+        if (prepared->pane_count >
+            0) /* walls stand as much farther back and are as much larger (lx_shape_in_the_way()),
+                                         and so the openings are smaller */
+            beyond_mm = fmax(beyond_mm, shape->touch_mm + 3 * shape->behind_mm);
         const bool is_turned =
             is_own && element->is_free && lx_shape_is_turned(shape, element->place_mm, element->normal);
         if (lx_occlusion_gather(shape, is_own, is_turned, normal, occlusion))
