@@ -60,6 +60,21 @@ struct size {
     double greatest; /* of the part's values */
 };
 
+/* Adds values with weights to channels and, unless NULL, to a sum. */
+static void add_single(float *restrict rgb, float *restrict sum, const float *restrict values, size_t pixels,
+                       const struct lx_color_part *part)
+{
+    const double red = part->rgb[0], green = part->rgb[1], blue = part->rgb[2], luminance = part->luminance;
+    for (size_t i = 0; i < pixels; i++) {
+        const double value = (double)values[i];
+        rgb[LX_CHANNELS * i] = (float)((double)rgb[LX_CHANNELS * i] + red * value);
+        rgb[LX_CHANNELS * i + 1] = (float)((double)rgb[LX_CHANNELS * i + 1] + green * value);
+        rgb[LX_CHANNELS * i + 2] = (float)((double)rgb[LX_CHANNELS * i + 2] + blue * value);
+    }
+    for (size_t i = 0; i < pixels && sum; i++)
+        sum[i] = (float)((double)sum[i] + luminance * (double)values[i]);
+}
+
 /* Adds a part's picture to the channels of a field and, where that is the sum, to its values.  `tints`, unless NULL,
  * are factors of the pixels. */
 static void add_part(struct luxel_field *field, const struct lx_color_part *part, const struct luxel_field *from,
@@ -68,6 +83,11 @@ static void add_part(struct luxel_field *field, const struct lx_color_part *part
     static const double white[LX_CHANNELS] = {1, 1, 1};
     const size_t pixels = (size_t)field->columns * field->rows;
     const bool is_highlight = lx_scene_parameters(part->scene)->channel == LX_CHANNEL_HIGHLIGHT;
+    size->greatest = from->statistics.maximum.value;
+    if (!tints && field->precision == LUXEL_SINGLE) {
+        add_single(field->rgb, is_sum ? field->values : NULL, from->values, pixels, part);
+        return;
+    }
     for (size_t i = 0; i < pixels; i++) {
         const double *factors = tints ? tints->list[tints->of_pixels[i]].factors[is_highlight] : white;
         const double value = get(field, from->values, i);
@@ -82,7 +102,6 @@ static void add_part(struct luxel_field *field, const struct lx_color_part *part
     }
     for (size_t c = 0; c < LX_CHANNELS && tints && from->statistics.maximum.exists; c++)
         size->most[c] = tints->greatest[is_highlight][c] * from->statistics.maximum.value;
-    size->greatest = from->statistics.maximum.value;
 }
 
 /* Whether the parts of lights add up to a luminance that is as exact as pictures have to be. */

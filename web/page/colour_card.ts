@@ -17,7 +17,7 @@ function meaning({ xy, cct, duv }: Colour): string {
     const place = `x, y ${xy.map((part) => part.toFixed(SHOWN)).join(', ')}`;
     return cct === null
         ? `${place}; ${t('no colour temperature')}`
-        : `${place}; ${Math.round(cct)} ${t('K')}, Duv ${(duv! + 0).toFixed(SHOWN)} (${t('nearest black body in u, v')})`;
+        : `${place}; ${Math.round(cct)} ${t('K')}, Duv ${(Math.abs(duv!) < 0.5 / 10 ** SHOWN ? 0 : duv!).toFixed(SHOWN)} (${t('nearest black body in u, v')})`;
 }
 
 export class ColourCard {
