@@ -29,6 +29,7 @@ typedef enum Line {
     LINE_UD,
     LINE_PIXELS,
     LINE_REFLECTED,
+    LINE_MIRRORED,
     LINES
 } Line;
 

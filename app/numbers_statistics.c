@@ -29,6 +29,7 @@ static const char *const line_names[LINES] = {
     [LINE_UD] = N_("Diversity Ud = minimum / maximum"),
     [LINE_PIXELS] = N_("Pixels on a surface"),
     [LINE_REFLECTED] = N_("Error of reflected light, of the maximum"),
+    [LINE_MIRRORED] = N_("Error of light over mirrors, of the maximum"),
 };
 
 static void draw_histogram(GtkDrawingArea *area, cairo_t *cairo, int width, int height, gpointer data)
@@ -132,6 +133,18 @@ static void show_reflected(AppNumbers *self, const luxel_statistics *statistics,
         gtk_widget_remove_css_class(label, "warning");
 }
 
+/* The bound of what comes over more mirrors than are counted, where there may be such light. */
+static void show_mirrored(AppNumbers *self, const luxel_statistics *statistics, gboolean is_difference)
+{
+    char text[APP_NUMBER_SIZE + 8], number[APP_NUMBER_SIZE];
+    choose_line(self, LINE_MIRRORED, statistics->mirrored_error > 0 && !is_difference);
+    if (isfinite(statistics->mirrored_error))
+        g_snprintf(text, sizeof text, "%s %%", app_bound_show(100 * statistics->mirrored_error, 2, number));
+    else
+        g_snprintf(text, sizeof text, "%s", _("not bounded"));
+    app_numbers_set_text(self->lines[LINE_MIRRORED], text);
+}
+
 /* The place of a least value in the line below it. */
 static void show_least(AppNumbers *self, Line line, const luxel_extremum *least)
 {
@@ -163,6 +176,7 @@ void app_numbers_show_statistics(AppNumbers *self, AppMeasures *measures)
         [LINE_UD] = summary->ud,
         [LINE_PIXELS] = (double)summary->pixels,
         [LINE_REFLECTED] = statistics->reflected_error,
+        [LINE_MIRRORED] = statistics->mirrored_error,
     };
     for (int i = 0; i < LINES; i++)
         app_numbers_set_number(self->lines[i], numbers[i]);
@@ -170,6 +184,7 @@ void app_numbers_show_statistics(AppNumbers *self, AppMeasures *measures)
     show_place(self, LINE_TRUE_MAXIMUM_PLACE, maximum->x_mm, maximum->y_mm);
     choose_lines(self, measures->is_difference);
     show_reflected(self, statistics, measures->is_difference);
+    show_mirrored(self, statistics, measures->is_difference);
     app_numbers_await_balance(self, statistics->has_reflected && !measures->is_difference);
     show_least(self, LINE_LEAST, &statistics->minimum);
     show_least(self, LINE_REACHED, &measures->reached);

@@ -6,6 +6,7 @@
  */
 #include <luxel/luxel.h>
 
+#include <math.h>
 #include <string.h>
 
 #include "cli.h"
@@ -42,6 +43,14 @@ static void explain_minimum(const luxel_statistics *statistics)
                           "of a highlight that is not gated, or ambient light."));
 }
 
+/* What light over more mirrors than are counted may be, in the unit of the values. */
+static const char *mirrored_error(const luxel_statistics *statistics, char buffer[TEXT_SIZE])
+{
+    const double error = statistics->mirrored_error * statistics->maximum.value;
+
+    return isfinite(error) ? text_error(error, buffer) : _("not bounded");
+}
+
 static void print_statistics(const struct result *result)
 {
     const luxel_statistics *statistics = result->statistics;
@@ -49,7 +58,7 @@ static void print_statistics(const struct result *result)
     const bool is_known = statistics->minimum_reached.exists ||
                           !(result->options->settings.light_error > 0.0 || luxel_scene_has_color(result->scene));
     struct text_table *table = text_table_new("lrrr");
-    char heading[TEXT_SIZE], mean[TEXT_SIZE], lit[TEXT_SIZE], reflected[TEXT_SIZE];
+    char heading[TEXT_SIZE], mean[TEXT_SIZE], lit[TEXT_SIZE], reflected[TEXT_SIZE], mirrored[TEXT_SIZE];
 
     text_format(heading, _("value (%s)"), _(result_unit(result)));
     text_table_row(table, TEXT_CELLS("", heading, _("pixel (u, v)"), _("screen x, y (mm)")));
@@ -68,6 +77,9 @@ static void print_statistics(const struct result *result)
         text_table_row(table, TEXT_CELLS(_("error of reflected light"),
                                          text_error(statistics->reflected_error * statistics->maximum.value, reflected),
                                          "", ""));
+    if (statistics->mirrored_error > 0.0 && statistics->has_surface)
+        text_table_row(table,
+                       TEXT_CELLS(_("error of light over mirrors"), mirrored_error(statistics, mirrored), "", ""));
     text_table_print(table, stdout, 2);
     if (is_known)
         explain_minimum(statistics);

@@ -348,6 +348,8 @@ void result_write_json(FILE *stream, const struct result *result)
     json_close(&json, ']');
     if (result->statistics && result->statistics->has_reflected)
         json_number(&json, "reflected_error", result->statistics->reflected_error);
+    if (result->statistics && result->statistics->mirrored_error > 0.0)
+        json_number(&json, "mirrored_error", result->statistics->mirrored_error);
     result_write_extremum(&json, "min_reached", result->statistics ? &result->statistics->minimum_reached : NULL);
     lights_write(&json, &lights);
     result_write_conventions(&json, result->scene, &result->use);

@@ -54,9 +54,11 @@ export function tryCore(core) {
 
 function tryScene(core, text, keys) {
     core.direct(true); // as a text is judged
+    core.view('luminance');
     check(core.open(text), JSON.stringify(core.messages()));
     core.direct(false);
     const { lights, points } = core.scene();
+    check(core.lightColors().length === lights.length, 'it tells no colours of lights');
     keys.forEach((key) => core.get(key));
     for (const stride of [8, 2, 1]) {
         check(core.render(stride), `no picture: ${JSON.stringify(core.messages())}`);

@@ -48,7 +48,11 @@ typedef struct luxel_statistics {
     bool has_reflected;     /* whether surfaces reflect light to each other; then all values have it */
     double reflected_error; /* bounds the error of what it adds to any pixel, as a share of the maximum */
     bool reflected_reached; /* whether that is no more than the settings ask for; true without such light */
-    void *reserved[4];      /* for later versions: NULL */
+    /* Where light or sights may go over more mirrors than the scene counts: bounds the error of any pixel, with what
+     * those give, as a share of the maximum; HUGE_VAL where no bound is known.  0: they do not.  Not of fields that
+     * were read, nor of views of them. */
+    double mirrored_error;
+    void *reserved[3]; /* for later versions: NULL */
 } luxel_statistics;
 
 /* Frees a field; NULL is harmless. */

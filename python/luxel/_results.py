@@ -35,6 +35,9 @@ class Statistics(NamedTuple):
     pixels: int  #: how many show a surface
     minimum_reached: Optional[Extremum]  #: the least value where light arrives, if it was asked for
     reflected_error: Optional[float]  #: bounds what reflected light may be off, as a share of the maximum
+    #: where light may go over more mirrors than the scene counts: bounds the error of any pixel, as a share of the
+    #: maximum (inf: no bound is known); 0.0: it does not
+    mirrored_error: float = 0.0
 
     def _repr_html_(self) -> str:
         rows = [[translate(name), _html.number(e and e.value), "(%d, %d)" % (e.column, e.row) if e else "—"]
@@ -237,8 +240,9 @@ def extremum(found: Any) -> Optional[Extremum]:
 
 def statistics(found: Any) -> Statistics:
     """The statistics of a tuple of the library."""
-    maximum, minimum, mean, lit, pixels, reached, reflected_error = found
-    return Statistics(extremum(maximum), extremum(minimum), mean, lit, pixels, extremum(reached), reflected_error)
+    maximum, minimum, mean, lit, pixels, reached, reflected_error, mirrored_error = found
+    return Statistics(extremum(maximum), extremum(minimum), mean, lit, pixels, extremum(reached), reflected_error,
+                      mirrored_error)
 
 
 def alternatives(found: List[Any]) -> Tuple[Alternative, ...]:

@@ -180,11 +180,12 @@ PyObject *extremum_tuple(const luxel_extremum *extremum)
 
 PyObject *statistics_tuple(const luxel_statistics *statistics)
 {
-    return Py_BuildValue("(NNNNnNN)", extremum_tuple(&statistics->maximum), extremum_tuple(&statistics->minimum),
+    return Py_BuildValue("(NNNNnNNd)", extremum_tuple(&statistics->maximum), extremum_tuple(&statistics->minimum),
                          number_or_none(statistics->has_surface, statistics->mean),
                          number_or_none(statistics->has_surface, statistics->lit),
                          (Py_ssize_t)statistics->surface_pixels, extremum_tuple(&statistics->minimum_reached),
-                         number_or_none(statistics->has_reflected, statistics->reflected_error));
+                         number_or_none(statistics->has_reflected, statistics->reflected_error),
+                         statistics->mirrored_error);
 }
 
 static PyObject *field_statistics(PyObject *module, PyObject *handle)

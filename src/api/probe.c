@@ -177,7 +177,7 @@ static bool is_reached(const struct lx_session *session, const struct lx_element
     for (size_t i = 0; i < lx_item_count(&prepared->emitters); i++)
         radiance = fmax(radiance, prepared->emitters.items[i].radiance.value);
     double allowed = fmax(prepared->tolerance * fabs(probe->value), fmax(NOTHING * radiance, DBL_MIN));
-    integrated = integrated && prepared->mirrors.way_count == prepared->mirrors.computed;
+    integrated = integrated && !lx_goes_deeper(&prepared->mirrors);
     if (!(session->settings.tolerance > 0 || integrated) || probe->error <= allowed)
         return true;
     return probe->value <= probe->error && probe->error <= prepared->tolerance * unhidden(session, element);

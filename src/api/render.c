@@ -10,8 +10,11 @@ luxel_status luxel_render(const luxel_scene *scene, const luxel_settings *settin
 {
     if (!field)
         return lx_refuse(diagnostics, LX_MSG_MISSING_ARGUMENT, LX_ARGS("field"));
-    return luxel_scene_has_color(scene) ? lx_render_in_color(scene, settings, diagnostics, field)
-                                        : lx_render_grey(scene, settings, diagnostics, field);
+    const luxel_status status = luxel_scene_has_color(scene) ? lx_render_in_color(scene, settings, diagnostics, field)
+                                                             : lx_render_grey(scene, settings, diagnostics, field);
+    if (status == LUXEL_OK)
+        lx_report_mirrored_error(scene, &(*field)->statistics, diagnostics);
+    return status;
 }
 
 luxel_status lx_render_grey(const luxel_scene *scene, const luxel_settings *settings, luxel_diagnostics *diagnostics,

@@ -154,7 +154,7 @@ static luxel_status render_in_color(const luxel_scene *scene, const luxel_settin
                                     luxel_statistics *statistics)
 {
     struct luxel_field *field;
-    luxel_status status = lx_render_in_color(scene, settings, diagnostics, &field);
+    luxel_status status = luxel_render(scene, settings, diagnostics, &field);
     if (status != LUXEL_OK)
         return status;
     for (size_t i = 0; i < count; i++) {
@@ -189,6 +189,7 @@ luxel_status luxel_render_files(const luxel_scene *scene, const luxel_settings *
     if (status == LUXEL_OK)
         status = write_files(&rendering, &session, frame, &files, diagnostics);
     if (status == LUXEL_OK) {
+        lx_report_mirrored_error(scene, &frame->statistics, diagnostics);
         status = commit_files(&files, &rendering.control);
         if (statistics && status != LUXEL_CANCELLED)
             *statistics = frame->statistics;

@@ -305,19 +305,41 @@ static luxel_status check_range(const struct luxel_field *field, const luxel_ext
     return LUXEL_ERROR_RANGE;
 }
 
+double lx_share_of_maximum(const luxel_statistics *statistics, double error)
+{
+    const double maximum = statistics->maximum.exists ? statistics->maximum.value : 0;
+    return !(error > 0) ? 0 : maximum > 0 ? error / maximum : HUGE_VAL;
+}
+
+void lx_report_mirrored_error(const luxel_scene *scene, const luxel_statistics *statistics,
+                              luxel_diagnostics *diagnostics)
+{
+    char most[LX_NUMBER_SIZE], error[LX_NUMBER_SIZE];
+    const bool is_bounded = statistics->mirrored_error < HUGE_VAL;
+    if (!(statistics->mirrored_error > 0))
+        return;
+    lx_report(diagnostics, LUXEL_SEVERITY_ADVICE, NULL, is_bounded ? LX_MSG_PICTURE_OF_MIRRORS : LX_MSG_MIRRORS_UNKNOWN,
+              LX_ARGS(lx_write_number(lx_scene_parameters(scene)->mirrors, most),
+                      lx_write_bound(statistics->mirrored_error, 2, error)));
+    lx_hint(diagnostics, is_bounded ? LX_MSG_HINT_MORE_MIRRORS : LX_MSG_HINT_PROBES_OF_MIRRORS, NULL);
+}
+
+/* What is not known of light over more mirrors than are counted, of all pixels, which threads have shaded by now. */
+static double mirrored_error_of(const struct lx_rendering *rendering)
+{
+    double error = 0;
+    for (unsigned i = 0; i < rendering->threads; i++)
+        error = fmax(error, lx_shader_mirrored_error(rendering->memories[i]));
+    return lx_share_of_maximum(&rendering->field->statistics, error);
+}
+
 static void finish_statistics(struct lx_rendering *rendering)
 {
     luxel_statistics *statistics = &rendering->field->statistics;
     *statistics = lx_tally_finish(&rendering->tally);
     if (rendering->reaching.is_plain)
         statistics->minimum_reached = statistics->minimum;
-    const struct lx_mirrors *mirrors = &rendering->session->prepared.mirrors;
-    if (mirrors->way_count > mirrors->computed) {
-        char most[LX_NUMBER_SIZE];
-        lx_report(rendering->diagnostics, LUXEL_SEVERITY_ADVICE, NULL, LX_MSG_PICTURE_OF_MIRRORS,
-                  LX_ARGS(lx_write_number(rendering->session->prepared.scene->mirrors, most)));
-        lx_hint(rendering->diagnostics, LX_MSG_HINT_MORE_MIRRORS, NULL);
-    }
+    statistics->mirrored_error = mirrored_error_of(rendering);
     if (!rendering->session->world.reflected)
         return;
     const double maximum = statistics->maximum.exists ? statistics->maximum.value : 0;

@@ -54,4 +54,11 @@ luxel_status lx_rendering_open(struct lx_rendering *rendering, const struct lx_s
 luxel_status lx_rendering_run(struct lx_rendering *rendering);
 void lx_rendering_clear(struct lx_rendering *rendering);
 
+/* An error as a share of a picture's maximum: HUGE_VAL where that is 0. */
+double lx_share_of_maximum(const luxel_statistics *statistics, double error);
+
+/* Advice where light or sights go over more mirrors than the scene counts. */
+void lx_report_mirrored_error(const luxel_scene *scene, const luxel_statistics *statistics,
+                              luxel_diagnostics *diagnostics);
+
 #endif

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* Shading a run of pixels: all lights over the elements of each surface that it shows. */
+#include <float.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -35,6 +36,7 @@ struct lx_shader_memory *lx_shader_memory_new(const struct lx_plan *plan)
     memory->room = (struct lx_light_room){.of_singles = NULL};
     lx_penumbra_init(&memory->penumbra);
     memory->portion = NULL;
+    memory->mirrored_error = 0;
     lx_seen_init(plan, &memory->seen);
     bool has_all = true;
     size_t surfaces = plan->trees.tree_count > 0 ? plan->surface_count : 0;
@@ -219,6 +221,11 @@ double lx_shader_error(const struct lx_shader_memory *memory)
     return memory->error;
 }
 
+double lx_shader_mirrored_error(const struct lx_shader_memory *memory)
+{
+    return memory->mirrored_error;
+}
+
 /* The cone of unit vectors in a box: they are in the ball around it. */
 static struct lx_cone cone_around(const struct extent *extent)
 {
@@ -280,29 +287,30 @@ static const struct lx_cut *find_cut(const struct lx_plan *plan, struct lx_shade
 /* ---- lobes that kernels do not know ---- */
 
 /* What all light gives one element; a light that lies on it gives it nothing. */
-static double light_one(const struct lx_prepared *prepared, const struct lx_element *element,
-                        const struct lx_asking *asking)
+static lx_bounded light_one(const struct lx_prepared *prepared, const struct lx_element *element,
+                            const struct lx_asking *asking)
 {
-    double sum = 0;
+    lx_bounded sum = lx_exact(0);
     for (size_t e = 0; e < prepared->emitters.count && lx_asking_goes_on(asking); e++) {
         struct lx_emitter room;
         const struct lx_lighting light =
             lx_light_element(prepared, element, lx_emitter_at(&prepared->emitters, e, &room));
-        sum += light.on_element ? 0 : light.diffuse.value + light.specular.value;
+        if (!light.on_element)
+            sum = lx_add(sum, lx_add(light.diffuse, light.specular));
     }
     return sum;
 }
 
 /* What a mirror shows at an element of it: what the sight of it meets there, lit as the picture lights that. */
-static double light_in_mirror(const struct lx_plan *plan, const struct lx_prepared *prepared,
-                              const struct lx_element *element, const struct lx_asking *asking)
+static lx_bounded light_in_mirror(const struct lx_plan *plan, const struct lx_prepared *prepared,
+                                  const struct lx_element *element, const struct lx_asking *asking)
 {
     double place[3], screen[2];
     struct lx_element shown;
     lx_values3(element->place_mm, place);
     if (!lx_project(&prepared->camera, place, screen) || !lx_element_seen(prepared, screen[0], screen[1], &shown) ||
-        shown.shown != LX_SHOWN)
-        return 0;
+        shown.shown == LX_SHOWN_NOTHING)
+        return lx_exact(0);
     shown.lobe = &plan->surfaces[shown.own - prepared->surfaces].lobe;
     return light_one(prepared, &shown, asking);
 }
@@ -318,6 +326,7 @@ static void light_by_reference(const struct lx_plan *plan, const struct lx_plann
     struct lx_elements elements;
     struct lx_received received;
     const bool is_mirror = plan->prepared->surfaces[surface - plan->surfaces].is_mirror;
+    const bool goes_deeper = lx_goes_deeper(&prepared.mirrors);
     prepared.tolerance = plan->tolerance;
     plan->kernels->set_all(memory->sum, lx_padded(count), 0);
     for (size_t start = 0; start < count && (!memory->portion || memory->portion->lights); start += LX_BATCH) {
@@ -338,12 +347,18 @@ static void light_by_reference(const struct lx_plan *plan, const struct lx_plann
             lx_world_light(&world, &elements, LX_WANT_BRIGHTNESS, asking, &received);
         for (size_t i = start; i < end; i++) {
             const struct lx_element element = lx_elements_get(&prepared, &elements, i - start);
+            lx_bounded sum;
             if (is_mirror)
-                memory->sum[i] = light_in_mirror(plan, &prepared, &element, asking);
+                sum = light_in_mirror(plan, &prepared, &element, asking);
+            else if (received.on_element[i - start])
+                sum = light_one(&prepared, &element, asking);
             else
-                memory->sum[i] = received.on_element[i - start]
-                                     ? light_one(&prepared, &element, asking)
-                                     : received.diffuse.value[i - start] + received.specular.value[i - start];
+                sum = (lx_bounded){received.diffuse.value[i - start] + received.specular.value[i - start],
+                                   received.diffuse.error[i - start] + received.specular.error[i - start]};
+            memory->sum[i] = sum.value;
+            if (goes_deeper)
+                memory->mirrored_error =
+                    fmax(memory->mirrored_error, sum.error + (double)FLT_EPSILON * fabs(sum.value));
         }
     }
 }

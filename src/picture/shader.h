@@ -57,4 +57,7 @@ size_t lx_shade_row_single(const struct lx_plan *plan, struct lx_shader_memory *
 /* How far those last shaded may be off because of clusters, at most. */
 double lx_shader_error(const struct lx_shader_memory *memory);
 
+/* How far any of all those that it shaded may be off where there are mirrors; HUGE_VAL: no bound is known. */
+double lx_shader_mirrored_error(const struct lx_shader_memory *memory);
+
 #endif

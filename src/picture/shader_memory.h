@@ -27,6 +27,7 @@ struct lx_shader_memory {
     struct lx_cut cuts[KEPT_CUTS]; /* of a surface the one that its number leaves; of this tile where they have one */
     size_t cut_count;
     double error;
+    double mirrored_error; /* of all pixels so far */
 };
 
 /* Whether a light is in the portion that is asked for. */

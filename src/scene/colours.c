@@ -253,6 +253,13 @@ luxel_status lx_color_lobes_make(const luxel_scene *scene, const luxel_settings 
     return make_parts(scene, settings, &division, diagnostics, parts);
 }
 
+luxel_status lx_color_lights_make(const luxel_scene *scene, const luxel_settings *settings,
+                                  luxel_diagnostics *diagnostics, struct lx_color_parts *parts)
+{
+    const struct division division = {.count = 1, .views = {LX_CHANNEL_WHOLE}};
+    return make_parts(scene, settings, &division, diagnostics, parts);
+}
+
 void lx_color_parts_clear(struct lx_color_parts *parts)
 {
     for (int c = 0; c < LX_CHANNELS; c++)

@@ -16,8 +16,8 @@
 
 enum { LX_CHANNELS = 3 };
 
-/* Behind the channels of materials, from 1: what they scatter, and their highlights, by the greatest of each. */
-enum { LX_CHANNEL_DIFFUSE = LX_CHANNELS + 1, LX_CHANNEL_HIGHLIGHT };
+/* Behind the channels of materials, from 1: what they scatter, and their highlights, by the greatest of each; and both. */
+enum { LX_CHANNEL_DIFFUSE = LX_CHANNELS + 1, LX_CHANNEL_HIGHLIGHT, LX_CHANNEL_WHOLE };
 /* Pictures of these are as exact as those of channels with a maximum smaller by this factor have to be. */
 enum { LX_LOBES_TO_CHANNEL = 4 };
 
@@ -75,6 +75,10 @@ bool lx_is_sum_of_lobes(const struct lx_scene_parameters *scene, luxel_quantity 
 /* Makes these; views[0] is that of what is scattered, and views[1], if any, of the highlights. */
 luxel_status lx_color_lobes_make(const luxel_scene *scene, const luxel_settings *settings,
                                  luxel_diagnostics *diagnostics, struct lx_color_parts *parts);
+/* Makes the parts of a scene whose materials are grey, a group of lights each, for pictures that are their sum; else as
+ * lx_color_parts_make(). */
+luxel_status lx_color_lights_make(const luxel_scene *scene, const luxel_settings *settings,
+                                  luxel_diagnostics *diagnostics, struct lx_color_parts *parts);
 void lx_color_parts_clear(struct lx_color_parts *parts);
 
 /* A view of the scene in channel `channel` from 1, which shares all with it and must not outlive it: free() it.  NULL:

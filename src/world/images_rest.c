@@ -28,6 +28,23 @@ static double greatest_intensity(const struct lx_emitter *emitter)
                                       lx_emitter_kind(emitter)->section_mm2(emitter) * 1e-6;
 }
 
+/* What share of its greatest intensity a light sends to a place at most, along a unit vector towards its middle; no part
+ * of it is nearer than `nearest`. */
+static double greatest_share(const struct lx_emitter *emitter, const double place[3], const double towards[3],
+                             double nearest)
+{
+    double at[3], normal[3], height = 0;
+    if (lx_is_point(emitter)) {
+        const lx_bounded value = lx_profile_value(&emitter->profile, lx_exact3(towards));
+        return fmin(value.value + value.error, 1);
+    }
+    if (emitter->profile.luminaire || !lx_emitter_plane(emitter, at, normal))
+        return 1;
+    for (int k = 0; k < 3; k++)
+        height += normal[k] * (place[k] - at[k]);
+    return fmin(fmax(height, 0) * (1 + 1e-9) / nearest + 1e-12, 1);
+}
+
 /* Adds the most that comes by one way that is longer than is counted. */
 static void add_way(const struct lx_mirror_way *way, const struct lx_element *element, const struct lx_emitter *emitter,
                     struct rest *rest)
@@ -63,9 +80,14 @@ static void add_way(const struct lx_mirror_way *way, const struct lx_element *el
     }
     const double nearest = distance - radius;
     const double cosine = fmax((lx_dot(normal, towards) + radius) / fmax(distance, DBL_MIN), 0) + 1e-12;
-    const double e_perp = endless       ? emitter->strength + emitter->strength_error
-                          : nearest > 0 ? greatest_intensity(emitter) * by_law(emitter, nearest)
-                                        : HUGE_VAL;
+    double e_perp = HUGE_VAL;
+    if (endless)
+        e_perp = emitter->strength + emitter->strength_error;
+    else if (nearest > 0) {
+        lx_normalize(towards);
+        e_perp =
+            greatest_intensity(emitter) * by_law(emitter, nearest) * greatest_share(emitter, place, towards, nearest);
+    }
     rest->straight += e_perp * (1 + 1e-9);
     const double largest = radius > 0 ? cosine * distance / fmax(nearest, DBL_MIN) : cosine;
     rest->by_cosine += e_perp * (1 + 1e-9) * fmin(largest, 1);
@@ -79,46 +101,144 @@ static bool falls_by_square(const struct lx_emitter *emitter, double *share)
            (emitter->attenuation == LX_POLYNOMIAL && emitter->coefficients[2] > 0);
 }
 
+/* How far a light and a place are from each other at most, along all or, unless NULL, one axis, by way of mirrors that
+ * are not in pairs. */
+static double farthest_off(const struct lx_prepared *prepared, const double *at, const double *place,
+                           const double *axis)
+{
+    const struct lx_mirrors *mirrors = &prepared->mirrors;
+    double most = 0, sum = 0, offset[3];
+    for (int k = 0; k < 3; k++)
+        offset[k] = at[k] - place[k];
+    most = axis ? fabs(lx_dot(axis, offset)) : lx_distance(at, place);
+    for (size_t m = 0; m < mirrors->count && mirrors->other_planes > 0; m++) {
+        const struct lx_shape *plate = &prepared->surfaces[mirrors->surfaces[m]].shape;
+        double from[3], to[3];
+        for (int k = 0; k < 3; k++) {
+            from[k] = at[k] - plate->anchor_mm[k];
+            to[k] = place[k] - plate->anchor_mm[k];
+        }
+        if (!axis)
+            sum += sqrt(lx_dot(from, from)) + sqrt(lx_dot(to, to));
+        else if (fabs(lx_dot(axis, plate->axis)) > 0.5)
+            most = fmax(most, fabs(lx_dot(axis, from)) + fabs(lx_dot(axis, to)));
+    }
+    return most + sum;
+}
+
+/* The place of a light that has one, and its radius. */
+static double place_of(const struct lx_emitter *emitter, const double **at)
+{
+    *at = lx_is_extended(emitter) ? lx_emitter_center(emitter) : emitter->position_mm;
+    return lx_is_extended(emitter) ? lx_emitter_radius(emitter) : 0;
+}
+
 /*
- * Adds what comes by ways over more mirrors than are known one by one.  Between two facing planes at the distance g a
- * way over n of their mirrors is (n - 1) g long at least; of ways that the other planes, at right angles to them, take
- * part in, there are 2^o images at each of the two ends, o the number of those planes, and each image lights an element
- * by one way at most.  The cosine of incidence is no more than |N.a| + b/d, a the axis of the two planes, b how far the
- * image is off along all of the others.
+ * Adds what comes over more mirrors of two facing planes at the distance g: a way over n of them is (n - 1) g long at
+ * least, so that with o single planes, at right angles to them, there are 2^o images at each of the two ends, and each
+ * image lights an element by one way at most.  The cosine of incidence is no more than |N.a| + b/d, a the axis of the
+ * two planes, b how far the image is off along all of the others.
  */
+static void add_row(const struct lx_prepared *prepared, const struct lx_element *element,
+                    const struct lx_emitter *emitter, double intensity, struct rest *rest)
+{
+    const struct lx_mirrors *mirrors = &prepared->mirrors;
+    const double gap = mirrors->pair_gaps_mm[0], images = 2 << mirrors->other_planes;
+    const double first = (double)mirrors->deepest - mirrors->other_planes; /* n - 1 of the first of these ways */
+    const double *at;
+    double place[3], normal[3];
+    lx_values3(element->place_mm, place);
+    lx_values3(element->normal, normal);
+    const double radius = place_of(emitter, &at), off = farthest_off(prepared, at, place, NULL) + radius;
+    if (!(first >= 1)) {
+        rest->straight = rest->by_cosine = HUGE_VAL;
+        return;
+    }
+    /* the sums of 1/n^2 and 1/n^3 from the first on */
+    const double squares = 1 / (first * first) + 1 / first, cubes = 1 / pow(first, 3) + 1 / (2 * first * first);
+    const double gap_m = gap / 1000, strength = images * intensity / (gap_m * gap_m);
+    const double tilt = fabs(lx_dot(normal, mirrors->pair_axes[0])) + 1e-12;
+    rest->straight += strength * squares;
+    rest->by_cosine += strength * fmin(tilt * squares + off / gap * cubes, squares);
+}
+
+/* How the intensity of a light becomes less near the plane of two pairs' axes, whose normal is `third`: not, with the
+ * sine of the angle to it, or to nothing below an angle with this sine. */
+enum falling { DOES_NOT_FALL, FALLS_BY_SINE, ENDS };
+static enum falling falls_aside(const struct lx_emitter *emitter, const double third[3], double sine)
+{
+    const struct lx_profile *profile = &emitter->profile;
+    double at[3], axis[3];
+    if (profile->luminaire)
+        return DOES_NOT_FALL;
+    if (lx_is_extended(emitter))
+        return lx_emitter_plane(emitter, at, axis) && fabs(lx_dot(axis, third)) >= 1 - 1e-9 ? FALLS_BY_SINE
+                                                                                            : DOES_NOT_FALL;
+    lx_values3(profile->axis, axis);
+    if (lx_profile_is_isotropic(profile) || fabs(lx_dot(axis, third)) < 1 - 1e-9)
+        return DOES_NOT_FALL;
+    if (profile->falloff != LX_NO_CONE && sine < cos(profile->outer_rad.value + profile->outer_rad.error))
+        return ENDS;
+    return profile->exponent >= 1 ? FALLS_BY_SINE : DOES_NOT_FALL;
+}
+
+/*
+ * Adds what comes over more mirrors of two pairs of facing planes.  The sum of 1/d^2 over all images has no bound; that
+ * of h/d^3 has one, h being how far light and element are apart along the third axis, and h/d the greatest sine of the
+ * slope of a way to the other two.  It bounds what falls on elements that face the third axis, and what comes of lights
+ * whose intensity falls with that sine.
+ */
+static void add_lattice(const struct lx_prepared *prepared, const struct lx_element *element,
+                        const struct lx_emitter *emitter, double intensity, struct rest *rest)
+{
+    const struct lx_mirrors *mirrors = &prepared->mirrors;
+    const double *at;
+    double place[3], normal[3];
+    lx_values3(element->place_mm, place);
+    lx_values3(element->normal, normal);
+    const double radius = place_of(emitter, &at);
+    const double off = (farthest_off(prepared, at, place, mirrors->third_axis) + radius) * (1 + 1e-9);
+    const double sine = off / mirrors->nearest_mm;
+    const enum falling falling = falls_aside(emitter, mirrors->third_axis, sine * (1 + 1e-9) + 1e-9);
+    const bool faces_it =
+        fabs(lx_dot(normal, mirrors->pair_axes[0])) + fabs(lx_dot(normal, mirrors->pair_axes[1])) <= 1e-9;
+    const double sum = (1 << mirrors->other_planes) * intensity * 1e6 * off * mirrors->cubes_per_mm3;
+    if (falling == ENDS)
+        return;
+    rest->straight += falling == FALLS_BY_SINE ? sum : HUGE_VAL;
+    rest->by_cosine += !faces_it ? rest->straight : falling == FALLS_BY_SINE ? sum * fmin(sine, 1) : sum;
+}
+
+/* Whether parallel light has left the pairs after so many mirrors: it has come so far along, and aside by its slope. */
+static bool has_left(const struct lx_mirrors *mirrors, const double towards[3])
+{
+    double along = 0, aside = 1;
+    for (unsigned p = 0; p < mirrors->pair_count; p++) {
+        const double part = fabs(lx_dot(towards, mirrors->pair_axes[p]));
+        along += part / mirrors->pair_gaps_mm[p];
+        aside -= part * part;
+    }
+    const double mirrored = (double)mirrors->deepest + 1 - mirrors->other_planes - mirrors->pair_count;
+    return mirrored * sqrt(fmax(aside, 0)) > (double)(1 << mirrors->other_planes) * mirrors->pair_size_mm * along;
+}
+
+/* Adds what comes by ways over more mirrors than are known one by one. */
 static void add_endless(const struct lx_prepared *prepared, const struct lx_element *element,
                         const struct lx_emitter *emitter, struct rest *rest)
 {
     const struct lx_mirrors *mirrors = &prepared->mirrors;
-    const double gap = mirrors->pair_gap_mm, images = 2 << mirrors->other_planes;
-    double place[3], normal[3], towards[3], share = 1;
-    lx_values3(element->place_mm, place);
-    lx_values3(element->normal, normal);
+    double towards[3], share = 1;
     lx_values3(emitter->towards, towards);
-    if (gap > 0 && lx_is_endless(emitter)) {
-        const double along = fabs(lx_dot(towards, mirrors->pair_axis)), aside = sqrt(fmax(1 - along * along, 0));
-        const double least = (double)mirrors->deepest - mirrors->other_planes;
-        if (least * gap * aside > (double)(1 << mirrors->other_planes) * mirrors->pair_size_mm * along)
-            return; /* after so many mirrors it has left them */
-    }
-    const double first = (double)mirrors->deepest - mirrors->other_planes; /* n - 1 of the first of these ways */
-    if (!(gap > 0) || !lx_has_place(emitter) || !falls_by_square(emitter, &share) || !(first >= 1)) {
-        rest->straight = rest->by_cosine = HUGE_VAL;
+    if (mirrors->pair_count > 0 && lx_is_endless(emitter) && has_left(mirrors, towards))
         return;
-    }
-    const double radius = lx_is_extended(emitter) ? lx_emitter_radius(emitter) : 0;
-    const double *at = lx_is_extended(emitter) ? lx_emitter_center(emitter) : emitter->position_mm;
-    double off = lx_distance(at, place) + radius;
-    for (size_t m = 0; m < mirrors->count && mirrors->other_planes > 0; m++) {
-        const double *anchor = prepared->surfaces[mirrors->surfaces[m]].shape.anchor_mm;
-        off += lx_distance(at, anchor) + lx_distance(place, anchor);
-    }
-    /* the sums of 1/n^2 and 1/n^3 from the first on */
-    const double squares = 1 / (first * first) + 1 / first, cubes = 1 / pow(first, 3) + 1 / (2 * first * first);
-    const double gap_m = gap / 1000, strength = images * greatest_intensity(emitter) * share / (gap_m * gap_m);
-    const double tilt = fabs(lx_dot(normal, mirrors->pair_axis)) + 1e-12;
-    rest->straight += strength * squares;
-    rest->by_cosine += strength * fmin(tilt * squares + off / gap * cubes, squares);
+    const bool is_known = lx_has_place(emitter) && falls_by_square(emitter, &share);
+    const double intensity = is_known ? greatest_intensity(emitter) * share : 0;
+    if (is_known && mirrors->pair_count == 1)
+        add_row(prepared, element, emitter, intensity, rest);
+    else if (is_known && mirrors->pair_count == 2 && mirrors->nearest_mm > 0)
+        add_lattice(prepared, element, emitter, intensity, rest);
+    else
+        rest->straight = rest->by_cosine = HUGE_VAL;
 }
 
 /* No highlight, times its weight, makes more of light than this: a power is no more than 1, |A x L| + V.L of measures

@@ -253,59 +253,89 @@ static enum lx_mirror_side side_of(const struct lx_prepared_surface *surface, co
 
 /* ---- facing mirrors ---- */
 
-/* How long the way between two plates is at least. */
-static double gap_between(const struct lx_shape *a, const struct lx_shape *b)
+/* Directions and heights that are the same but for rounding. */
+static const double SAME = 1e-9;
+
+/* Planes of mirrors at right angles to one axis. */
+struct stack {
+    double axis[3], heights_mm[2];
+    unsigned planes;
+};
+
+/* Puts the plane of a mirror among the others; false: it stands askew to some, or is a third one of its kind. */
+static bool add_plane(const struct lx_shape *plate, struct stack stacks[3], unsigned *count)
 {
-    double offset[3];
-    for (int k = 0; k < 3; k++)
-        offset[k] = b->anchor_mm[k] - a->anchor_mm[k];
-    return lx_dot(offset, a->axis);
+    const double room = SAME * (plate->radius_mm + fabs(lx_dot(plate->axis, plate->anchor_mm)));
+    for (unsigned k = 0; k < *count; k++) {
+        struct stack *stack = &stacks[k];
+        const double cosine = fabs(lx_dot(plate->axis, stack->axis));
+        const double height = lx_dot(stack->axis, plate->anchor_mm);
+        if (cosine <= SAME)
+            continue;
+        if (cosine < 1 - SAME)
+            return false;
+        for (unsigned p = 0; p < stack->planes; p++)
+            if (fabs(height - stack->heights_mm[p]) <= room)
+                return true;
+        if (stack->planes == 2)
+            return false;
+        stack->heights_mm[stack->planes++] = height;
+        return true;
+    }
+    if (*count == 3)
+        return false;
+    stacks[*count].planes = 1;
+    stacks[*count].heights_mm[0] = lx_dot(plate->axis, plate->anchor_mm);
+    memcpy(stacks[(*count)++].axis, plate->axis, sizeof plate->axis);
+    return true;
+}
+
+/* Whether all mirrors lie in such planes, and how: then something is known of what is deeper. */
+static void find_pairs(struct lx_prepared *prepared)
+{
+    struct lx_mirrors *mirrors = &prepared->mirrors;
+    const struct lx_shape *first = &prepared->surfaces[mirrors->surfaces[0]].shape;
+    struct stack stacks[3];
+    unsigned count = 0;
+    for (size_t m = 0; m < mirrors->count; m++) {
+        const struct lx_shape *plate = &prepared->surfaces[mirrors->surfaces[m]].shape;
+        if (!add_plane(plate, stacks, &count))
+            return;
+        mirrors->pair_size_mm =
+            fmax(mirrors->pair_size_mm, 2 * (lx_distance(first->anchor_mm, plate->anchor_mm) + plate->radius_mm));
+    }
+    for (unsigned k = 0; k < count; k++) {
+        if (stacks[k].planes == 1) {
+            mirrors->other_planes++;
+            continue;
+        }
+        mirrors->pair_gaps_mm[mirrors->pair_count] = fabs(stacks[k].heights_mm[1] - stacks[k].heights_mm[0]);
+        memcpy(mirrors->pair_axes[mirrors->pair_count++], stacks[k].axis, sizeof stacks[k].axis);
+    }
 }
 
 /*
- * Whether ways go on for ever between two facing planes alone, to which all other mirrors stand at right angles, each
- * kind in one plane: then all is known of what is deeper.
+ * Sums over the images that two pairs of facing planes make by so many mirrors or more, i of the one pair and k of the
+ * other: one image for each end of a pair that it goes out by, no nearer than i - 1 and k - 1 gaps.  Beyond some number
+ * n = i + k of mirrors there are 4 (n + 1) at most, at least (n - 2) / sqrt(2) of the smaller gap away.
  */
-static void find_pair(struct lx_prepared *prepared)
+static void sum_lattice(struct lx_mirrors *mirrors)
 {
-    static const double SAME = 1e-9;
-    struct lx_mirrors *mirrors = &prepared->mirrors;
-    double others[2][4];
-    mirrors->other_planes = 0;
-    for (size_t i = 0; i < mirrors->count && mirrors->pair_gap_mm == 0; i++)
-        for (size_t k = i + 1; k < mirrors->count && mirrors->pair_gap_mm == 0; k++) {
-            const struct lx_shape *a = &prepared->surfaces[mirrors->surfaces[i]].shape,
-                                  *b = &prepared->surfaces[mirrors->surfaces[k]].shape;
-            if (lx_dot(a->axis, b->axis) <= SAME - 1 && gap_between(a, b) > 0) {
-                mirrors->pair_gap_mm = gap_between(a, b);
-                memcpy(mirrors->pair_axis, a->axis, sizeof a->axis);
-                mirrors->pair_size_mm = a->radius_mm + b->radius_mm + lx_distance(a->anchor_mm, b->anchor_mm);
-                mirrors->pair_heights_mm[0] = lx_dot(a->axis, a->anchor_mm);
-                mirrors->pair_heights_mm[1] = lx_dot(a->axis, b->anchor_mm);
-            }
+    enum { FARTHER = 100 };
+    const unsigned first = mirrors->deepest + 1 - mirrors->other_planes, last = first + FARTHER;
+    const double *gaps = mirrors->pair_gaps_mm, least = fmin(gaps[0], gaps[1]);
+    mirrors->nearest_mm = HUGE_VAL;
+    for (unsigned n = first; n < last; n++)
+        for (unsigned i = 0; i <= n; i++) {
+            const unsigned k = n - i, ends = (i > 0 ? 2U : 1U) * (k > 0 ? 2U : 1U);
+            const double distance = hypot(i > 1 ? (i - 1) * gaps[0] : 0, k > 1 ? (k - 1) * gaps[1] : 0);
+            mirrors->nearest_mm = fmin(mirrors->nearest_mm, distance);
+            mirrors->cubes_per_mm3 += ends / (distance * distance * distance);
         }
-    for (size_t i = 0; i < mirrors->count && mirrors->pair_gap_mm > 0; i++) {
-        const struct lx_shape *plate = &prepared->surfaces[mirrors->surfaces[i]].shape;
-        const double *n = plate->axis, height = lx_dot(n, plate->anchor_mm);
-        const double room = SAME * (plate->radius_mm + fabs(height));
-        const double cosine = lx_dot(n, mirrors->pair_axis), along = lx_dot(mirrors->pair_axis, plate->anchor_mm);
-        bool is_known = false;
-        for (int k = 0; k < 2; k++)
-            is_known = is_known || (fabs(cosine) >= 1 - SAME && fabs(along - mirrors->pair_heights_mm[k]) <= room);
-        bool fits = is_known;
-        for (unsigned k = 0; k < mirrors->other_planes && !fits && fabs(cosine) <= SAME; k++)
-            fits = fabs(lx_dot(n, others[k])) >= 1 - SAME &&
-                   fabs(lx_dot(others[k], plate->anchor_mm) - others[k][3]) <= room;
-        bool is_new = !fits && fabs(cosine) <= SAME && mirrors->other_planes < 2;
-        for (unsigned k = 0; k < mirrors->other_planes; k++)
-            is_new = is_new && fabs(lx_dot(n, others[k])) <= SAME;
-        if (is_new) {
-            memcpy(others[mirrors->other_planes], n, 3 * sizeof *n);
-            others[mirrors->other_planes++][3] = height;
-        }
-        if (!fits && !is_new)
-            mirrors->pair_gap_mm = 0;
-    }
+    const double beyond = last - 3;
+    mirrors->cubes_per_mm3 += 8 * sqrt(2) / (least * least * least) * (1 / beyond + 1.5 / (beyond * beyond));
+    lx_cross(mirrors->pair_axes[0], mirrors->pair_axes[1], mirrors->third_axis);
+    lx_normalize(mirrors->third_axis);
 }
 
 int lx_mirrors_make(struct lx_prepared *prepared, unsigned most, const struct lx_prepared *from)
@@ -330,8 +360,11 @@ int lx_mirrors_make(struct lx_prepared *prepared, unsigned most, const struct lx
                 (uint8_t)side_of(&prepared->surfaces[s], &prepared->surfaces[mirrors->surfaces[m]].shape);
     if (from)
         memcpy(mirrors->sides, from->mirrors.sides, mirrors->count * surfaces);
-    find_pair(prepared);
-    return make_ways(prepared, most);
+    find_pairs(prepared);
+    const int status = make_ways(prepared, most);
+    if (status == 0 && mirrors->pair_count == 2)
+        sum_lattice(mirrors);
+    return status;
 }
 
 void lx_mirrors_clear(struct lx_mirrors *mirrors)

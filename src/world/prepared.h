@@ -51,11 +51,20 @@ struct lx_mirrors {
     unsigned deepest; /* how many mirrors the longest are over */
     bool ends;        /* there are no longer ones */
     bool is_short;    /* they are too many */
-    /* Two facing planes, between which ways go on for ever, and how many planes at right angles to them there are; the
-     * gap is 0 where that is not all that there is. */
-    double pair_gap_mm, pair_axis[3], pair_heights_mm[2], pair_size_mm;
-    unsigned other_planes;
+    /* The pairs of facing planes between which ways go on for ever, at right angles to each other, and how many single
+     * planes at right angles to them there are; 0 pairs where that is not all that there is. */
+    unsigned pair_count, other_planes;
+    double pair_gaps_mm[3], pair_axes[3][3], pair_size_mm;
+    /* Of two pairs: the axis at right angles to both, how far images are at least that are known by bounds alone, and the
+     * sum of 1/d^3 over them, but for what single planes make of each. */
+    double third_axis[3], nearest_mm, cubes_per_mm3;
 };
+
+/* Whether light or sights may go over more mirrors than are counted. */
+static inline bool lx_goes_deeper(const struct lx_mirrors *mirrors)
+{
+    return mirrors->way_count > mirrors->computed;
+}
 
 struct lx_prepared {
     const struct lx_scene_parameters *scene;
@@ -73,10 +82,10 @@ struct lx_prepared {
     bool *on;                    /* which lights of the scene's list give light */
     struct lx_emitters emitters; /* of those, in their order */
     struct lx_mirrors mirrors;
-    double tolerance;            /* of integrals, relative to the value that they are a part of */
-    bool shadows;                /* whether surfaces take light from each other */
-    bool shadows_extended;       /* whether extended sources are hidden, too, as far as they are */
-    bool shadows_on_free;        /* whether they take it from free elements, for which one surface is enough */
+    double tolerance;      /* of integrals, relative to the value that they are a part of */
+    bool shadows;          /* whether surfaces take light from each other */
+    bool shadows_extended; /* whether extended sources are hidden, too, as far as they are */
+    bool shadows_on_free;  /* whether they take it from free elements, for which one surface is enough */
 };
 
 /*

@@ -221,6 +221,9 @@ static void shows_what_has_a_say(void **state)
          "radiance " BODY},
         {"warm-and-cold", 0, POINT},
         {"warm-and-cold", 1, POINT},
+        {"mirror", 0, POINT},
+        {"mirror", 1, POINT},
+        {"mirror", 2, AMBIENT},
     };
     gsize lights = 0;
     for (gsize i = 0; i < luxel_builtin_scene_count(); i++) {

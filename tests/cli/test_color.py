@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 """Scenes in colour: what is printed of a colour, what files hold of it, spectra, advice, and a grey scene's silence."""
 import json
+import math
 import struct
 import zlib
 
@@ -215,6 +216,53 @@ def test_grids(tap, tool):
     tap.equal(found["maximum"]["rgb"], found["rgb"][row][column], "the greatest cell has its colour")
 
 
+def test_red_wall(tap, tool):
+    """What a red wall and a floor send to each other, against the integral equation solved at Gauss's nodes."""
+    nodes, weights = numpy.polynomial.legendre.leggauss(20)
+    u, v = (axis.ravel() for axis in numpy.meshgrid(nodes, nodes))
+    area = numpy.outer(weights, weights).ravel()
+    zero = 0 * u
+    # the floor is 1.2 x 1 m, the wall 1 x 0.8 m, 0.3 m beside it and 0.2 m above; lengths in m
+    places = numpy.concatenate([numpy.stack([.6 * u, .5 * v, zero], 1),
+                                numpy.stack([zero - .9, .5 * u, .6 + .4 * v], 1)])
+    areas = numpy.concatenate([.3 * area, .2 * area])
+    normals = numpy.repeat([[0, 0, 1], [1, 0, 0]], len(area), 0)
+    lamp = numpy.array([.3, .1, 1.1])
+
+    def kernel(at, normal):
+        """The share of what each node sends that arrives at places."""
+        way = places[None] - at[:, None]
+        square = (way ** 2).sum(2)
+        leaving = numpy.maximum(-(way * normals[None]).sum(2), 0)
+        return numpy.maximum((way * normal[:, None]).sum(2), 0) * leaving / (math.pi * square ** 2 + 1e-300) * areas
+
+    def direct(at, normal):
+        way = lamp - at
+        return 40 * numpy.maximum((way * normal).sum(1), 0) / (way ** 2).sum(1) ** 1.5
+    links, first = kernel(places, normals), direct(places, normals)
+    matte = {"model": "lambert", "over_pi": True}
+    kd, color, warm = (.5, .8), (1, .25, .1), (1.77093133, .84426137, .27207370)
+    at, up = numpy.array([[-.3, .1, 0], [.2, -.3, 0]]), numpy.array([[0, 0, 1.]] * 2)
+    tool.write("wall.yaml", json.dumps(dict(
+        HEAD, observer={"z": 4000}, channels="rgb", reflections="all",
+        surfaces=[{"type": "rectangle", "center": [0, 0, 0], "size": [1200, 1000],
+                   "material": dict(matte, diffuse=kd[0])},
+                  {"type": "rectangle", "center": [-900, 0, 600], "size": [1000, 800], "axis": [1, 0, 0],
+                   "up": [0, 0, 1], "material": dict(matte, diffuse=kd[1], color=color)}],
+        lights=[{"type": "point", "position": [300, 100, 1100], "intensity": 40, "color": {"temperature": 3000}}])))
+    asked = ["--at=%g,%g,0,0,0,1" % (1000 * x, 1000 * y) for x, y, _ in at]
+    found = tool.run("probe", "wall.yaml", "--quantity", "irradiance", "--json", *asked).json()["points"]
+    for channel in range(3):
+        reflectance = numpy.repeat([kd[0], kd[1] * color[channel]], len(area))
+        lit = numpy.linalg.solve(numpy.eye(len(places)) - links * reflectance, first)
+        truth = warm[channel] * (direct(at, up) + kernel(at, up) @ (reflectance * lit))
+        for point, value in zip(found, truth):
+            rgb = point["rgb"]
+            tap.ok(abs(rgb["value"][channel] - value) <= rgb["error"][channel] + 1e-5 * value,
+                   "channel %d of the floor beside a red wall" % channel, (rgb, value))
+            tap.ok(rgb["error"][channel] < 2e-3 * value, "with a small bound")
+
+
 ROOM = {"type": "room", "center": [0, 0, 0], "size": [2000, 2000, 2000], "up": "z",
         "material": {"model": "lambert", "diffuse": 0.7, "over_pi": True},
         "materials": {"left": {"model": "lambert", "diffuse": 0.7, "over_pi": True, "color": [1, 0.2, 0.1]}}}
@@ -382,5 +430,5 @@ def test_sweep(tap, tool):
     tap.ok((probes[1, 0] == own["rgb"]["value"]).all() and numpy.isnan(probes[:, 1]).all(), "and the probes")
 
 
-run_tests(Tap(), test_probe, test_files, test_spectra, test_advice, test_lamp_files, test_grids, test_balance,
-          test_explain, test_lobes, test_views, test_sweep)
+run_tests(Tap(), test_probe, test_files, test_spectra, test_advice, test_lamp_files, test_grids, test_red_wall,
+          test_balance, test_explain, test_lobes, test_views, test_sweep)

@@ -156,6 +156,51 @@ def facing_mirrors(tap, tool):
     tap.ok(cylindrical["values"][0][0] > 0 and 0 < cylindrical["errors"][0][0] < 10, "measures have a bound, too")
 
 
+def two_pairs(tap, tool):
+    """Four facing walls: images on a lattice, summed by hand; a bound where one is known, and none where they add up to
+    more than any number."""
+    walls = [ways.Plate([x * 1000, y * 1500, 1000], [8000, 2000], [-x, -y, 0], [0, 0, 1], True)
+             for x, y in ((-1, 0), (1, 0), (0, -1), (0, 1))]
+    place = [300, 50, 0]
+    away = [place, [300, 50, 700]]
+
+    def by_hand(most, at, up, downlight):
+        total = 0
+        for n in range(-most, most + 1):
+            x = 2000 * n + (200 if n % 2 == 0 else -200)
+            for k in range(-most + abs(n), most - abs(n) + 1):
+                y = 3000 * k + (100 if k % 2 == 0 else -100)
+                way = [x - at[0], y - at[1], 900 - at[2]]
+                square = ways.dot(way, way)
+                total += 10e6 * max(ways.dot(way, up), 0) / square ** 1.5 * (way[2] / square ** .5 if downlight else 1)
+        return total
+    lamp = {**POINT, "position": [200, 100, 900]}
+    down = {**lamp, "pattern": "lambertian"}
+    tilted = ways.unit([1, 2, 3])
+    for light, at, up, is_bounded, name in ((lamp, away[0], [0, 0, 1], True, "what faces the third axis"),
+                                            (lamp, away[1], [0, 0, 1], True, "so above the floor"),
+                                            (lamp, away[1], tilted, False, "what does not: the sum has no bound"),
+                                            (down, away[1], tilted, True, "a downlight does not fill the hall")):
+        previous = None
+        for most in (2, 4, 6):
+            point = probe(tool, scene(tool, [FLOOR, *walls], [light], mirrors=most), [*at, *up])[0]
+            truth = by_hand(most, at, up, light is down)
+            tap.near(point["value"], truth, 1e-9, "%s: %d mirrors in a row" % (name, most))
+            if not is_bounded:
+                tap.ok(point["error"] is None, "and no bound is told")
+                continue
+            rest = by_hand(400, at, up, light is down) - truth
+            tap.ok(0 < rest <= point["error"] < 12 * rest, "the bound holds the rest", (rest, point["error"]))
+            tap.ok(previous is None or point["error"] < previous, "and less of more mirrors")
+            previous = point["error"]
+    spot = {"type": "spot", "position": [200, 100, 900], "intensity": 10, "inner": 40, "outer": 50}
+    point = probe(tool, scene(tool, [FLOOR, *walls], [spot], mirrors=4), [*away[1], *tilted])[0]
+    tap.ok(point["error"] < 1e-9 * point["value"], "of a cone no light comes from far images", point)
+    room = {"type": "room", "center": [0, 0, 1000], "size": [2000, 3000, 2000], "up": "z", "material": {"mirror": True}}
+    tap.ok(probe(tool, scene(tool, [room], [lamp], mirrors=2), [*away[1], 0, 0, 1])[0]["error"] is None,
+           "of three pairs no bound is told")
+
+
 def a_corner(tap, tool):
     """Three images, and nothing else: the bound is that of roundings."""
     corner = [MIRROR, ways.Plate([0, 1000, 1000], [2000, 2000], [0, -1, 0], [0, 0, 1], True)]
@@ -258,6 +303,42 @@ def pictures(tap, tool):
                   "a pixel has the probe's value", (point["pixel_value"], point["value"]))
 
 
+def pictures_tell_the_rest(tap, tool):
+    """A picture's bound of what more mirrors give, against the picture of many mirrors."""
+    pair = [ways.Plate([side * 400, 0, 400], [3000, 800], [-side, 0, 0], [0, 0, 1], True) for side in (-1, 1)]
+    surfaces = [FLOOR.scene(material=SHINY), ways.Ball([50, 100, 60], 60).scene(material=SHINY),
+                *(plate.scene() for plate in pair)]
+    others = {"observer": {"position": [100, -900, 700], "target": [0, 0, 100], "up": [0, 0, 1],
+                           "projection": "perspective"},
+              "screen": {"width": 900, "height": 900, "resolution": [24, 24]}}
+    for color in ({}, {"channels": "rgb"}):
+        lights = [{**POINT, "position": [100, -100, 600], **({"color": {"temperature": 2700}} if color else {})},
+                  {**POINT, "position": [-200, 50, 500], "intensity": 3}]
+        pictures = []
+        for most in (1, 3, 30):
+            name = scene(tool, surfaces, lights, mirrors=most, **others, **color)
+            found = tool.run("render", name, "-o", "deep.csv", "--json")
+            lines = tool.read("deep.csv").decode().splitlines()[1:]
+            channels = [list(map(float, line.split(",")[2:])) for line in lines]
+            values = [ways.dot(row, (.2126390058715, .7151686787678, .0721923153607)) if color else row[0]
+                      for row in channels]
+            pictures.append((found.json(), values))
+            told = tool.run("render", name)
+            tap.ok("error of light over mirrors" in told.out and "is missing in the picture: up to" in told.err,
+                   "%d: told in words" % most, told.out + told.err)
+        truth = pictures[-1][1]
+        for most, (found, values) in zip((1, 3), pictures):
+            apart = max(abs(a - b) for a, b in zip(values, truth)) / found["max"]["value"]
+            tap.ok(0 < apart <= found["mirrored_error"], "%d mirrors: the bound holds" % most,
+                   (color, apart, found["mirrored_error"]))
+    name = room_with_mirror(tool)
+    tap.ok("mirrored_error" not in tool.run("render", name, "--json").json(), "one mirror leaves nothing out")
+    name = scene(tool, surfaces, [{**POINT, "attenuation": "none"}], mirrors=1, **others)
+    found = tool.run("render", name, "--json")
+    tap.ok(found.json()["mirrored_error"] is None and "no bound of it is known" in found.err,
+           "where no bound is known that is told", found.err)
+
+
 def sights_without_end(tap, tool):
     """More mirrors in a row than are counted: what is there is in the bound."""
     pair = [ways.Plate([side * 300, 0, 500], [4000, 1000], [-side, 0, .01], [0, 0, 1], True).scene()
@@ -312,5 +393,6 @@ def what_is_refused(tap, tool):
 
 
 if __name__ == "__main__":
-    run_tests(Tap(), lamps_of_all_kinds, a_lamp_before_a_mirror, facing_mirrors, a_corner, what_stands_before_it,
-              bodies_and_meshes, what_a_mirror_shows, pictures, sights_without_end, commands, what_is_refused)
+    run_tests(Tap(), lamps_of_all_kinds, a_lamp_before_a_mirror, facing_mirrors, two_pairs, a_corner,
+              what_stands_before_it, bodies_and_meshes, what_a_mirror_shows, pictures, pictures_tell_the_rest,
+              sights_without_end, commands, what_is_refused)

@@ -13,9 +13,10 @@ struct core {
     luxel_scene *direct;            /* the same without reflected light; NULL: not asked for yet */
     luxel_evaluator *evaluator;     /* of the scene and the quantity; NULL: not asked for yet */
     luxel_evaluator *lit;           /* of the scene and the irradiance; NULL: not asked for yet */
-    luxel_field *field;             /* the picture that was computed last; NULL: none */
+    luxel_field *field;             /* the picture that was computed last, by the view; NULL: none */
     luxel_diagnostics *diagnostics; /* of the last call that can fail */
     luxel_quantity quantity;
+    luxel_color_view view; /* of pictures in colour */
     bool is_direct; /* only direct light is computed, whatever the scene says */
 };
 
@@ -35,6 +36,9 @@ void drop_stage(void);
 
 /* Answers with the value through a point of an evaluator's screen and each light's share of it; NULL: there is none. */
 const char *answer_probe(const luxel_evaluator *evaluator, double x_mm, double y_mm);
+
+/* A picture as the present view has it, in its place. */
+luxel_field *viewed(luxel_field *field);
 
 /* The default settings with the present quantity, and the page's progress. */
 luxel_settings present_settings(void);

@@ -14,7 +14,7 @@ PAGE_CALLS(page_render) int page_render(unsigned stride)
     const luxel_status status = luxel_render(computed_scene(), &settings, fresh_diagnostics(), &field);
     if (status == LUXEL_OK) {
         luxel_field_free(core.field);
-        core.field = field;
+        core.field = viewed(field);
     }
     return (int)status;
 }
@@ -78,8 +78,12 @@ PAGE_CALLS(page_picture) const char *page_picture(void)
         answer_number(statistics->reflected_error);
     else
         answer_string(NULL);
+    answer_key("colour");
+    answer_bool(luxel_scene_has_color(core.scene));
     answer_key("reached");
     answer_bool(statistics->reflected_reached);
+    answer_key("mirrored");
+    answer_number(statistics->mirrored_error);
     answer_close('}');
     return answer_text();
 }
@@ -214,6 +218,7 @@ PAGE_CALLS(page_summary) const char *page_summary(void)
     luxel_summary summary;
     if (!core.scene || luxel_render(computed_scene(), &settings, fresh_diagnostics(), &field) != LUXEL_OK)
         return NULL;
+    field = viewed(field);
     const luxel_status status = luxel_field_summary(field, NULL, core.diagnostics, &summary);
     luxel_field_free(field);
     if (status != LUXEL_OK)

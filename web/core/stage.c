@@ -58,7 +58,7 @@ PAGE_CALLS(page_stage) int page_stage(const double *camera, unsigned columns, un
     const luxel_status status = luxel_render(stage, &settings, fresh_diagnostics(), &field);
     if (status == LUXEL_OK) {
         luxel_field_free(stage_field);
-        stage_field = field;
+        stage_field = viewed(field);
     }
     return (int)status;
 }
@@ -66,6 +66,12 @@ PAGE_CALLS(page_stage) int page_stage(const double *camera, unsigned columns, un
 PAGE_CALLS(page_stage_values) const float *page_stage_values(void)
 {
     return stage_field ? luxel_field_single(stage_field) : NULL;
+}
+
+/* The channels, 3 for each pixel; NULL: it is grey. */
+PAGE_CALLS(page_stage_rgb) const float *page_stage_rgb(void)
+{
+    return stage_field ? luxel_field_rgb_single(stage_field) : NULL;
 }
 
 PAGE_CALLS(page_stage_mask) const uint8_t *page_stage_mask(void)

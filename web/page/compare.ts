@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Comparing two pictures: A is one that was kept, B the present one.  The picture shows either of them or their
 // difference, in colours on both sides of zero.
+import type { Samples } from './core';
 import { choice, h } from './dom';
 import type { Model } from './model';
 import { number, t } from './words';
@@ -9,13 +10,12 @@ import type { Picture } from './worker';
 export type Which = 'B' | 'A' | 'difference';
 
 /** What is to be painted. */
-export interface Shown {
-    values: Float32Array<ArrayBuffer>;
-    mask: Uint8Array<ArrayBuffer>;
+export interface Shown extends Samples {
     columns: number;
     rows: number;
     least: number;
     most: number;
+    brightest: number; // the greatest channel of a picture in colour
     isDifference: boolean;
 }
 
@@ -94,7 +94,8 @@ export class Compare {
         if (!one) return null;
         const { columns, rows, maximum, minimum } = one.facts;
         const [least, most] = [minimum.exists ? minimum.value : 0, maximum.exists ? maximum.value : 1];
-        return { values: one.values, mask: one.mask, columns, rows, least, most, isDifference: false };
+        const { values, mask, rgb, levels, brightest } = one;
+        return { values, mask, rgb, levels, columns, rows, least, most, brightest, isDifference: false };
     }
 
     private difference(a: Picture, b: Picture): Shown {
@@ -107,7 +108,7 @@ export class Compare {
             most = Math.max(most, Math.abs(values[i]));
         }
         most ||= 1;
-        return { values, mask, columns: b.facts.columns, rows: b.facts.rows, least: -most, most, isDifference: true };
+        return { values, mask, columns: b.facts.columns, rows: b.facts.rows, least: -most, most, brightest: most, isDifference: true };
     }
 
     /** Says how far B is from A; called for each new picture. */

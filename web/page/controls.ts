@@ -4,6 +4,7 @@ import type { Dial } from './dial';
 import { choice, h, takeIn } from './dom';
 import type { PictureView } from './picture';
 import type { Side, SpaceView } from './space';
+import { COLOUR_VIEWS, type ColourView } from './srgb';
 import { t, typedNumber } from './words';
 
 function box(label: string, checked: boolean, onchange: (checked: boolean) => void) {
@@ -49,6 +50,13 @@ export function scaleControls(picture: PictureView, dial: Dial, changed: () => v
     const exposure = h('label', {}, t('Exposure'), dial.exposure, dial.told);
     const element = h('div', { class: 'controls' }, maps, ...ends, locked, logarithmic, isophotes, exposure);
     return { element, ends, locked: locked.firstChild as HTMLInputElement };
+}
+
+/** Which view of pictures in colour is shown; not to be seen where they are grey. */
+export function viewControl(view: ColourView, changed: (view: ColourView) => void): HTMLSelectElement {
+    const names: Record<ColourView, string> = { luminance: t('its colours, or its luminance'), red: t('red'), green: t('green'), blue: t('blue'), cct: t('colour temperature, K') };
+    const options = COLOUR_VIEWS.map((each): [string, string] => [each, names[each]]);
+    return choice(t('Channel'), options, view, (chosen) => changed(chosen as ColourView));
 }
 
 /** From which side the space view looks. */

@@ -2,6 +2,7 @@
 // The core: starts the WebAssembly of web/core and hands texts, numbers and bytes to and fro.  It runs in the worker
 // of the page, and in Node for the tests.
 import { Folder } from './folder';
+import { COLOUR_VIEWS, type ColourView } from './srgb';
 
 export interface Message {
     error: boolean;
@@ -31,12 +32,25 @@ export interface PictureFacts {
     lit: number;
     reflected: number | null; // bounds the error of light between surfaces, as a share of the maximum; null: there is none
     reached: boolean; // whether that is as small as it should be
+    colour: boolean; // whether the scene is computed in colour
+    mirrored: number | null; // the same of light over more mirrors than are counted; null: no bound is known
 }
 
 /** The values of pixels, and whether each has one. */
 export interface Samples {
     values: Float32Array<ArrayBuffer>;
     mask: Uint8Array<ArrayBuffer>;
+    rgb?: Float32Array<ArrayBuffer>; // of a picture in colour, 3 channels for each pixel
+    levels?: Uint8Array<ArrayBuffer>; // likewise, as its PNG file has them
+}
+
+/** The colour of a value: channels in linear sRGB with their bounds, and what they mean. */
+export interface Colour {
+    rgb: number[];
+    error: number[];
+    xy: number[] | null;
+    cct: number | null; // K; null: there is none
+    duv: number | null;
 }
 
 export interface Probe {
@@ -278,13 +292,13 @@ export class Core {
                 // Clock 0 tells the time of day: by it files of the folder, which have no date, are old from the start.
                 return (clock: number, _precision: bigint, at: number) => {
                     const milliseconds = clock === 0 ? Date.now() : performance.now();
-                    this.view().setBigUint64(at, BigInt(Math.round(milliseconds * 1000)) * 1000n, true);
+                    this.data().setBigUint64(at, BigInt(Math.round(milliseconds * 1000)) * 1000n, true);
                     return 0;
                 };
             case 'environ_sizes_get':
                 return (count: number, size: number) => {
-                    this.view().setUint32(count, 0, true);
-                    this.view().setUint32(size, 0, true);
+                    this.data().setUint32(count, 0, true);
+                    this.data().setUint32(size, 0, true);
                     return 0;
                 };
             case 'environ_get':
@@ -340,7 +354,7 @@ export class Core {
         return made;
     }
 
-    private view(): DataView {
+    private data(): DataView {
         return new DataView(this.memory.buffer);
     }
 
@@ -453,19 +467,54 @@ export class Core {
     /** Copies of the samples and of the mask of the last picture. */
     samples(): Samples {
         const { columns, rows } = this.picture();
-        const values = this.call.page_values();
-        const mask = this.call.page_mask();
+        const pixels = columns * rows;
+        const samples = this.copies(this.call.page_values(), this.call.page_mask(), this.call.page_rgb(), pixels);
+        return samples.rgb ? { ...samples, levels: this.levels(pixels) } : samples;
+    }
+
+    private copies(values: number, mask: number, rgb: number, pixels: number): Samples {
+        const memory = this.memory.buffer as ArrayBuffer;
         return {
-            values: new Float32Array(this.memory.buffer as ArrayBuffer, values, columns * rows).slice(),
-            mask: new Uint8Array(this.memory.buffer as ArrayBuffer, mask, columns * rows).slice(),
+            values: new Float32Array(memory, values, pixels).slice(),
+            mask: new Uint8Array(memory, mask, pixels).slice(),
+            ...(rgb ? { rgb: new Float32Array(memory, rgb, 3 * pixels).slice() } : {}),
         };
+    }
+
+    private levels(pixels: number): Uint8Array<ArrayBuffer> {
+        const place = this.call.page_memory(3 * pixels);
+        if (!place) throw new CoreFailure('memory is short');
+        this.call.page_srgb(place);
+        const levels = new Uint8Array(this.memory.buffer as ArrayBuffer, place, 3 * pixels).slice();
+        this.call.page_free(place);
+        return levels;
+    }
+
+    /** Which view of pictures in colour is shown. */
+    view(view: ColourView = 'luminance'): void {
+        this.call.page_view(COLOUR_VIEWS.indexOf(view));
+    }
+
+    /** The colour of the value at a point; null: the scene is grey, or nothing is there. */
+    color(x: number, y: number): Colour | null {
+        return this.json<Colour>(this.call.page_color(x, y));
+    }
+
+    /** The channels of each light at luminance 1. */
+    lightColors(): number[][] {
+        return this.json<number[][]>(this.call.page_light_colors()) ?? [];
+    }
+
+    /** The channels of a black body at luminance 1. */
+    blackBody(kelvin: number): number[] {
+        return this.json<number[]>(this.call.page_black_body(kelvin)) ?? [1, 1, 1];
     }
 
     /** The bytes of a file that the tool would write, or null where messages() tell why not. */
     file(name: string): Uint8Array<ArrayBuffer> | null {
         const length = this.call.page_memory(4);
         const place = this.withTexts([name], (at) => this.call.page_file(at, length));
-        const count = this.view().getUint32(length, true);
+        const count = this.data().getUint32(length, true);
         const bytes = place ? new Uint8Array(this.memory.buffer as ArrayBuffer, place, count).slice() : null;
         this.call.page_free(place);
         this.call.page_free(length);
@@ -534,11 +583,8 @@ export class Core {
     /** What another camera sees of the scene in so many pixels, in rows from the top; null: it sees nothing. */
     stage(camera: number[], columns: number, rows: number): Samples | null {
         if (this.withNumbers(camera, (place) => this.call.page_stage(place, columns, rows)) !== 0) return null;
-        const [values, mask] = [this.call.page_stage_values(), this.call.page_stage_mask()];
-        return {
-            values: new Float32Array(this.memory.buffer as ArrayBuffer, values, columns * rows).slice(),
-            mask: new Uint8Array(this.memory.buffer as ArrayBuffer, mask, columns * rows).slice(),
-        };
+        const { page_stage_values: values, page_stage_mask: mask, page_stage_rgb: rgb } = this.call;
+        return this.copies(values(), mask(), rgb(), columns * rows);
     }
 
     /** How far it is from a camera, in mm along its line of view, to what each of so many pixels shows; 0: nothing. */

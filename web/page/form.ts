@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The form: every key of the scene that has a value, and those that could have one behind "more", in the core's own
 // words, with its units and ranges.  What is typed becomes an assignment to the text.
+import { colourPicker, isMaterialColour, LampColour, lampOfColour } from './colour_fields';
 import type { Key, Kind } from './core';
 import { chip, choice, h, isTypedOver, lightStyle, showIn, takeIn } from './dom';
 import { CHOICE, CHOICE_OR_PAIR, CHOICE_OR_WHOLE, NUMBER, NUMBERS, sceneKeys, TEXT, WHOLE, WHOLE_NUMBERS, YES_OR_NO } from './keys';
@@ -326,7 +327,9 @@ export class Form {
         const shown = h('div', {});
         const hidden = h('div', {});
         const known = this.fields.length;
+        const colours = this.lampColours(entries, shown);
         for (const { path, key, isGiven } of entries) {
+            if (colours.has(path)) continue;
             const isFirst = isGiven && !path.includes('.materials.') && !CONVENTIONS.test(path);
             (isFirst ? shown : hidden).append(this.field(path, this.told(path, key, entries)));
         }
@@ -336,6 +339,19 @@ export class Form {
         const more = h('details', { class: 'more', open: this.showsMore }, h('summary', {}, t('More: conventions and what is not given')), hidden);
         more.addEventListener('toggle', () => (this.showsMore = more.open));
         return [shown, more];
+    }
+
+    // The keys of a lamp's colour have one field together, which is put into a place; returns those keys.
+    private lampColours(entries: Entry[], place: HTMLElement): Set<string> {
+        const keys = new Map(entries.filter(({ path }) => lampOfColour(path)).map(({ path, key }) => [path, key]));
+        const [first] = keys.keys();
+        if (!first) return new Set();
+        const complain = (path: string, trouble: string) => this.complain(path, trouble);
+        const field = new LampColour(lampOfColour(first)!, keys, { model: this.model, complain });
+        place.append(field.row);
+        for (const [path, key] of keys)
+            this.fields.push({ path, key, update: (value) => field.update(path, value), row: field.row, note: field.note, trouble: '' });
+        return new Set(keys.keys());
     }
 
     private kindWords(list: string, type: string): string {
@@ -417,10 +433,22 @@ export class Form {
             key.label,
             unit ? h('span', { class: 'unit' }, ` ${unit}`) : null,
         );
-        const { inputs, update } = this.inputs(path, key, name);
+        const { inputs, update } = this.colourInputs(path, key, this.inputs(path, key, name));
         const row = h('div', { class: 'field' }, caption, h('span', { class: 'inputs' }, ...inputs), note);
         this.fields.push({ path, key, update, row, note, trouble: '' });
         return row;
+    }
+
+    // A picker beside the numbers of a material's colour.
+    private colourInputs(path: string, key: Key, made: { inputs: HTMLElement[]; update(value: string | null): void }) {
+        if (!isMaterialColour(path)) return made;
+        const set = (value: string, mark: string) => this.model.change([{ set: 'channels=rgb' }, { set: `${path}=${value}` }], mark);
+        const picker = colourPicker(key.label, set, () => this.model.endStep());
+        const update = (value: string | null) => {
+            made.update(value);
+            picker.update(value);
+        };
+        return { inputs: [picker.input, ...made.inputs], update };
     }
 
     private inputs(

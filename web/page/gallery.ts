@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 // The built-in scenes with their pictures, which a second worker makes, coarse ones, when they are looked at first.
+import type { Scale } from './colours';
 import type { Builtin } from './core';
-import { paint } from './colours';
 import { h } from './dom';
 import type { Client } from './client';
+import { paintSamples } from './srgb';
 import type { Version } from './version';
 import { t } from './words';
 
@@ -62,14 +63,15 @@ export class Gallery {
             const canvas = this.picture(name);
             canvas.width = columns;
             canvas.height = rows;
-            const pixels = paint(made.values, made.mask, {
+            const scale: Scale = {
                 map: 'grey',
                 logarithmic: false,
                 locked: true,
                 low: 0,
                 high: maximum.value,
                 exposure: 0,
-            });
+            };
+            const pixels = paintSamples(made, scale, true);
             canvas.getContext('2d')!.putImageData(new ImageData(pixels, columns, rows), 0, 0);
         }
         worker.stop();

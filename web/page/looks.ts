@@ -5,6 +5,7 @@ import type { Scale } from './colours';
 import type { Model } from './model';
 import type { PictureView } from './picture';
 import type { SpaceView } from './space';
+import { COLOUR_VIEWS } from './srgb';
 import { currentLanguage } from './words';
 
 const MAPS: Scale['map'][] = ['tone', 'grey', 'viridis', 'turbo'];
@@ -23,6 +24,7 @@ export class Looks {
         const { side, turned } = this.space;
         const parts: [string, string | number[] | null][] = [
             ['quantity', this.model.irradiance ? 'irradiance' : null],
+            ['channel', this.model.version.view && this.model.version.view !== 'luminance' ? this.model.version.view : null],
             ['probe', probe],
             ['colours', scale.map === MAPS[0] ? null : scale.map],
             ['range', scale.locked ? [scale.low, scale.high] : null],
@@ -50,15 +52,17 @@ export class Looks {
         const map = MAPS.find((each) => each === found.get('colours'));
         const side = SIDES.find((each) => each === found.get('side'));
         const [probe, range, stops] = [numbers('probe', 2), numbers('range', 2), numbers('stops', 1)];
-        const [view, turned] = [numbers('zoom', 3), numbers('turned', 2)];
+        const [zoom, turned] = [numbers('zoom', 3), numbers('turned', 2)];
         if (found.has('quantity')) this.model.setIrradiance(found.get('quantity') === 'irradiance');
+        const view = COLOUR_VIEWS.find((each) => each === found.get('channel'));
+        if (view) this.model.setView(view);
         if (probe) this.picture.probe = [probe[0], probe[1]];
         if (map) scale.map = map;
         if (found.has('log')) scale.logarithmic = found.get('log') === '1';
         if (stops) scale.exposure = Math.max(-8, Math.min(8, stops[0]));
         if (range && range[0] < range[1]) Object.assign(scale, { low: range[0], high: range[1], locked: true });
         if (found.has('isophotes')) this.picture.showsIsophotes = found.get('isophotes') === '1';
-        if (view) this.picture.view = view;
+        if (zoom) this.picture.view = zoom;
         if (turned) this.space.turned = turned;
         if (side) this.space.setSide(side);
     }

@@ -4,7 +4,7 @@ import './style.css';
 import { BalancePanel } from './balance';
 import type { Builtin } from './core';
 import { Client, hasVectors, Interrupted } from './client';
-import { scaleControls, sideControls, zoomButtons } from './controls';
+import { scaleControls, sideControls, viewControl, zoomButtons } from './controls';
 import { Compare } from './compare';
 import { Dial } from './dial';
 import { h, isTypedOver, showIn, styleColour } from './dom';
@@ -59,6 +59,7 @@ class Page {
     private readonly compare = new Compare(this.model);
     private readonly section = new SectionPanel(this.model, this.compare);
     private readonly picture = new PictureView(this.model, this.compare, this.section);
+    private view!: HTMLSelectElement; // of pictures in colour
     private readonly dial = new Dial(this.picture.scale);
     private readonly space = new SpaceView(this.model, () => this.picture.shownScale);
     private readonly form = new Form(this.model, () =>
@@ -433,6 +434,9 @@ class Page {
         const controls = scaleControls(this.picture, this.dial, () => this.pictureChanged());
         [this.low, this.high] = controls.ends;
         this.locked = controls.locked;
+        this.view = viewControl(this.model.version.view ?? 'luminance', (view) => this.model.setView(view));
+        this.view.hidden = true;
+        controls.element.prepend(this.view);
         return controls.element;
     }
 
@@ -589,6 +593,7 @@ class Page {
         this.locked.checked = this.picture.scale.locked;
         await this.picture.pictureChanged();
         const scale = this.picture.shownScale;
+        this.view.hidden = !this.model.picture?.facts.colour;
         this.compare.tell();
         for (const [input, value] of [
             [this.low, scale.low],

@@ -7,6 +7,7 @@
 import type { Change, Message, Probe, SceneFacts } from './core';
 import { Client } from './client';
 import type { Geometry, Shape, Thing } from './geometry';
+import type { ColourView } from './srgb';
 import type { Of, Version } from './version';
 import { Work } from './work';
 import type { Picture } from './worker';
@@ -269,6 +270,11 @@ export class Model {
         if (irradiance !== this.irradiance) this.renew({ irradiance });
     }
 
+    /** Shows a channel of the picture, or its colour temperatures, in place of the luminance. */
+    setView(view: ColourView) {
+        if (view !== (this.version.view ?? 'luminance')) this.renew({ view });
+    }
+
     /** Gives a file that scenes name. */
     async give(name: string, bytes: Uint8Array) {
         await this.client.give(name, bytes);
@@ -397,8 +403,8 @@ export class Model {
         this.tell('scene');
     }
 
-    private versionOf({ number, scene, text, irradiance, name }: Version): Version {
-        return { number, scene, text, irradiance, name };
+    private versionOf({ number, scene, text, irradiance, view, name }: Version): Version {
+        return { number, scene, text, irradiance, view, name };
     }
 
     /** The last version without errors, for what is asked of the scene itself. */

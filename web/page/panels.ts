@@ -4,6 +4,7 @@ import type { Client } from './client';
 import type { Probe } from './core';
 import type { Of, Version } from './version';
 import type { Compare } from './compare';
+import { ColourCard } from './colour_card';
 import { chip, h, lightStyle } from './dom';
 import { localized } from './local';
 import type { Model } from './model';
@@ -42,11 +43,13 @@ export class ProbePanel {
     private busy = false;
     private next: [number, number] | null = null;
     private of: Of | null = null; // what is shown
+    private readonly colour: ColourCard;
 
     constructor(
         private readonly model: Model,
         private readonly compare: Compare,
     ) {
+        this.colour = new ColourCard(model);
         model.follow(this.element, () => this.of);
     }
 
@@ -61,6 +64,7 @@ export class ProbePanel {
         this.of = null;
         this.told = '';
         this.element.replaceChildren();
+        this.colour.clear();
         this.onValue(null);
         this.onLit(null, null);
     }
@@ -82,6 +86,7 @@ export class ProbePanel {
             this.onValue(probe);
             if (of.irradiance) this.onLit(probe, of);
             else if (!this.next) await this.askLit(client, of, place);
+            if (!this.next) await this.colour.ask(client, of, place);
         }
         this.busy = false;
     }
@@ -142,6 +147,7 @@ export class ProbePanel {
             ...(before === null
                 ? []
                 : [h('p', { class: 'dim' }, `${t('A, the pixel here')}: ${number(before, 4)} ${unit}`)]),
+            this.colour.element,
             h('ul', { class: 'shares', 'aria-label': t('Shares of the lights') }, ...(value === null ? [] : bars)),
         );
         this.model.dim();

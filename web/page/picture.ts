@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: MIT
 // The picture: samples in the colours of the bar, lamps where they are seen, isophotes, measuring points and the probe.
 import type { Isophote } from './core';
-import { paint, type Scale } from './colours';
+import type { Scale } from './colours';
 import type { Compare, Shown } from './compare';
 import { fitted, h, numberMark, styleColour } from './dom';
 import { nextOf } from './choosing';
 import { Drag, followPointer, type Action } from './drag';
 import type { Model, Thing } from './model';
 import type { SectionPanel } from './section';
+import { paintSamples, showsColours } from './srgb';
 import { number, t } from './words';
 
 interface Mark {
@@ -70,11 +71,12 @@ export class PictureView {
     }
 
     /** The range of the colour bar for a new picture, unless it is locked. */
-    private adapt({ least, most }: Shown) {
+    private adapt(shown: Shown) {
         const { scale } = this;
+        const { least, most, brightest } = shown;
         if (scale.locked) return;
         const factor = 2 ** -scale.exposure;
-        scale.high = factor * most;
+        scale.high = factor * (showsColours(shown, scale) ? brightest : most);
         scale.low = scale.logarithmic ? Math.max(factor * least, scale.high * 1e-3) : 0;
     }
 
@@ -105,7 +107,9 @@ export class PictureView {
         this.imageScreen = this.model.screen.join();
         this.image.width = columns;
         this.image.height = rows;
-        const pixels = paint(shown.values, shown.mask, shown.isDifference ? this.differences : this.scale);
+        const { locked, logarithmic, exposure } = this.scale;
+        const isWhole = !(locked || logarithmic || exposure);
+        const pixels = paintSamples(shown, shown.isDifference ? this.differences : this.scale, isWhole);
         this.image.getContext('2d')!.putImageData(new ImageData(pixels, columns, rows), 0, 0);
         this.onPaint();
         this.draw();

@@ -2,10 +2,12 @@
 // What the space view shows of bodies: pictures that the core computes as a camera at the view sees them, lit by the same
 // sums as the observer's picture, with how far each pixel is.  The newest view wins; coarse pictures follow the hand, finer
 // ones come when it rests.
-import { paint, type Scale } from './colours';
 import type { Client } from './client';
+import type { Scale } from './colours';
+import type { Samples } from './core';
 import type { Model } from './model';
 import type { Place } from './space_math';
+import { paintSamples } from './srgb';
 import type { Of } from './version';
 
 /** A camera: where it is, the middle of what it looks at, its vectors to the right, upwards and back to it, and its scale. */
@@ -22,14 +24,12 @@ export interface View {
 }
 
 /** A picture of the bodies, and of which view it is. */
-interface Made {
+interface Made extends Samples {
     of: Of;
     view: View;
     stride: number; // pixels of the page across one of its own
     columns: number;
     rows: number;
-    values: Float32Array<ArrayBuffer>;
-    mask: Uint8Array<ArrayBuffer>;
     depth: Float32Array<ArrayBuffer>; // in half as many columns and rows
 }
 
@@ -176,7 +176,7 @@ export class Stage {
         }
         this.perPixel = Math.max(1e-6, found.milliseconds / (columns * rows));
         this.awaitedSince = 0;
-        this.made = { of, view, stride, columns, rows, values: found.values, mask: found.mask, depth: found.depth };
+        this.made = { of, view, stride, columns, rows, values: found.values, mask: found.mask, rgb: found.rgb, depth: found.depth };
         this.onMade();
     }
 
@@ -190,7 +190,7 @@ export class Stage {
             this.painted = wanted;
             this.image.width = made.columns;
             this.image.height = made.rows;
-            const pixels = paint(made.values, made.mask, this.scale());
+            const pixels = paintSamples(made, this.scale(), false);
             this.image.getContext('2d')!.putImageData(new ImageData(pixels, made.columns, made.rows), 0, 0);
         }
         return this.image;

@@ -12,7 +12,9 @@ function told(facts: PictureFacts, unit: string): string {
     const reflected =
         facts.reflected === null ? '' : `; ${t('reflected light within')} ${bound(100 * facts.reflected)} %`;
     const missed = facts.reached ? '' : ` (${t('less exact than it should be')})`;
-    return `${t(facts.word)}, ${unit}: ${extremes}${reflected}${missed}`;
+    const deeper =
+        facts.mirrored === 0 ? '' : `; ${t('light over more mirrors')} ${facts.mirrored === null ? t('not bounded') : `≤ ${bound(100 * facts.mirrored)} %`}`;
+    return `${t(facts.word)}, ${unit}: ${extremes}${reflected}${missed}${deeper}`;
 }
 
 export class Statistics {

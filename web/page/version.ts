@@ -2,6 +2,8 @@
 // Versions of the scene.  Each question to a worker tells of which version it is, and each result keeps it; the model alone
 // decides which one is current.
 
+import type { ColourView } from './srgb';
+
 /** A text and the quantity that is asked of it, under a number that is given once. */
 export interface Version {
     readonly number: number;
@@ -9,6 +11,7 @@ export interface Version {
     readonly scene: number;
     readonly text: string;
     readonly irradiance: boolean;
+    readonly view?: ColourView; // of a picture in colour; the luminance
     readonly name: string; // what the scene is called, for the names of files
 }
 

@@ -3,19 +3,19 @@
 // version that it is about, which is opened where it is not the present one.  The worker begins with the core's first part.
 // A question that needs the second one before that has come waits for it: a call that was given up halfway leaves the core
 // in no known state, so that the question is asked of a new one.
-import { Core, CoreFailure, PartMissing, type Change, type Probe } from './core';
+import { Core, CoreFailure, PartMissing, type Change, type Probe, type Samples } from './core';
 import { lastPart } from './folder';
 import { geometryOf } from './geometry';
+import { greatestChannel } from './srgb';
 import { Outdated, type Of } from './version';
 
 const SLICE = 25; // milliseconds of values after which what is more urgent has its turn
 const BETWEEN = 100; // milliseconds between two tidings of progress
 
-export interface Picture {
+export interface Picture extends Samples {
     of: Of;
     facts: ReturnType<Core['picture']>;
-    values: Float32Array<ArrayBuffer>;
-    mask: Uint8Array<ArrayBuffer>;
+    brightest: number; // the greatest channel
     stride: number;
     milliseconds: number;
 }
@@ -38,8 +38,9 @@ let present = 0; // the number of the question that is being answered
 let lastTidings = 0;
 
 /** Makes a version the present scene of the core; false: its text has errors. */
-function open({ text, irradiance, direct }: Of): boolean {
+function open({ text, irradiance, direct, view }: Of): boolean {
     core.quantity(irradiance);
+    core.view(view);
     core.direct(direct);
     if (text === openText) return true;
     core.folder.asked.clear();
@@ -101,7 +102,8 @@ function render(of: Of, stride: number): Picture | { messages: ReturnType<Core['
     drawn = '';
     if (!draw(of, stride)) return { messages: core.messages() };
     const milliseconds = performance.now() - before;
-    return { of, facts: core.picture(), ...core.samples(), stride, milliseconds };
+    const samples = core.samples();
+    return { of, facts: core.picture(), ...samples, brightest: greatestChannel(samples.rgb ?? samples.values), stride, milliseconds };
 }
 
 /** Exact values at the first of some places, as many as go within a slice of time. */
@@ -145,6 +147,9 @@ const questions = {
     render,
     probe: (of: Of, x: number, y: number) => opened(of).probe(x, y),
     lit: (of: Of, x: number, y: number) => opened(of).lit(x, y),
+    color: (of: Of, x: number, y: number) => opened(of).color(x, y),
+    lightColors: (of: Of) => opened(of).lightColors(),
+    blackBody: (kelvin: number) => core.blackBody(kelvin),
     values,
     line: (of: Of, x: number, y: number, degrees: number) => opened(of).line(x, y, degrees),
     /** The values at a point of several scenes, one after the other; null: a scene has errors, or nothing is there. */

@@ -5,6 +5,7 @@ import { execFileSync } from 'node:child_process';
 import fs from 'node:fs';
 import os from 'node:os';
 import path from 'node:path';
+import { coloursOfCore } from './colour_numbers.mjs';
 import { check, equal, test } from './tap.mjs';
 
 const HEADER = 128; // bytes of an .npy file before its numbers
@@ -205,6 +206,8 @@ export async function numbers(core, tool, names = null) {
             await test(`numbers of ${builtin.name}`, () => compareScene(core, tool, folder, builtin));
         for (const ending of ['.png', '.csv', '.npy', '.pfm'])
             await test(`the tool's bytes in ${ending}`, () => compareFiles(core, tool, folder, builtins[0], ending));
+        await test('levels, channels and colours of a scene in colour', () =>
+            coloursOfCore(core, tool, folder, builtins.find(({ name }) => name === 'warm-and-cold')));
         await test('files that a scene names', () => namesFiles(core, tool, folder));
         await test('files that the core brings', () => namesOwnFiles(core, tool, folder));
         for (const builtin of builtins.filter(({ name }) => STAGED.includes(name)))

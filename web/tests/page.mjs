@@ -5,6 +5,7 @@ import fs from 'node:fs';
 import os from 'node:os';
 import path from 'node:path';
 import axe from 'axe-core';
+import { colours } from './colour.mjs';
 import { controls } from './controls.mjs';
 import { FIREFOX, inFirefox } from './firefox.mjs';
 import { frames } from './frames.mjs';
@@ -594,6 +595,7 @@ export async function page(folder, tool) {
     await stage(browser, url, tool);
     await frames(browser, url);
     await controls(browser, url, tool);
+    await colours(browser, url, tool);
     await tasks(browser, url, tool);
     await typed(browser, folder, url);
     await versions(browser, url, tool);
