@@ -97,7 +97,8 @@ static void show(const struct progress *progress)
     is_shown = 1;
     fputc('\r', stderr);
     if (done > 0.0 && done < 1.0 && now - progress->told_s < fresh_s)
-        fprintf(stderr, _("%3.0f %%, %.0f s left"), 100.0 * done, ceil((now - progress->part_s) * (1.0 - done) / done));
+        fprintf(stderr, _("%3.0f %%, %.0f s left"), 100.0 * done,
+                ceil(fmin((now - progress->part_s) * (1.0 - done) / done, fmax(end_s - now, 0.0))));
     else
         fprintf(stderr, _("computing for %.0f s"), floor(now - progress->start_s));
     if (progress->bound > 0.0 && isfinite(progress->bound))
