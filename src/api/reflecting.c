@@ -127,13 +127,6 @@ static luxel_status find_places(const struct lx_reflecting *reflecting, struct a
     return LUXEL_OK;
 }
 
-/* Leaves a solution for whoever asks next. */
-static void leave(struct lx_kept_slot *slot, struct lx_radiosity *reflected)
-{
-    if (slot)
-        lx_kept_slot_put(slot, lx_reflected_kept(reflected));
-}
-
 /* Whether the solution that was left by whoever asked before is enough, which the session's world then has. */
 static bool takes_kept(struct lx_session *session, struct lx_kept_slot *slot,
                        const struct lx_reflected_request *request)
@@ -169,17 +162,13 @@ static luxel_status solve(struct lx_session *session, const struct lx_reflecting
     };
     struct lx_radiosity *made = NULL;
     const bool is_shared = session->settings.share_reflected && world->reflected;
-    if (is_shared || takes_kept(session, reflecting->slot, &request))
+    if (is_shared || takes_kept(session, reflecting->slot, &request) || lx_reflected_serves(session, &request))
         return LUXEL_OK;
-    if (lx_reflected_serves(session, &request)) {
-        leave(reflecting->slot, world->reflected);
-        return LUXEL_OK;
-    }
     const luxel_status status = lx_reflected_make(&request, &made);
     lx_reflected_free(world->reflected);
     world->reflected = made;
-    if (made)
-        leave(reflecting->slot, made);
+    if (made && reflecting->slot)
+        lx_kept_slot_put(reflecting->slot, lx_reflected_kept(made));
     return status;
 }
 
