@@ -13,6 +13,7 @@ import sys
 import time
 
 import matrix
+import rooms
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 SIDE, ROUNDS = 800, 3
@@ -133,6 +134,8 @@ def main():
     print_page(bench, times, peers)
     print_scenes(luxel, folder)
     print_matrix(folder)
+    print()
+    rooms.print_table(luxel)
 
 
 def print_scenes(luxel, folder):

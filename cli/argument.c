@@ -66,6 +66,26 @@ bool argument_number(const char *option, const char *text, double *value)
     return false;
 }
 
+bool argument_share(const char *option, const char *text, double *share)
+{
+    if (!argument_number(option, text, share))
+        return false;
+    if (*share > 0.0 && *share < 1.0)
+        return true;
+    message_error(_("%s %s: expected a number above 0 and below 1"), option, text);
+    return false;
+}
+
+bool argument_seconds(const char *option, const char *text, double *seconds)
+{
+    if (!argument_number(option, text, seconds))
+        return false;
+    if (*seconds > 0.0 && *seconds <= 1e6)
+        return true;
+    message_error(_("%s %s: expected seconds, above 0 and up to 1000000"), option, text);
+    return false;
+}
+
 static size_t count_parts(const char *text)
 {
     size_t parts = 1;

@@ -11,6 +11,10 @@
 /* Reads one number.  False, with a message that names `option` and the number that is wrong, if it is none. */
 bool argument_number(const char *option, const char *text, double *value);
 
+/* Reads a number above 0 and below 1, and seconds, above 0. */
+bool argument_share(const char *option, const char *text, double *share);
+bool argument_seconds(const char *option, const char *text, double *seconds);
+
 /* Reads exactly `count` numbers with commas between them; `form` shows how they are expected: "X,Y". */
 bool argument_numbers(const char *option, const char *form, const char *text, double *values, size_t count);
 

@@ -53,6 +53,11 @@ static bool report_share(double done, void *data)
     return progress_report((share->before + done * share->own) / share->all, share->progress);
 }
 
+static bool report_bound(double bound, void *data)
+{
+    return progress_is_enough(bound, ((const struct share *)data)->progress);
+}
+
 static double count_cells(const luxel_scene *scene, size_t i)
 {
     unsigned columns = 0, rows = 0;
@@ -82,10 +87,13 @@ static luxel_status measure(const struct options *options, const struct loaded *
     settings.progress = report_share;
     settings.progress_data = &share;
     progress_begin(&progress, options->quiet);
+    if (progress.wanted || options->keeps || settings.within > 0.0)
+        settings.enough = report_bound;
     while (status == LUXEL_OK && grids->count < count) {
         const size_t i = grids->count;
 
         share.own = count_cells(loaded->scene, i);
+        settings.within = progress_share(count - i);
         status = luxel_find_grid(loaded->scene, &settings, i, loaded->diagnostics, &grids->list[i]);
         grids->count += status == LUXEL_OK;
         share.before += share.own;

@@ -92,8 +92,11 @@ int main(int argc, char **argv)
     signal(SIGPIPE, SIG_IGN); /* a reader who goes away costs no file */
     progress_catch_interrupt();
     code = options_read(argc, argv, &options);
+    progress_wait(options.settings.within, options.keeps);
     if (code == EXIT_DONE)
         code = run(&options);
+    if (progress_tell_end(options.quiet) && (code == EXIT_DONE || code == EXIT_TOLERANCE))
+        code = EXIT_INTERRUPTED;
     options_clear(&options);
     return finish_output(code);
 }

@@ -98,6 +98,7 @@ struct options {
     const char *lights;      /* of --lights, names and numbers; NULL: it was not given */
     bool strict, json, quiet, list, dry_run, help, version;
     bool judges; /* luxel grid --limits */
+    bool keeps;  /* Ctrl-C leaves what is known of reflected light */
     struct option_analysis analysis;
     struct option_drawing drawing;
     struct option_sweep sweep;

@@ -181,20 +181,9 @@ static bool take_loss(struct options *options, const char *argument)
     return true;
 }
 
-/* A number above 0 and below 1. */
-static bool take_share(const char *option, const char *argument, double *share)
-{
-    if (!argument_number(option, argument, share))
-        return false;
-    if (*share > 0.0 && *share < 1.0)
-        return true;
-    message_error(_("%s %s: expected a number above 0 and below 1"), option, argument);
-    return false;
-}
-
 static bool take_tolerance(struct options *options, const char *argument)
 {
-    return take_share("--tolerance", argument, &options->settings.tolerance);
+    return argument_share("--tolerance", argument, &options->settings.tolerance);
 }
 
 static bool take_light_error(struct options *options, const char *argument)
@@ -213,7 +202,12 @@ static bool take_light_error(struct options *options, const char *argument)
 
 static bool take_reflected_error(struct options *options, const char *argument)
 {
-    return take_share("--reflected-error", argument, &options->settings.reflected_error);
+    return argument_share("--reflected-error", argument, &options->settings.reflected_error);
+}
+
+static bool take_within(struct options *options, const char *argument)
+{
+    return argument_seconds("--within", argument, &options->settings.within);
 }
 
 static bool take_threads(struct options *options, const char *argument)
@@ -364,6 +358,7 @@ enum {
                 COMMAND_COMPARE,
     COMPUTING =
         PICTURES | COMMAND_GRADE | COMMAND_GLARE | COMMAND_DERIVE | COMMAND_FIT | COMMAND_EXCHANGE | COMMAND_DAYLIGHT,
+    REFINING = PICTURES | COMMAND_GLARE | COMMAND_DAYLIGHT,
     SCENES = PICTURES | COMMAND_CHECK | COMMAND_ADVISE | COMMAND_SCENE | COMMAND_SET | COMMAND_VARIANT | COMMAND_GLARE |
              COMMAND_DERIVE | COMMAND_FIT | COMMAND_EXCHANGE | COMMAND_DAYLIGHT,
     WRITING = COMMAND_RENDER | COMMAND_DAYLIGHT | COMMAND_PROBE | COMMAND_GRID | COMMAND_SET | COMMAND_PROFILE |
@@ -568,6 +563,12 @@ static const struct option_row rows[] = {
          N_("error that reflected light may have, above 0 and below 1: relative to the value of a probe or of a grid's "
             "cell, the default 0.001, or to the maximum of a picture, the default 0.01; exit code 5 where it is not "
             "reached")},
+    {"within", 0, N_("SECONDS"), REFINING, SHARED, TAKES(take_within),
+     .help = N_("refine reflected light for no longer than that, and take the best bound that is reached by then; exit "
+                "code 5 where it is not the one that was asked for")},
+    {"keep", 0, NULL, REFINING, SHARED, SETS(keeps),
+     .help = N_("let Ctrl-C end the refining of reflected light: the best so far is printed with its bound, exit code "
+                "130; pressed again, it ends the tool")},
     {"lights", 0, N_("LIST"), PICTURES, SHARED, KEEPS(lights), .value = VALUE_LIGHTS,
      .help = N_("the lights that alone give light, whether they are enabled or not: names, or numbers as of lights[0], "
                 "with commas between them")},

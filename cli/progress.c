@@ -16,15 +16,26 @@
 
 #include "cli.h"
 #include "clock.h"
+#include "message.h"
 
 #define ERASE "\r\033[K"
 
 static volatile sig_atomic_t is_shown;
 
+/* When refining ends: at a time, or by Ctrl-C where it is not to end the tool at once. */
+static double end_s = HUGE_VAL;
+static volatile sig_atomic_t keeps_what_is_known, is_refining, is_wished;
+/* The greatest bound that was reached where it ended so; 0: it did not. */
+static double ended_with;
+
 /* At once, whatever is being done: what is not finished vanishes with the process. */
 static void on_interrupt(int signal_number)
 {
     (void)signal_number;
+    if (keeps_what_is_known && is_refining && !is_wished) {
+        is_wished = 1;
+        return;
+    }
     if (is_shown && write(STDERR_FILENO, ERASE, strlen(ERASE)) < 0)
         _exit(EXIT_INTERRUPTED); /* the terminal is gone, too */
     _exit(EXIT_INTERRUPTED);
@@ -35,6 +46,35 @@ void progress_catch_interrupt(void)
     const struct sigaction action = {.sa_handler = on_interrupt};
 
     sigaction(SIGINT, &action, NULL);
+}
+
+void progress_wait(double seconds, bool keeps)
+{
+    const double for_good_s = 1e9; /* an end that never comes, which asks for something to keep soon */
+
+    end_s = seconds > 0.0 ? clock_seconds() + seconds : keeps ? clock_seconds() + for_good_s : HUGE_VAL;
+    keeps_what_is_known = keeps;
+}
+
+double progress_share(size_t parts)
+{
+    const double least_s = 1e-3;
+
+    return isfinite(end_s) ? fmax((end_s - clock_seconds()) / (double)parts, least_s) : 0.0;
+}
+
+bool progress_tell_end(bool quiet)
+{
+    char bound[32];
+
+    snprintf(bound, sizeof bound, "%.1e", ended_with);
+    if (ended_with > 0.0 && !quiet && isinf(ended_with))
+        message_note(_("%s was the end, before reflected light had any bound but the greatest"),
+                     is_wished ? "Ctrl-C" : _("the time"));
+    else if (ended_with > 0.0 && !quiet)
+        message_note(_("%s was the end: the bound of reflected light is %s where it is worst"),
+                     is_wished ? "Ctrl-C" : _("the time"), bound);
+    return is_wished;
 }
 
 /* The moment a pause after now, as waiting counts it. */
@@ -57,9 +97,12 @@ static void show(const struct progress *progress)
     is_shown = 1;
     fputc('\r', stderr);
     if (done > 0.0 && done < 1.0 && now - progress->told_s < fresh_s)
-        fprintf(stderr, _("%3.0f %%, %.0f s left"), 100.0 * done, ceil((now - progress->part_s) * (1.0 - done) / done));
+        fprintf(stderr, _("%3.0f %%, %.0f s left"), 100.0 * done,
+                ceil(fmin((now - progress->part_s) * (1.0 - done) / done, fmax(end_s - now, 0.0))));
     else
         fprintf(stderr, _("computing for %.0f s"), floor(now - progress->start_s));
+    if (progress->bound > 0.0 && isfinite(progress->bound))
+        fprintf(stderr, _(", reflected light within %.1e"), progress->bound);
     fputs("\033[K", stderr);
     fflush(stderr);
 }
@@ -114,8 +157,25 @@ bool progress_report(double done, void *data)
     return true;
 }
 
+bool progress_is_enough(double bound, void *data)
+{
+    struct progress *progress = data;
+    const bool is_enough = is_wished || clock_seconds() >= end_s;
+
+    is_refining = 1;
+    if (is_enough)
+        ended_with = fmax(ended_with, bound);
+    if (progress->wanted) {
+        pthread_mutex_lock(&progress->lock);
+        progress->bound = bound;
+        pthread_mutex_unlock(&progress->lock);
+    }
+    return is_enough;
+}
+
 void progress_end(struct progress *progress)
 {
+    is_refining = 0;
     if (!progress->wanted)
         return;
     pthread_mutex_lock(&progress->lock);

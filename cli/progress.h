@@ -16,6 +16,7 @@ struct progress {
     double start_s, part_s; /* when the work began, and the part of it that is under way */
     double done;            /* of that part; 0: not known */
     double told_s;          /* when that was told */
+    double bound;           /* that reflected light has reached; infinite: none yet, 0: it is not known */
 };
 
 /*
@@ -24,10 +25,22 @@ struct progress {
  */
 void progress_catch_interrupt(void);
 
+/*
+ * From here on reflected light is refined for so many seconds at the latest, 0: without end; and, if `keeps` says so,
+ * until the first Ctrl-C.
+ */
+void progress_wait(double seconds, bool keeps);
+/* What is left of that for each of some parts; 0: no end. */
+double progress_share(size_t parts);
+/* Says what bound there is where one of them was the end, unless `quiet`; true: it was Ctrl-C. */
+bool progress_tell_end(bool quiet);
+
 /* The progress must stay where it is until its end. */
 void progress_begin(struct progress *progress, bool quiet);
 /* The library's callback: `data` is the struct progress.  Always true. */
 bool progress_report(double done, void *data);
+/* So, too; whether refining is to end. */
+bool progress_is_enough(double bound, void *data);
 /* Wipes the line. */
 void progress_end(struct progress *progress);
 

@@ -14,6 +14,9 @@ void work_begin(struct work *work, const struct options *options)
     work->settings.progress = progress_report;
     work->settings.progress_data = &work->progress;
     progress_begin(&work->progress, options->quiet);
+    work->settings.within = progress_share(1);
+    if (work->progress.wanted || options->keeps || work->settings.within > 0.0)
+        work->settings.enough = progress_is_enough;
 }
 
 int work_end(struct work *work, luxel_status status, luxel_diagnostics *diagnostics)

@@ -13,7 +13,11 @@
 static luxel_status write_reports(const struct loaded *loaded, const luxel_settings *settings, const void *look,
                                   const char *const *paths, size_t count, bool *written)
 {
-    return luxel_report_write_files(loaded->scene, settings, look, paths, count, loaded->diagnostics, written);
+    luxel_settings shared = *settings;
+
+    /* The picture, the points, each grid and each observer may take a solution of reflected light. */
+    shared.within /= 2.0 + (double)(luxel_scene_grid_count(loaded->scene) + luxel_scene_observer_count(loaded->scene));
+    return luxel_report_write_files(loaded->scene, &shared, look, paths, count, loaded->diagnostics, written);
 }
 
 static int report(const struct options *options, const struct loaded *loaded)

@@ -36,6 +36,13 @@ typedef enum luxel_precision {
  */
 typedef bool (*luxel_progress)(double done, void *data);
 
+/*
+ * Called as often, with the same data, while reflected light is refined: with the bound of its error that is reached so
+ * far, in the terms of reflected_error, infinite as long as there is none; and once more where it was ended early.
+ * Returning true says that this is enough: the best so far is taken, and its bounds told.
+ */
+typedef bool (*luxel_enough)(double bound, void *data);
+
 /* How to compute; luxel_settings_init() sets the defaults, which the comments name. */
 typedef struct luxel_settings {
     luxel_quantity quantity;     /* brightness */
@@ -54,7 +61,9 @@ typedef struct luxel_settings {
     void *progress_data;        /* handed to `progress`; NULL */
     const size_t *lights; /* NULL: the enabled ones give light; else those of this group, by index, and no others */
     size_t light_count;   /* of the group: 0, and all is dark */
-    void *reserved[4];    /* for later versions: NULL */
+    double within;        /* seconds for each solution of reflected light; 0: no end, see below */
+    luxel_enough enough;  /* NULL: nobody is asked */
+    void *reserved[2];    /* for later versions: NULL */
 } luxel_settings;
 
 /*
@@ -70,6 +79,15 @@ typedef struct luxel_settings {
  *
  * A committed scene keeps the last solution of its picture, and so do its copies until they are changed.  Whoever asks
  * first, in any thread, makes it; two that ask before it is there both make it, so do ask one after the other.
+ */
+
+/*
+ * By default a solution of reflected light is refined until the bound is reached, or its effort spent, so that values
+ * are the same on any machine.  With `within` it ends after so many seconds of the clock at the latest with the best
+ * bound that was reached by then, or, before there is any, with what can be told at once.  Values and bounds are as
+ * true as ever; how small the bounds are depends on the machine where the time was the end, and nothing does where it
+ * was not.  Colours take several solutions, one for each spectral band, and so do some questions, such as a probe of a
+ * pixel.
  */
 
 /* Sets every member to its default, given above. */

@@ -85,15 +85,15 @@ class Daylit:
     _carried: Optional[Carried]
 
     def daylight(self, elements: Iterable[Sequence[float]] = (), *, outdoor: Optional[float] = None,
-                 tolerance: Optional[float] = None, reflected_error: Optional[float] = None, threads: int = 0,
-                 progress: Optional[Progress] = None) -> Daylight:
+                 tolerance: Optional[float] = None, reflected_error: Optional[float] = None, within: float = 0.0,
+                 threads: int = 0, progress: Optional[Progress] = None) -> Daylight:
         """The daylight factors of all measuring grids, and of free elements (x, y, z, nx, ny, nz), in percent.
 
         `outdoor` is the illuminance under the open sky for the shares of EN 17037, else that of the scene's sky.
         LuxelError: there is no sky.
         """
         how = settings(self._carried, None, None, threads, None, tolerance, progress=progress,
-                       reflected_error=reflected_error)
+                       reflected_error=reflected_error, within=within)
         places = [tuple(float(number) for number in element) for element in elements]
         found: Any = _luxel.find_daylight(self._handle, places, outdoor or 0.0, how)
         horizontal, lux, grids, factors, reached = found

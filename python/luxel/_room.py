@@ -68,25 +68,25 @@ class Rated:
 
     def glare(self: "Scene", eye_mm: Sequence[float], view: Sequence[float],  # type: ignore[misc]
               up: Optional[Sequence[float]] = None, *, tolerance: Optional[float] = None,
-              reflected_error: Optional[float] = None, threads: int = 0, lights: Optional[Lights] = None,
-              progress: Optional[Progress] = None) -> Glare:
+              reflected_error: Optional[float] = None, within: float = 0.0, threads: int = 0,
+              lights: Optional[Lights] = None, progress: Optional[Progress] = None) -> Glare:
         """The unified glare rating (UGR) of an observer: where the eye is, and the way it looks.
 
         The background is the light that surfaces reflect (the scene's key `reflections`) and ambient light; without
         both there is no rating.  `up` is the observer's upward direction, else the scene's `observer.up`, else z.
         ValueError: a direction is 0, `up` is along the view, or the scene is in radiometric units.
         """
-        how = _settings(self, tolerance, reflected_error, threads, lights, progress)
+        how = _settings(self, tolerance, reflected_error, threads, lights, progress, within)
         return glare(_luxel.rate_glare(self._handle, sight(eye_mm, view, up), how))
 
     def observers(self: "Scene", *, tolerance: Optional[float] = None,  # type: ignore[misc]
-                  reflected_error: Optional[float] = None, threads: int = 0, lights: Optional[Lights] = None,
-                  progress: Optional[Progress] = None) -> List[Observer]:
+                  reflected_error: Optional[float] = None, within: float = 0.0, threads: int = 0,
+                  lights: Optional[Lights] = None, progress: Optional[Progress] = None) -> List[Observer]:
         """The scene's observers (its key `observers`), rated as glare() does, and whether they keep their limits.
 
         ValueError: the scene is in radiometric units.
         """
-        how = _settings(self, tolerance, reflected_error, threads, lights, progress)
+        how = _settings(self, tolerance, reflected_error, threads, lights, progress, within)
         found: List[Observer] = []
         for i, (name, eye, view) in enumerate(_luxel.observers(self._handle)):
             rating, judged = _luxel.rate_observer(self._handle, i, how)
@@ -95,12 +95,12 @@ class Rated:
 
 
 def _settings(scene: "Scene", tolerance: Optional[float], reflected_error: Optional[float], threads: int,
-              lights: Optional[Lights], progress: Optional[Progress]) -> Settings:
+              lights: Optional[Lights], progress: Optional[Progress], within: float) -> Settings:
     """Those of ratings; a scene in radiometric units has none."""
     if scene["units"] != "photometric":
         raise ValueError("glare is rated by luminances, and the scene is in radiometric units: units: photometric")
     return settings(scene._carried, None, None, threads, None, tolerance, progress=progress,
-                    reflected_error=reflected_error, lights=scene._group(lights))
+                    reflected_error=reflected_error, lights=scene._group(lights), within=within)
 
 
 def _array(found: Any) -> Optional[RoomArray]:

@@ -291,8 +291,8 @@ class Scene(Rated, _exchange.Exchanging, _daylight.Daylit):
     # ---- pictures ----
 
     def render(self, *, quantity: Optional[str] = None, precision: Optional[str] = None, threads: int = 0,
-               light_error: Optional[float] = None, reflected_error: Optional[float] = None, stride: int = 1,
-               minimum_reached: bool = False, instruction_set: Optional[str] = None,
+               light_error: Optional[float] = None, reflected_error: Optional[float] = None, within: float = 0.0,
+               stride: int = 1, minimum_reached: bool = False, instruction_set: Optional[str] = None,
                lights: Optional[Lights] = None, progress: Optional[Progress] = None) -> Field:
         """Computes the picture, with the interpreter's lock released; Ctrl-C ends it.
 
@@ -301,25 +301,27 @@ class Scene(Rated, _exchange.Exchanging, _daylight.Daylit):
         "double" is needed: a step of 1e-8 changes nothing in float32.  `threads` 0: as many as pay.  `stride` n: a
         quick look at each n-th pixel.  `light_error` E: many points may be taken together, within E of the value.
         `reflected_error`: the bound wanted of what surfaces reflect, a share of the maximum; `statistics` tell which
-        was reached.  `progress` is called with the share done; False ends the work with a LuxelError.  The same bytes
-        for any number of threads.
+        was reached.  `within`: the seconds for each solution of that light, after which the best bound so far stands
+        and values depend on the machine; 0: as long as it takes, here and everywhere else.  `progress` is called with
+        the share done; False ends the work with a LuxelError.  The same bytes for any number of threads.
 
         `lights`: a name, an index or several: these alone give light, whether they are enabled or not, as everywhere
         else that takes `lights`.  Groups that have each light once add up to the picture of all."""
         return made(self._handle, settings(self._carried, quantity, precision, threads, instruction_set, None,
                                            light_error, stride, minimum_reached, progress, reflected_error,
-                                           self._group(lights)))
+                                           self._group(lights), within=within))
 
     def _group(self, lights: Optional[Lights]) -> Optional[bytes]:
         return None if lights is None else group(lights, [light.name for light in self.lights])
 
     def render_files(self, *paths: Path, bits: int = 8, quantity: Optional[str] = None,
                      precision: Optional[str] = None, threads: int = 0, light_error: Optional[float] = None,
-                     reflected_error: Optional[float] = None, instruction_set: Optional[str] = None,
-                     lights: Optional[Lights] = None, progress: Optional[Progress] = None) -> Statistics:
+                     reflected_error: Optional[float] = None, within: float = 0.0,
+                     instruction_set: Optional[str] = None, lights: Optional[Lights] = None,
+                     progress: Optional[Progress] = None) -> Statistics:
         """Computes the picture and writes it to files, row by row: it need not fit in memory."""
         how = settings(self._carried, quantity, precision, threads, instruction_set, None, light_error,
-                       progress=progress, reflected_error=reflected_error, lights=self._group(lights))
+                       progress=progress, reflected_error=reflected_error, lights=self._group(lights), within=within)
         return statistics(_luxel.render_files(self._handle, [os.fsencode(path) for path in paths], bits, how))
 
     def geometry(self, *, threads: int = 0, instruction_set: Optional[str] = None,
@@ -335,36 +337,39 @@ class Scene(Rated, _exchange.Exchanging, _daylight.Daylit):
 
     @overload
     def probe(self, points: Pair, *, quantity: Optional[str] = ..., tolerance: Optional[float] = ...,
-              reflected_error: Optional[float] = ..., threads: int = ..., lights: Optional[Lights] = ...,
-              skip_reflected_pixels: bool = ..., progress: Optional[Progress] = ...) -> Probe: ...
+              reflected_error: Optional[float] = ..., within: float = ..., threads: int = ...,
+              lights: Optional[Lights] = ..., skip_reflected_pixels: bool = ..., progress: Optional[Progress] = ...
+              ) -> Probe: ...
 
     @overload
     def probe(self, points: "Union[None, Iterable[Pair], npt.NDArray[Any]]" = ..., *, quantity: Optional[str] = ...,
-              tolerance: Optional[float] = ..., reflected_error: Optional[float] = ..., threads: int = ...,
-              lights: Optional[Lights] = ..., skip_reflected_pixels: bool = ..., progress: Optional[Progress] = ...
-              ) -> Probes: ...
+              tolerance: Optional[float] = ..., reflected_error: Optional[float] = ..., within: float = ...,
+              threads: int = ..., lights: Optional[Lights] = ..., skip_reflected_pixels: bool = ...,
+              progress: Optional[Progress] = ...) -> Probes: ...
 
     def probe(self, points: Any = None, *, quantity: Optional[str] = None, tolerance: Optional[float] = None,
-              reflected_error: Optional[float] = None, threads: int = 0, lights: Optional[Lights] = None,
-              skip_reflected_pixels: bool = False, progress: Optional[Progress] = None) -> Union[Probe, Probes]:
+              reflected_error: Optional[float] = None, within: float = 0.0, threads: int = 0,
+              lights: Optional[Lights] = None, skip_reflected_pixels: bool = False,
+              progress: Optional[Progress] = None) -> Union[Probe, Probes]:
         """The exact values at points of the screen, x and y in mm, light by light, with bounds of their errors.
 
         One pair gives a Probe; a list of pairs or an array of two columns gives Probes; None takes the scene's points.
         Thousands at once are fastest, elements by evaluate(). `reflected_error` is the bound wanted of reflected light,
-        relative to the value (0.001); `skip_reflected_pixels`: no pixel values that take such light of their own.
+        relative to the value (0.001), `within` the seconds for it; `skip_reflected_pixels`: no pixel values that take
+        such light of their own.
         """
         points = self.points if points is None else points
         shape = getattr(points, "shape", None)
         is_one = len(shape) == 1 if shape is not None else (
             isinstance(points, (tuple, list)) and len(points) == 2 and not hasattr(points[0], "__len__"))
         found = self._probe(_flow.pairs([points] if is_one else points), quantity, tolerance, reflected_error, threads,
-                            self._group(lights), progress, skip_reflected_pixels)
+                            self._group(lights), progress, skip_reflected_pixels, within)
         return found[0] if is_one else Probes(found)
 
     def probe_element(self, position_mm: Sequence[float], normal: Sequence[float], *,
                       view: Optional[Sequence[float]] = None, surface: Union[str, int] = 0,
                       quantity: Optional[str] = None, tolerance: Optional[float] = None,
-                      reflected_error: Optional[float] = None, threads: int = 0,
+                      reflected_error: Optional[float] = None, within: float = 0.0, threads: int = 0,
                       lights: Optional[Lights] = None) -> Probe:
         """The exact value of a free surface element, with all that evaluate() leaves out.
 
@@ -376,13 +381,14 @@ class Scene(Rated, _exchange.Exchanging, _daylight.Daylit):
         place = reals("position_mm", position_mm, 3, triple) + reals("normal", normal, 3, triple)
         direction = None if view is None else reals("view", view, 3, triple)
         return self._probe([place + (direction, surface)], quantity, tolerance, reflected_error, threads,
-                           self._group(lights), None)[0]
+                           self._group(lights), None, within=within)[0]
 
     def _probe(self, places: List[Any], quantity: Optional[str], tolerance: Optional[float],
                reflected_error: Optional[float], threads: int, lights: Optional[bytes], progress: Optional[Progress],
-               skips_pixels: bool = False) -> List[Probe]:
+               skips_pixels: bool = False, within: float = 0.0) -> List[Probe]:
         how = settings(self._carried, quantity, None, threads, None, tolerance, progress=progress,
-                       reflected_error=reflected_error, lights=lights, skip_reflected_pixels=skips_pixels)
+                       reflected_error=reflected_error, lights=lights, skip_reflected_pixels=skips_pixels,
+                       within=within)
         return probes(_luxel.probe(self._handle, places, how), _luxel.scene_unit(self._handle, how[0], lights)[0])
 
     def _surface(self, surface: Union[str, int]) -> int:
@@ -443,9 +449,11 @@ class Scene(Rated, _exchange.Exchanging, _daylight.Daylit):
         return result
 
     def grid(self, name: Union[str, int] = 0, *, tolerance: Optional[float] = None,
-             reflected_error: Optional[float] = None, threads: int = 0, lights: Optional[Lights] = None,
-             progress: Optional[Progress] = None) -> Grid:
+             reflected_error: Optional[float] = None, within: float = 0.0, threads: int = 0,
+             lights: Optional[Lights] = None, progress: Optional[Progress] = None) -> Grid:
         """Measures a grid, by its name or index: the irradiance of its cells, average, extrema, uniformity, flux.
+
+        `within`: the seconds for each solution of reflected light, as for render().
 
         KeyError, IndexError: there is no such grid; the message names those that there are.
         """
@@ -454,19 +462,19 @@ class Scene(Rated, _exchange.Exchanging, _daylight.Daylit):
         except ValueError as error:
             raise (KeyError if isinstance(name, str) else IndexError)(str(error)) from None
         how = settings(self._carried, None, None, threads, None, tolerance, progress=progress,
-                       reflected_error=reflected_error, lights=self._group(lights))
+                       reflected_error=reflected_error, lights=self._group(lights), within=within)
         return Grid(self, index, how)
 
-    def balance(self, *, tolerance: Optional[float] = None, reflected_error: Optional[float] = None, threads: int = 0,
-                progress: Optional[Progress] = None) -> Optional[Balance]:
+    def balance(self, *, tolerance: Optional[float] = None, reflected_error: Optional[float] = None,
+                within: float = 0.0, threads: int = 0, progress: Optional[Progress] = None) -> Optional[Balance]:
         """The mean irradiance of each side of the surfaces, and the balance of the flux, with bounds of their errors.
 
         None where surfaces reflect no light to each other (the scene's key `reflections`).  `reflected_error` is the
-        bound wanted of the means, as a share of the greatest, 0.01 unless it is given; where it is missed there is a
-        LuxelWarning.
+        bound wanted of the means, as a share of the greatest, 0.01 unless it is given, `within` the seconds for it;
+        where it is missed there is a LuxelWarning.
         """
         how = settings(self._carried, None, None, threads, None, tolerance, progress=progress,
-                       reflected_error=reflected_error)
+                       reflected_error=reflected_error, within=within)
         return balance(_luxel.find_balance(self._handle, how))
 
 

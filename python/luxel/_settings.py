@@ -16,7 +16,7 @@ Progress = Callable[[float], Any]
 Lights = Union[str, int, Iterable[Union[str, int]]]
 #: What luxel._luxel takes; the bytes are a group of lights, as group() packs it.
 Settings = Tuple[int, int, int, Optional[str], float, float, float, int, bool, bool, Optional[bytes],
-                 Optional[Progress]]
+                 float, Optional[Progress]]
 #: What a picture that carries its scene was made with: quantity, precision, tolerance, light_error.
 Carried = Tuple[int, int, float, float, float]
 
@@ -33,7 +33,8 @@ def settings(carried: Optional[Carried], quantity: Optional[str] = None, precisi
              threads: int = 0, instruction_set: Optional[str] = None, tolerance: Optional[float] = None,
              light_error: Optional[float] = None, stride: int = 1, minimum_reached: bool = False,
              progress: Optional[Progress] = None, reflected_error: Optional[float] = None,
-             lights: Optional[bytes] = None, skip_reflected_pixels: bool = False) -> Settings:
+             lights: Optional[bytes] = None, skip_reflected_pixels: bool = False,
+             within: float = 0.0) -> Settings:
     """The settings: what is not given is as the picture tells that the scene was read from, or the default."""
     default = carried or (0, 0, 0.0, 0.0, 0.0)
     return (default[0] if quantity is None else choice("quantity", quantity, QUANTITIES),
@@ -43,7 +44,7 @@ def settings(carried: Optional[Carried], quantity: Optional[str] = None, precisi
             default[3] if light_error is None else real("light_error", light_error),
             default[4] if reflected_error is None else real("reflected_error", reflected_error),
             _count("stride", stride, "a whole number is expected, 1 for every pixel"), minimum_reached,
-            skip_reflected_pixels, lights, progress)
+            skip_reflected_pixels, lights, real("within", within), progress)
 
 
 def group(lights: Optional[Lights], names: Sequence[Optional[str]]) -> Optional[bytes]:

@@ -63,10 +63,10 @@ bool work_begin(struct work *work, PyObject *settings)
     *work = (struct work){.share = 1};
     luxel_settings_init(&work->settings);
     if (!is_tuple(settings) ||
-        !PyArg_ParseTuple(settings, "iiIzdddIppz#O", &quantity, &precision, &work->settings.threads,
+        !PyArg_ParseTuple(settings, "iiIzdddIppz#dO", &quantity, &precision, &work->settings.threads,
                           &work->settings.instruction_set, &work->settings.tolerance, &work->settings.light_error,
                           &work->settings.reflected_error, &work->settings.stride, &reached, &skips, &lights, &size,
-                          &progress))
+                          &work->settings.within, &progress))
         return false;
     work->settings.quantity = (luxel_quantity)quantity;
     work->settings.precision = (luxel_precision)precision;

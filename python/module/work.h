@@ -18,8 +18,8 @@ struct work {
 
 /*
  * Reads the settings of a tuple (quantity, precision, threads, instruction set, tolerance, light_error,
- * reflected_error, stride, minimum_reached, skip_reflected_pixels, lights, progress), which must live as long as the
- * work.  `lights` is None or bytes that are numbers of type size_t.  False: an exception is set.
+ * reflected_error, stride, minimum_reached, skip_reflected_pixels, lights, within, progress), which must live as long
+ * as the work.  `lights` is None or bytes that are numbers of type size_t.  False: an exception is set.
  */
 bool work_begin(struct work *work, PyObject *settings);
 

@@ -138,6 +138,8 @@ static luxel_status find(const luxel_scene *scene, struct lx_session *session, l
         .error = lx_pictured_error_of(settings),
         .threads = lx_thread_count(settings->threads, MOST_WORTH),
         .control = &control,
+        .within = settings->within,
+        .is_enough = settings->enough,
     };
     luxel_status status = lx_reflect_shared(scene, session, diagnostics);
     if (!session->world.reflected)

@@ -12,6 +12,7 @@
 /* The progress of a part among others, which take as long each. */
 struct lx_part_progress {
     luxel_progress progress;
+    luxel_enough enough;
     void *data;
     double before, share;
 };

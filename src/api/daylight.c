@@ -272,6 +272,7 @@ static luxel_status find(const luxel_scene *scene, struct asked *asked, const lu
     asked->settings.quantity = LUXEL_IRRADIANCE;
     asked->settings.lights = asked->skies;
     asked->settings.light_count = asked->sky_count;
+    asked->settings.within /= fmax((double)(luxel_scene_grid_count(scene) + (place_count > 0)), 1); /* one each */
     daylight->element_count = place_count;
     if (place_count > 0)
         status = find_elements(asked, places, daylight);

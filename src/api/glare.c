@@ -107,6 +107,7 @@ struct rating {
     lx_bounded sum;                /* of L^2 w / p^2 */
     lx_bounded ambient, reflected; /* irradiance of the eye: by lights that are part of the background, by surfaces */
     lx_bounded *shares;            /* of the sources */
+    struct lx_kept_slot *slot;     /* where what surfaces reflect is left */
 };
 
 static lx_bounded plain(double value)
@@ -259,7 +260,7 @@ static luxel_status reflect(struct rating *rating, luxel_diagnostics *diagnostic
 {
     const luxel_settings *settings = &rating->session->settings;
     struct lx_control control = {.rows = 1, .progress = settings->progress, .data = settings->progress_data};
-    const struct lx_reflecting reflecting = {&control, 1, ask_eye, take_reflected, rating, NULL, NULL, NULL};
+    const struct lx_reflecting reflecting = {&control, 1, ask_eye, take_reflected, rating, rating->slot, NULL, NULL};
     return lx_reflect_places(rating->session, &reflecting, false, diagnostics);
 }
 
@@ -275,7 +276,10 @@ static luxel_status reflect_parts(const luxel_scene *scene, struct rating *ratin
         luxel_settings own = part->settings;
         struct lx_part_progress progress;
         struct lx_session session;
-        struct rating of_part = {.session = &session, .eye = rating->eye, .ambient = rating->ambient};
+        struct rating of_part = {.session = &session,
+                                 .eye = rating->eye,
+                                 .ambient = rating->ambient,
+                                 .slot = lx_scene_reflected_on_plane(part->scene)};
         lx_part_progress_begin(&progress, p, parts.count, &settings, &own);
         status = lx_session_open_world(part->scene, &own, diagnostics, &session);
         if (status == LUXEL_OK)
@@ -341,6 +345,8 @@ luxel_status luxel_find_glare(const luxel_scene *scene, const luxel_settings *se
     if (status != LUXEL_OK)
         return status;
     status = lx_session_open_world(scene, settings, diagnostics, &session);
+    if (status == LUXEL_OK)
+        rating.slot = lx_scene_reflected_on_plane(scene);
     if (status == LUXEL_OK)
         status = refuse_mirrors(&session.prepared, diagnostics);
     if (status == LUXEL_OK && !open_eye(session.prepared.scene, sight, &rating.eye)) {

@@ -372,10 +372,10 @@ static luxel_status compute(struct probing *probing, struct lx_control *control,
             lx_out_of_memory(diagnostics);
     }
     if (status == LUXEL_OK && lx_wants_reflections(probing->session->prepared.scene))
-        status = lx_reflect_places(
-            probing->session,
-            &(struct lx_reflecting){probing->control, count, element_of, take_reflected, probing, NULL, NULL, NULL},
-            false, diagnostics);
+        status = lx_reflect_places(probing->session,
+                                   &(struct lx_reflecting){probing->control, count, element_of, take_reflected, probing,
+                                                           lx_scene_reflected_on_plane(probing->scene), NULL, NULL},
+                                   false, diagnostics);
     return status == LUXEL_OK ? check_values(list, count, diagnostics) : status;
 }
 

@@ -127,23 +127,42 @@ static luxel_status find_places(const struct lx_reflecting *reflecting, struct a
     return LUXEL_OK;
 }
 
+/* Whether the solution that was left by whoever asked before is enough, which the session's world then has. */
+static bool takes_kept(struct lx_session *session, struct lx_kept_slot *slot,
+                       const struct lx_reflected_request *request)
+{
+    struct lx_world *world = &session->world;
+    struct lx_radiosity *own = world->reflected, *kept = lx_reflected_of_places(slot, &request->key);
+    if (!kept)
+        return false;
+    world->reflected = kept;
+    const bool serves = lx_reflected_serves(session, request);
+    world->reflected = serves ? kept : own;
+    lx_reflected_free(serves ? own : kept);
+    return serves;
+}
+
 /* Finds a solution that is exact enough at the places. */
 static luxel_status solve(struct lx_session *session, const struct lx_reflecting *reflecting,
                           const struct asking *asking, unsigned threads)
 {
     struct lx_world *world = &session->world;
+    const struct lx_reflected_key key = reflecting->key ? *reflecting->key : lx_reflected_key_of_places(session);
     const struct lx_reflected_request request = {
         .prepared = world->prepared,
         .kernels = world->kernels,
         .error = lx_reflected_error_of(&session->settings),
         .places = asking->places,
         .place_count = asking->count,
-        .key = reflecting->key ? *reflecting->key : (struct lx_reflected_key){0},
+        .key = key,
         .threads = threads,
         .control = reflecting->control,
+        .within = session->settings.within,
+        .is_enough = session->settings.enough,
     };
     struct lx_radiosity *made = NULL;
-    if (lx_reflected_serves(session, &request))
+    const bool is_shared = session->settings.share_reflected && world->reflected;
+    if (is_shared || takes_kept(session, reflecting->slot, &request) || lx_reflected_serves(session, &request))
         return LUXEL_OK;
     const luxel_status status = lx_reflected_make(&request, &made);
     lx_reflected_free(world->reflected);

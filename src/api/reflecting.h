@@ -25,16 +25,15 @@ struct lx_reflecting {
     /* Takes the irradiance that is reflected to it; called in their order. */
     void (*take)(void *data, size_t i, lx_bounded irradiance);
     void *data;
-    /* They lie in the plane of a grid: where the solution is left for whoever asks next, and with what it was made. */
-    struct lx_kept_slot *slot;
-    const struct lx_reflected_key *key;
+    struct lx_kept_slot *slot;          /* where the solution is left for whoever asks next; NULL: nowhere */
+    const struct lx_reflected_key *key; /* of the plane of a grid that they lie in; NULL: they do not */
     const struct lx_response *response; /* by which light counts; NULL: by the cosine, as irradiance */
 };
 
 /*
  * Finds what is reflected to elements, which the session's world knows from then on: solves for them, unless what it
- * knows is to serve all or is exact enough, or `is_known` says that it was found for the same, and asks at each, in
- * parallel.  LUXEL_OK, LUXEL_CANCELLED, LUXEL_ERROR_MEMORY, which is reported.
+ * knows, or what was left, is to serve all or is exact enough, or `is_known` says that it was found for the same, and
+ * asks at each, in parallel.  LUXEL_OK, LUXEL_CANCELLED, LUXEL_ERROR_MEMORY, which is reported.
  */
 luxel_status lx_reflect_places(struct lx_session *session, const struct lx_reflecting *reflecting, bool is_known,
                                luxel_diagnostics *diagnostics);
@@ -47,8 +46,14 @@ void lx_reflect_elements(const struct lx_world *world, const struct lx_elements 
 static inline bool lx_reflected_serves(const struct lx_session *session, const struct lx_reflected_request *request)
 {
     const struct lx_radiosity *reflected = session->world.reflected;
-    return reflected && (session->settings.share_reflected || lx_reflected_is_reached(reflected, request));
+    return reflected && (session->settings.share_reflected || lx_reflected_is_reached(reflected, request) ||
+                         lx_reflected_is_cut(reflected, request->within, request->is_enough));
 }
+
+/* The key of a solution for any places, and the one that was left in a slot and was made with such, for a plane or not,
+ * to be released; NULL: none. */
+struct lx_reflected_key lx_reflected_key_of_places(const struct lx_session *session);
+struct lx_radiosity *lx_reflected_of_places(struct lx_kept_slot *slot, const struct lx_reflected_key *key);
 
 /* The key of a solution for the plane of the i-th grid, and the solution that the scene keeps, to be released; NULL:
  * none. */

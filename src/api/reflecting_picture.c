@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* Reflected light in pictures: solving for what the picture shows, and adding it to pixels. */
+#include <limits.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -110,6 +111,8 @@ static luxel_status solve(const struct lx_session *session, const struct lx_refl
             .key = *key,
             .threads = threads,
             .control = control,
+            .within = session->settings.within,
+            .is_enough = session->settings.enough,
         };
         status = lx_reflected_make(&request, made);
     }
@@ -135,7 +138,9 @@ static struct lx_reflected_key key_of(const struct lx_session *session)
                                      .error = lx_pictured_error_of(settings),
                                      .tolerance = session->prepared.tolerance,
                                      .kernels = session->kernels,
-                                     .on = session->prepared.on};
+                                     .on = session->prepared.on,
+                                     .within = settings->within,
+                                     .is_asked = settings->enough};
 }
 
 struct lx_radiosity *lx_reflected_of_picture(const luxel_scene *scene, const struct lx_session *session)
@@ -144,11 +149,27 @@ struct lx_radiosity *lx_reflected_of_picture(const luxel_scene *scene, const str
     return find_kept(lx_scene_reflected(scene), &key);
 }
 
-struct lx_reflected_key lx_reflected_key_of_plane(const struct lx_session *session, size_t i)
+struct lx_reflected_key lx_reflected_key_of_places(const struct lx_session *session)
 {
     struct lx_reflected_key key = key_of(session);
-    key.quantity = -1 - (int)i; /* below those of pictures */
+    key.quantity = INT_MIN; /* below those of pictures and planes */
     key.error = lx_reflected_error_of(&session->settings);
+    return key;
+}
+
+struct lx_radiosity *lx_reflected_of_places(struct lx_kept_slot *slot, const struct lx_reflected_key *key)
+{
+    struct lx_kept *kept = slot ? lx_kept_slot_look(slot) : NULL;
+    struct lx_radiosity *found = kept ? lx_reflected_like_kept(kept, key) : NULL;
+    if (!found)
+        lx_kept_release(kept);
+    return found;
+}
+
+struct lx_reflected_key lx_reflected_key_of_plane(const struct lx_session *session, size_t i)
+{
+    struct lx_reflected_key key = lx_reflected_key_of_places(session);
+    key.quantity = -1 - (int)i; /* below those of pictures */
     return key;
 }
 

@@ -19,14 +19,23 @@ static bool tell(double done, void *data)
     return part->progress(part->before + part->share * done, part->data);
 }
 
+static bool tell_bound(double bound, void *data)
+{
+    const struct lx_part_progress *part = data;
+    return part->enough(bound, part->data);
+}
+
 void lx_part_progress_begin(struct lx_part_progress *part, size_t i, size_t count, const luxel_settings *asked,
                             luxel_settings *settings)
 {
-    if (!asked || !asked->progress)
+    if (asked)
+        settings->within = asked->within / (double)count;
+    if (!asked || !(asked->progress || asked->enough))
         return;
-    *part =
-        (struct lx_part_progress){asked->progress, asked->progress_data, (double)i / (double)count, 1 / (double)count};
-    settings->progress = tell;
+    *part = (struct lx_part_progress){asked->progress, asked->enough, asked->progress_data, (double)i / (double)count,
+                                      1 / (double)count};
+    settings->progress = asked->progress ? tell : NULL;
+    settings->enough = asked->enough ? tell_bound : NULL;
     settings->progress_data = part;
 }
 

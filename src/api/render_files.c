@@ -131,7 +131,7 @@ static luxel_status commit_files(struct files *files, struct lx_control *control
     for (size_t i = 0; i < files->count; i++) {
         if (!files->outputs[i])
             continue;
-        control->last = (struct timespec){0}; /* ask now, however short ago it was asked */
+        control->last = 0; /* ask now, however short ago it was asked */
         if (!lx_control_goes_on(control, true))
             return LUXEL_CANCELLED;
         luxel_status status = lx_output_commit(files->outputs[i]);

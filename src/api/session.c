@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* Settings: their defaults and checks, the choice of kernels, and preparing the scene by them. */
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -55,6 +56,8 @@ static luxel_status check_settings(const luxel_settings *settings, luxel_diagnos
     if (!(settings->reflected_error >= 0 && settings->reflected_error < 1))
         status = lx_setting_out_of_range(diagnostics, "reflected_error", settings->reflected_error,
                                          LX_N("from 0 to below 1"));
+    if (!(settings->within >= 0 && settings->within < HUGE_VAL))
+        status = lx_setting_out_of_range(diagnostics, "within", settings->within, LX_N("seconds, 0 for no end"));
     if (settings->stride > MAXIMUM_STRIDE)
         status = lx_setting_out_of_range(diagnostics, "stride", settings->stride, LX_N("0 to 65536"));
     const luxel_status reserved = LX_CHECK_RESERVE(settings, diagnostics);

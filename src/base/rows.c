@@ -4,6 +4,7 @@
  * helps with the shares of others: so the rows of one picture after another stay in the cache of the same processor.
  */
 #include <stdlib.h>
+#include <time.h>
 
 #include "memory.h"
 #include "rows.h"
@@ -31,20 +32,36 @@ struct job {
     unsigned worker_count;
 };
 
+double lx_seconds(void)
+{
+    struct timespec now;
+    clock_gettime(CLOCK_MONOTONIC, &now);
+    return (double)now.tv_sec + (double)now.tv_nsec * 1e-9;
+}
+
+static void look_at_patience(const struct lx_control *control, double now)
+{
+    struct lx_patience *patience = control->patience;
+    if (now >= patience->until || (patience->is_enough && patience->is_enough(patience->bound, control->data)))
+        atomic_store(&patience->is_over, true);
+}
+
 bool lx_control_goes_on(struct lx_control *control, bool is_caller)
 {
-    if (is_caller && control->progress) {
-        struct timespec now;
-        clock_gettime(CLOCK_MONOTONIC, &now);
-        double seconds = difftime(now.tv_sec, control->last.tv_sec);
-        seconds += (double)(now.tv_nsec - control->last.tv_nsec) * 1e-9;
-        if (seconds >= PAUSE) {
+    if (is_caller && (control->progress || control->patience)) {
+        const double now = lx_seconds();
+        if (now - control->last >= PAUSE) {
             control->last = now;
             const double rows = (double)atomic_load(&control->rows_done) / control->rows;
-            if (!control->progress(control->before + (1 - control->before) * rows, control->data))
+            if (control->progress && !control->progress(control->before + (1 - control->before) * rows, control->data))
                 atomic_store(&control->stop, true);
+            if (control->patience)
+                look_at_patience(control, now);
         }
     }
+    const struct lx_patience *patience = control->patience;
+    if (patience && patience->stops && atomic_load_explicit(&patience->is_over, memory_order_relaxed))
+        return false;
     return !atomic_load_explicit(&control->stop, memory_order_relaxed);
 }
 
@@ -126,5 +143,5 @@ bool lx_rows_run_part(struct lx_control *control, unsigned threads, const struct
     for (unsigned i = 1; i < running; i++)
         lx_thread_end(&workers[i].thread);
     free(workers);
-    return !atomic_load(&control->stop);
+    return lx_control_goes_on(control, false);
 }

@@ -9,7 +9,6 @@
 #include <stdatomic.h>
 #include <stdbool.h>
 #include <stddef.h>
-#include <time.h>
 
 #include "effort.h"
 
@@ -20,9 +19,22 @@ struct lx_control {
     unsigned rows;                             /* of the whole work, which may be done in parts */
     bool (*progress)(double done, void *data); /* NULL: none; false stops the work */
     void *data;
-    double before;        /* share of the whole work that was done beside the rows; the calling thread's own */
-    struct timespec last; /* when progress was last reported */
+    double before;                /* share of the whole work that was done beside the rows; the calling thread's own */
+    double last;                  /* when progress was last reported, by lx_seconds() */
+    struct lx_patience *patience; /* NULL: with no end */
 };
+
+/* How long somebody waits for the best of a work that can end with what there is. */
+struct lx_patience {
+    double until;                                /* seconds of the monotonic clock; infinite: no end */
+    bool (*is_enough)(double bound, void *data); /* with the control's data; NULL: nobody is asked */
+    double bound;                                /* of the error, that is reached so far; infinite: none */
+    bool stops;                                  /* then the work stops; else no effort is left for it */
+    atomic_bool is_over;
+};
+
+/* Seconds of the monotonic clock. */
+double lx_seconds(void);
 
 /*
  * Whether the work goes on.  To be asked often, every tenth of a millisecond or so; `is_caller` tells the calling

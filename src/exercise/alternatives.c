@@ -332,10 +332,12 @@ luxel_status lx_choices_value(const struct lx_choices *choices, const size_t *wh
     *found = (struct lx_choice_value){0};
     for (size_t i = 0; status == LUXEL_OK && i < count; i++) {
         const struct lx_choice *choice = &choices->list[which[i]];
+        if (choice->is_present)
+            continue; /* the scene has it, and what was found of its light stands */
         status = apply(scene, choice->assignment, unseen);
         place = choice->place != LX_AT_POINT ? choice->place : place;
     }
-    if (status == LUXEL_OK)
+    if (status == LUXEL_OK && !luxel_scene_is_committed(scene))
         status = luxel_scene_commit(scene, unseen);
     if (status == LUXEL_OK)
         status = luxel_scene_check_view(scene, unseen);

@@ -142,7 +142,7 @@ static bool run_passes(struct lx_iso_search *search, unsigned threads)
 {
     const struct luxel_evaluator *evaluator = search->evaluator;
     for (enum pass pass = evaluator ? SURFACES : EDGES; pass < PASSES; pass++) {
-        struct timespec last = search->control.last;
+        double last = search->control.last;
         search->control = (struct lx_control){.rows = search->rows, .last = last, .data = search};
         search->control.progress = evaluator && evaluator->settings.progress ? report_progress : NULL;
         search->share = pass_share[pass];

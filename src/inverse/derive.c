@@ -295,6 +295,8 @@ luxel_status luxel_derive_places(const luxel_scene *scene, const luxel_settings 
     if (derivation.progress)
         derivation.settings.progress = tell_progress;
     derivation.settings.progress_data = &derivation;
+    derivation.settings.within = 0.0; /* what is differed by is the same each time */
+    derivation.settings.enough = NULL;
     derivation.settings.skip_reflected_pixels = true;
     if (derivation.settings.tolerance == 0.0)
         derivation.settings.tolerance = 1e-11;

@@ -371,6 +371,8 @@ static struct own_fit *begin(const luxel_scene *scene, const luxel_settings *set
     problem->progress_data = problem->settings.progress_data;
     problem->settings.progress = NULL;
     problem->settings.skip_reflected_pixels = true;
+    problem->settings.within = 0.0; /* what is differed by is the same each time */
+    problem->settings.enough = NULL;
     if (problem->settings.reflected_error == 0.0)
         problem->settings.reflected_error = 1e-2;
     *status = luxel_scene_is_committed(scene) ? check_how(readings, diagnostics)

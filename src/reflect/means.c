@@ -123,7 +123,7 @@ size_t lx_reflected_sides(const struct lx_radiosity *reflected, struct lx_lit_si
 /* ---- refinement ---- */
 
 /* The greatest error of a mean, as a share of the greatest mean. */
-bool lx_means_are_reached(const struct lx_radiosity *reflected, const struct lx_reflected_request *request)
+double lx_means_error(const struct lx_radiosity *reflected)
 {
     struct lx_lit_side *sides = lx_new_array(reflected->face_count + 1, sizeof *sides);
     const size_t count = sides ? lx_reflected_sides(reflected, sides) : 0;
@@ -132,8 +132,10 @@ bool lx_means_are_reached(const struct lx_radiosity *reflected, const struct lx_
         error = fmax(error, sides[s].irradiance.error);
         greatest = fmax(greatest, sides[s].irradiance.value);
     }
+    if (!sides)
+        return HUGE_VAL;
     free(sides);
-    return error <= request->error * greatest;
+    return error > 0 ? error / greatest : 0;
 }
 
 /* Each tile counts by what it sends on, and by what it adds to its own side. */

@@ -283,12 +283,13 @@ double lx_parts_arriving(const struct lx_radiosity *reflected, const double *all
     return greatest;
 }
 
-bool lx_parts_are_below(const struct lx_radiosity *reflected, const double *allowed)
+double lx_parts_showing(const struct lx_radiosity *reflected, const double *allowed)
 {
+    double greatest = 0;
     for (size_t p = 0; p < reflected->part_count; p++)
-        if (reflected->parts[p].count == 0 && reflected->parts[p].error > allowed[reflected->parts[p].tile])
-            return false;
-    return true;
+        if (reflected->parts[p].count == 0 && reflected->parts[p].error > 0)
+            greatest = fmax(greatest, reflected->parts[p].error / allowed[reflected->parts[p].tile]);
+    return greatest;
 }
 
 /* ---- what is worst ---- */

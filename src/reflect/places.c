@@ -10,6 +10,7 @@
 #include "links.h"
 #include "refine.h"
 #include "reflected.h"
+#include "within.h"
 
 /* The share that a place has of a tile's light. */
 struct share {
@@ -50,17 +51,22 @@ static int weigh_place(const struct lx_radiosity *reflected, const struct lx_rec
     return failed ? -1 : 0;
 }
 
-bool lx_places_are_reached(const struct lx_radiosity *reflected, const struct lx_reflected_request *request)
+double lx_places_error(const struct lx_radiosity *reflected, const struct lx_reflected_request *request, double most)
 {
     struct lx_occluder_cones cones = {0};
-    bool reached = true;
-    for (size_t p = 0; p < request->place_count && reached; p++) {
+    double greatest = 0;
+    for (size_t p = 0; p < request->place_count && greatest <= most; p++) {
         const struct lx_reflected_place *place = &request->places[p];
+        if (reflected->control && !lx_within_goes_on(reflected)) {
+            greatest = HUGE_VAL;
+            break;
+        }
         const lx_bounded light = lx_reflected_at(reflected, request->prepared, &place->receiver, &cones);
-        reached = light.error <= request->error * (light.value + place->direct);
+        const double value = fmax(light.value + place->direct, 0);
+        greatest = light.error > 0 ? fmax(greatest, light.error / value) : greatest;
     }
     lx_occluder_cones_clear(&cones);
-    return reached;
+    return greatest;
 }
 
 int lx_weigh(const struct lx_radiosity *reflected, const struct lx_reflected_place *places, size_t count,

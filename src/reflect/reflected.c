@@ -40,6 +40,8 @@ static const double NEARBY = 1.0 / 64;
 /* How exact integrals over sources are made that samples of direct light take, as a share of the bound that is wanted:
  * errors of samples count as errors of the direct light. */
 static const double SAMPLED = 1e-3;
+/* Where time may be the end a solution of this bound comes first. */
+static const double QUICK_ERROR = 0.1;
 /* Samples and integrals are no finer for smaller bounds than this. */
 static const double LEAST_ERROR = 1e-5;
 /* The most tiles are so many, and more where few faces have to be asked for each: the work is about as much. */
@@ -89,14 +91,28 @@ struct lx_kept *lx_reflected_kept(struct lx_radiosity *reflected)
     return &reflected->kept;
 }
 
-struct lx_radiosity *lx_reflected_of_kept(struct lx_kept *kept, const struct lx_reflected_key *key)
+struct lx_radiosity *lx_reflected_like_kept(struct lx_kept *kept, const struct lx_reflected_key *key)
 {
     struct lx_radiosity *reflected = (struct lx_radiosity *)kept;
     const struct lx_reflected_key *made = &reflected->key;
-    const bool is_it = made->quantity == key->quantity && made->error == key->error &&
-                       made->tolerance == key->tolerance && made->kernels == key->kernels &&
+    const bool is_it = made->tolerance == key->tolerance && made->kernels == key->kernels &&
                        memcmp(made->on, key->on, reflected->light_count * sizeof *key->on) == 0;
     return is_it ? reflected : NULL;
+}
+
+struct lx_radiosity *lx_reflected_of_kept(struct lx_kept *kept, const struct lx_reflected_key *key)
+{
+    struct lx_radiosity *reflected = lx_reflected_like_kept(kept, key);
+    const bool is_it = reflected && reflected->key.quantity == key->quantity && reflected->key.error == key->error;
+    return is_it && (reflected->cut_within == 0 || lx_reflected_is_cut(reflected, key->within, key->is_asked))
+               ? reflected
+               : NULL;
+}
+
+bool lx_reflected_is_cut(const struct lx_radiosity *reflected, double within, bool is_asked)
+{
+    const double had = reflected->cut_within;
+    return had > 0 && (isfinite(had) ? within > 0 && within <= had : is_asked);
 }
 
 /* ---- direct light ---- */
@@ -283,11 +299,16 @@ lx_bounded lx_reflected_at(const struct lx_radiosity *reflected, const struct lx
 
 /* ---- rounds of refinement ---- */
 
+double lx_reflected_error(const struct lx_radiosity *reflected, const struct lx_reflected_request *request, double most)
+{
+    return request->place_count > 0 ? lx_places_error(reflected, request, most)
+           : request->spots         ? lx_spots_error(reflected, request)
+                                    : lx_means_error(reflected);
+}
+
 bool lx_reflected_is_reached(const struct lx_radiosity *reflected, const struct lx_reflected_request *request)
 {
-    return request->place_count > 0 ? lx_places_are_reached(reflected, request)
-           : request->spots         ? lx_spots_are_reached(reflected, request)
-                                    : lx_means_are_reached(reflected, request);
+    return lx_reflected_error(reflected, request, request->error) <= request->error;
 }
 
 /* Cuts the tiles that matter; false: none, or *failed. */
@@ -356,25 +377,96 @@ static void set_fineness(struct lx_radiosity *reflected)
     reflected->rule = rule_of(reflected);
 }
 
-/* Bounds below what integrals can do are not striven for. */
-static luxel_status work(struct lx_radiosity *reflected, const struct lx_reflected_request *wanted)
+/* Whether the bound is reached.  Where somebody waits, a copy of the solution becomes the best if it is, and no work is
+ * done any more once the time is over; *failed: memory ran out. */
+static bool is_done(const struct lx_radiosity *reflected, const struct lx_reflected_request *request,
+                    struct lx_radiosity **best, bool *failed)
+{
+    struct lx_patience *patience = reflected->control->patience;
+    if (!patience)
+        return lx_reflected_is_reached(reflected, request);
+    const double bound = lx_reflected_error(reflected, request, HUGE_VAL);
+    if (!*best || bound < patience->bound) {
+        lx_reflected_free(*best);
+        *best = lx_reflected_copy(reflected);
+        *failed = !*best;
+    }
+    patience->bound = fmin(patience->bound, bound);
+    patience->stops = true;
+    return bound <= request->error;
+}
+
+/* Bounds below what integrals can do are not striven for.  *best is the best whole solution, where somebody waits: NULL
+ * as long as there is none. */
+static luxel_status work(struct lx_radiosity *reflected, const struct lx_reflected_request *wanted,
+                         struct lx_radiosity **best)
 {
     struct lx_reflected_request within_reach = *wanted;
     within_reach.error = fmax(wanted->error, LEAST_ERROR);
     const struct lx_reflected_request *request = &within_reach;
+    struct lx_patience *patience = reflected->control->patience;
     luxel_status status = light_up(reflected, request);
     set_fineness(reflected);
     for (int round = 0; status == LUXEL_OK; round++) {
         bool failed = false;
         size_t overlapping[2];
         status = solve(reflected, request);
-        if (status != LUXEL_OK || lx_reflected_is_reached(reflected, request))
-            return status;
+        if (status != LUXEL_OK || (is_done(reflected, request, best, &failed) && !failed))
+            break;
+        if (failed || (patience && atomic_load(&patience->is_over)))
+            return failed ? LUXEL_ERROR_MEMORY : LUXEL_CANCELLED;
         const int most = lx_reflected_overlaps(reflected, overlapping) ? FEW_ROUNDS : MOST_ROUNDS;
-        if (round == most || !refine(reflected, request, &failed))
-            return failed ? LUXEL_ERROR_MEMORY : request->spots ? lx_spots_show(reflected, request, true) : LUXEL_OK;
+        if (round == most || !refine(reflected, request, &failed)) {
+            status = failed ? LUXEL_ERROR_MEMORY : request->spots ? lx_spots_show(reflected, request, true) : LUXEL_OK;
+            break;
+        }
         status = sample(reflected);
     }
+    return status;
+}
+
+/* A coarse solution for the same, before the one that is wanted has its first. */
+static luxel_status begin_quickly(const struct lx_reflected_request *request, struct lx_radiosity **best)
+{
+    struct lx_reflected_request quick = *request;
+    struct lx_radiosity *made = NULL;
+    const double before = request->control->before;
+    quick.error = QUICK_ERROR;
+    luxel_status status = lx_reflected_begin(&quick, &made);
+    if (status == LUXEL_OK)
+        status = work(made, &quick, best);
+    lx_reflected_free(made);
+    request->control->before = before;
+    return status;
+}
+
+/* Works until the bound is reached or somebody has waited for long enough. */
+static luxel_status wait(struct lx_radiosity **made, const struct lx_reflected_request *request)
+{
+    struct lx_patience patience = {.until = request->within > 0 ? lx_seconds() + request->within : HUGE_VAL,
+                                   .is_enough = request->is_enough,
+                                   .bound = HUGE_VAL};
+    struct lx_radiosity *best = NULL;
+    request->control->patience = &patience;
+    luxel_status status = LUXEL_OK;
+    if (request->within > 0 && request->error < QUICK_ERROR)
+        status = begin_quickly(request, &best);
+    if (status == LUXEL_OK)
+        status = work(*made, request, &best);
+    request->control->patience = NULL;
+    const bool is_over = atomic_load(&patience.is_over);
+    if (status == LUXEL_CANCELLED && is_over && best && lx_control_goes_on(request->control, true)) {
+        status = LUXEL_OK;
+        lx_reflected_free(*made);
+        *made = best;
+        best = NULL;
+    }
+    if (is_over && patience.bound > request->error) {
+        (*made)->cut_within = lx_seconds() < patience.until ? HUGE_VAL : request->within;
+        if (request->is_enough)
+            request->is_enough(patience.bound, request->control->data);
+    }
+    lx_reflected_free(best);
     return status;
 }
 
@@ -436,10 +528,13 @@ luxel_status lx_reflected_make(const struct lx_reflected_request *request, struc
 {
     luxel_status status = lx_reflected_begin(request, made);
     struct lx_radiosity *reflected = *made;
-    if (status == LUXEL_OK)
-        status = work(reflected, request);
+    if (status == LUXEL_OK && (request->within > 0 || request->is_enough))
+        status = wait(&reflected, request);
+    else if (status == LUXEL_OK)
+        status = work(reflected, request, NULL);
     if (!reflected)
         return status;
+    *made = reflected;
     lx_within_tell(reflected, 1);
     forget_rows(reflected);
     reflected->prepared = reflected->sampling.world.prepared = NULL;

@@ -29,6 +29,13 @@ void lx_reflected_free(struct lx_radiosity *reflected);
 struct lx_kept *lx_reflected_kept(struct lx_radiosity *reflected);
 struct lx_radiosity *lx_reflected_of_kept(struct lx_kept *kept, const struct lx_reflected_key *key);
 
+/* So, too, whatever it was made for, and for whatever bound. */
+struct lx_radiosity *lx_reflected_like_kept(struct lx_kept *kept, const struct lx_reflected_key *key);
+
+/* Whether time or a wish was the end of a solution, and would be again for somebody who waits so many seconds (0:
+ * without end), or is asked whether it is enough. */
+bool lx_reflected_is_cut(const struct lx_radiosity *reflected, double within, bool is_asked);
+
 /* The receiver of an element. */
 struct lx_receiver lx_receiver_of(const struct lx_prepared *prepared, const struct lx_element *element);
 
@@ -37,6 +44,11 @@ struct lx_receiver lx_receiver_of(const struct lx_prepared *prepared, const stru
 enum { LX_MOST_RECEIVERS = 2 };
 size_t lx_receivers_of(const struct lx_prepared *prepared, const struct lx_element *element,
                        const struct lx_response *response, struct lx_receiver receivers[LX_MOST_RECEIVERS]);
+
+/* What a request bounds, as it bounds it: the greatest error of places, of spots or of means.  Where that of a place is
+ * above `most`, any such. */
+double lx_reflected_error(const struct lx_radiosity *reflected, const struct lx_reflected_request *request,
+                          double most);
 
 /* Whether the errors at places, which are in the request, are small enough. */
 bool lx_reflected_is_reached(const struct lx_radiosity *reflected, const struct lx_reflected_request *request);

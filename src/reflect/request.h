@@ -13,6 +13,8 @@ struct lx_reflected_key {
     double error, tolerance;
     const void *kernels;
     const bool *on; /* which lights give light; in the key of a solution its own */
+    double within;  /* seconds that it may take; 0: no end */
+    bool is_asked;  /* somebody may say that it is enough */
 };
 
 /* A place whose reflected light is wanted, and how large the error may be beside what is reflected: the direct
@@ -42,6 +44,8 @@ struct lx_reflected_request {
     size_t effort; /* that the work may take, and little more; 0: a minute or two of one core (base/effort.h) */
     unsigned threads;
     struct lx_control *control;
+    double within;                               /* seconds after which the best so far is taken; 0: no end */
+    bool (*is_enough)(double bound, void *data); /* so, too, once this is true (base/rows.h); NULL */
 };
 
 #endif

@@ -60,6 +60,7 @@ struct lx_radiosity {
     size_t part_count, part_capacity;
     struct lx_effort effort;   /* of all work */
     double begun;              /* what the control said was done before it */
+    double cut_within;         /* seconds that it had, if time was the end; infinite: a wish was; 0: neither */
     struct lx_effort *efforts; /* of the pieces of a work (within.h) */
     size_t effort_capacity;
     size_t *order; /* of tiles, in which they are worked on */
@@ -72,6 +73,9 @@ struct lx_radiosity {
  * lx_reflected_free() in any case.  LUXEL_OK or LUXEL_ERROR_MEMORY. */
 luxel_status lx_reflected_begin(const struct lx_reflected_request *request, struct lx_radiosity **made);
 
+/* A copy of what a solution under way has found, for whoever asks at places; NULL: memory ran out. */
+struct lx_radiosity *lx_reflected_copy(const struct lx_radiosity *reflected);
+
 /* Faces and tiles of the scene at first, without light; 0, or -1 when memory ran out. */
 int lx_tiling_make(struct lx_radiosity *reflected);
 /* Faces that have light or see another stay. */
@@ -79,8 +83,8 @@ int lx_tiling_drop(struct lx_radiosity *reflected, const bool *is_lit);
 /* Whether one face may send light to the other. */
 bool lx_faces_meet(const struct lx_matte_face *a, const struct lx_matte_face *b);
 
-/* For places: whether all of them have errors as small as wished; how much each tile matters, 0 or -1. */
-bool lx_places_are_reached(const struct lx_radiosity *reflected, const struct lx_reflected_request *request);
+/* For places: the greatest bound of their errors, as requests ask for it; where one is above `most`, any such. */
+double lx_places_error(const struct lx_radiosity *reflected, const struct lx_reflected_request *request, double most);
 /* Which tiles are to be cut for them; 1: some, 0: none, -1: memory ran out. */
 int lx_places_cut(const struct lx_radiosity *reflected, const struct lx_reflected_request *request, bool *cuts);
 
@@ -92,21 +96,22 @@ void lx_parts_clear(struct lx_radiosity *reflected);
 luxel_status lx_parts_refine(struct lx_radiosity *reflected, const double *allowed);
 /* The greatest share of what is allowed that arrives anywhere. */
 double lx_parts_arriving(const struct lx_radiosity *reflected, const double *allowed);
-bool lx_parts_are_below(const struct lx_radiosity *reflected, const double *allowed);
+/* The greatest share of it that parts show. */
+double lx_parts_showing(const struct lx_radiosity *reflected, const double *allowed);
 /* Sets places at which more error arrives than a share of what is allowed, the worst ones of them; how many, or -1. */
 int lx_parts_worst(const struct lx_radiosity *reflected, const double *allowed, double share, size_t most,
                    struct lx_reflected_place *places);
 /* The reflected irradiance on a tile, at coordinates of its face. */
 lx_bounded lx_parts_value(const struct lx_radiosity *reflected, size_t tile, const double at[2]);
 
-/* Whether the parts do for what a picture shows, and which groups are to be cut for it. */
-bool lx_spots_are_reached(const struct lx_radiosity *reflected, const struct lx_reflected_request *request);
+/* What the parts have of errors in what a picture shows, as above, and which groups are to be cut for it. */
+double lx_spots_error(const struct lx_radiosity *reflected, const struct lx_reflected_request *request);
 int lx_spots_cut(const struct lx_radiosity *reflected, const struct lx_reflected_request *request, bool *cuts);
 /* Parts for it, if what arrives of errors lets it be reached by them, or anyway. */
 luxel_status lx_spots_show(struct lx_radiosity *reflected, const struct lx_reflected_request *request, bool anyway);
 
-/* Whether they do for the means of all sides, and which groups are to be cut for those. */
-bool lx_means_are_reached(const struct lx_radiosity *reflected, const struct lx_reflected_request *request);
+/* What the means of all sides have, and which groups are to be cut for those. */
+double lx_means_error(const struct lx_radiosity *reflected);
 int lx_means_cut(const struct lx_radiosity *reflected, const struct lx_reflected_request *request, bool *cuts);
 
 /* Sets how much the residual of each tile matters: by what the places see of it, and by its share of all.  0, or -1. */

@@ -351,5 +351,5 @@ luxel_status lx_reflected_solve(struct lx_radiosity *reflected)
     free(solving.sights);
     if (whole && has_room)
         return LUXEL_OK;
-    return atomic_load(&reflected->control->stop) ? LUXEL_CANCELLED : LUXEL_ERROR_MEMORY;
+    return lx_control_goes_on(reflected->control, false) ? LUXEL_ERROR_MEMORY : LUXEL_CANCELLED;
 }

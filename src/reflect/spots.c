@@ -169,12 +169,12 @@ static double *find_allowed(const struct lx_radiosity *reflected, const struct l
     return allowed;
 }
 
-bool lx_spots_are_reached(const struct lx_radiosity *reflected, const struct lx_reflected_request *request)
+double lx_spots_error(const struct lx_radiosity *reflected, const struct lx_reflected_request *request)
 {
     double *allowed = find_allowed(reflected, request);
-    const bool reached = allowed && lx_parts_are_below(reflected, allowed);
+    const double error = allowed ? request->error * lx_parts_showing(reflected, allowed) : HUGE_VAL;
     free(allowed);
-    return reached;
+    return error;
 }
 
 luxel_status lx_spots_show(struct lx_radiosity *reflected, const struct lx_reflected_request *request, bool anyway)

@@ -22,9 +22,17 @@ void lx_within_tell(const struct lx_radiosity *reflected, double done)
     reflected->control->before = reflected->begun + SOLVING * (1 - reflected->begun) * fmin(done, 1);
 }
 
+bool lx_within_goes_on(const struct lx_radiosity *reflected)
+{
+    struct lx_control *control = reflected->control;
+    return lx_control_goes_on(control, true) && !(control->patience && atomic_load(&control->patience->is_over));
+}
+
 luxel_status lx_within_run(struct lx_radiosity *reflected, const struct lx_within *within)
 {
     struct lx_effort *all = &reflected->effort;
+    const struct lx_patience *patience = reflected->control->patience;
+    const atomic_bool *over = patience ? &patience->is_over : NULL;
     const size_t left = all->most > all->done ? all->most - all->done : 0;
     const size_t limit = all->done + (size_t)(within->share * (double)left), most = all->most / SHARE_OF_ONE;
     if (lx_reserve(&reflected->efforts, &reflected->effort_capacity, within->count, sizeof *reflected->efforts))
@@ -32,7 +40,7 @@ luxel_status lx_within_run(struct lx_radiosity *reflected, const struct lx_withi
     for (size_t first = 0; first < within->count; first += AT_ONCE) {
         const size_t last = within->count - first < AT_ONCE ? within->count : first + AT_ONCE;
         for (size_t i = first; i < last; i++)
-            reflected->efforts[i] = (struct lx_effort){.most = all->done < limit ? most : 0};
+            reflected->efforts[i] = (struct lx_effort){.most = all->done < limit ? most : 0, .over = over};
         const struct lx_rows_part part = {.first = (unsigned)first,
                                           .last = (unsigned)last,
                                           .tile_rows = 1,

@@ -26,6 +26,9 @@ struct lx_within {
  * depend on threads.  LUXEL_OK, LUXEL_ERROR_MEMORY or LUXEL_CANCELLED. */
 luxel_status lx_within_run(struct lx_radiosity *reflected, const struct lx_within *within);
 
+/* Whether the work goes on, as the calling thread asks: nobody wishes it to stop, nor is its end reached. */
+bool lx_within_goes_on(const struct lx_radiosity *reflected);
+
 /* Tells the control what share of a solution is done: by effort, of which less than all may be taken. */
 void lx_within_tell(const struct lx_radiosity *reflected, double done);
 

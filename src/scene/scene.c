@@ -112,6 +112,15 @@ luxel_status luxel_scene_read_file(const char *path, luxel_diagnostics *diagnost
 
 static luxel_status commit(luxel_scene *scene, luxel_diagnostics *diagnostics);
 
+/* What is kept in one slot is in another one, too; NULL: there is none. */
+static void share_slot(struct lx_kept_slot *from, struct lx_kept_slot *to)
+{
+    struct lx_kept *kept = from && to ? lx_kept_slot_look(from) : NULL;
+    if (kept)
+        lx_kept_slot_put(to, kept);
+    lx_kept_release(kept);
+}
+
 luxel_scene *luxel_scene_copy(const luxel_scene *scene)
 {
     luxel_scene *copy = scene && !scene->is_ahead ? lx_new_array(1, sizeof *copy) : NULL;
@@ -126,10 +135,8 @@ luxel_scene *luxel_scene_copy(const luxel_scene *scene)
     }
     copy->compact_bytes = lx_document_bytes(&copy->document);
     copy->carried = scene->carried;
-    struct lx_kept *reflected = scene->reflected && copy->reflected ? lx_kept_slot_look(scene->reflected) : NULL;
-    if (reflected)
-        lx_kept_slot_put(copy->reflected, reflected);
-    lx_kept_release(reflected);
+    share_slot(scene->reflected, copy->reflected);
+    share_slot(scene->reflected_on_plane, copy->reflected_on_plane);
     return copy;
 }
 

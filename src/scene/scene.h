@@ -120,7 +120,7 @@ const char *lx_foreign_law(const struct lx_item *light);
 
 /* A place to keep what the surfaces of a committed scene reflect, for whoever asks next; NULL: there is none. */
 struct lx_kept_slot *lx_scene_reflected(const luxel_scene *scene);
-/* A place to keep what they reflect to the measuring plane that was asked for last. */
+/* A place to keep what they reflect to the measuring plane, or the places, that were asked for last. */
 struct lx_kept_slot *lx_scene_reflected_on_plane(const luxel_scene *scene);
 
 /* The decoded parameters of a committed scene, NULL before; they live until the scene changes. */

@@ -72,6 +72,23 @@ def test_skipped_pixels(tap, tool):
               "without reflected light it takes none, and is told")
 
 
+def test_within(tap, tool):
+    """An end by the clock: bounds that hold, and nothing else where it comes late."""
+    place, plain = ([1000, -2000, 2500], [0, 1, 0]), luxel.Scene(ROOM)
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", luxel.LuxelWarning)
+        whole = plain.probe_element(*place, reflected_error=0.1)
+        late = luxel.Scene(ROOM).probe_element(*place, reflected_error=0.1, within=1e5)
+        ended = luxel.Scene(ROOM).probe_element(*place, reflected_error=1e-4, within=1e-9)
+        picture = luxel.Scene(ROOM).render(reflected_error=1e-4, within=1e-9)
+    tap.equal((late.value, late.error), (whole.value, whole.error), "late")
+    tap.ok(1e-4 * ended.value < ended.error and abs(ended.value - whole.value) <= ended.error + whole.error, "at once",
+           (ended, whole))
+    tap.ok(picture.statistics.reflected_error > 1e-4, "a picture", picture.statistics)
+    for wrong in (-1, float("inf"), float("nan")):
+        tap.ok(raises(luxel.LuxelValueError, plain.render, within=wrong), "%s s are refused" % wrong)
+
+
 def test_tool(tap, tool):
     for name, text in (("a room", ROOM), ("a ball", BALL)):
         scene = luxel.Scene(text)
@@ -139,4 +156,4 @@ def test_ways(tap, tool):
         luxel.set_language("en")
 
 
-run_tests(Tap(), test_exchange, test_measures, test_tool, test_truth, test_ways, test_skipped_pixels)
+run_tests(Tap(), test_exchange, test_measures, test_tool, test_truth, test_ways, test_skipped_pixels, test_within)
