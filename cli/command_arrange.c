@@ -139,8 +139,7 @@ static const char *text_spacings(const luxel_layout *layout, char buffer[TEXT_SI
 static void print_table(const struct arranged *arranged, const luxel_layout *layouts, size_t count)
 {
     enum { FIXED = 5 };
-    const size_t limits =
-        layouts[0].limit_count < TEXT_COLUMNS - FIXED ? layouts[0].limit_count : TEXT_COLUMNS - FIXED;
+    const size_t limits = layouts[0].limit_count < TEXT_COLUMNS - FIXED ? layouts[0].limit_count : TEXT_COLUMNS - FIXED;
     char alignment[TEXT_COLUMNS + 1] = "rrrrr", texts[TEXT_COLUMNS][TEXT_SIZE];
     const char *cells[TEXT_COLUMNS] = {_("luminaires"), _("columns × rows"), _("spacing, mm"),
                                        arranged->options->arrange.dims ? _("dimmed to") : "", _("reserve")};
@@ -148,8 +147,7 @@ static void print_table(const struct arranged *arranged, const luxel_layout *lay
 
     for (size_t k = 0; k < limits; k++) {
         alignment[FIXED + k] = 'l';
-        cells[FIXED + k] =
-            text_head(arranged, &layouts[0].limits[k], names_differ(&layouts[0]), texts[FIXED + k]);
+        cells[FIXED + k] = text_head(arranged, &layouts[0].limits[k], names_differ(&layouts[0]), texts[FIXED + k]);
     }
     table = text_table_new(alignment);
     text_table_row(table, cells);
@@ -276,12 +274,12 @@ const struct command command_arrange = {
     .operand = N_("SCENE"),
     .endings = ".yaml .yml .json",
     .summary = N_("find how many luminaires, and how far apart, reach goals"),
-    .description =
-        N_("Finds numbers of columns and rows, and spacings, of a light with the key array that reach the scene's limits "
-           "and the goals of --goal with the fewest luminaires, and with --dimming the least power. Walls, furniture, "
-           "other lights and reflected light count. Several layouts are offered, and of fewer luminaires the nearest "
-           "are told with what they miss; -o writes the scene of the first. The exit code is 1 where no layout is found. "
-           "The light is the only one with an array, or that of --lights."),
+    .description = N_(
+        "Finds numbers of columns and rows, and spacings, of a light with the key array that reach the scene's limits "
+        "and the goals of --goal with the fewest luminaires, and with --dimming the least power. Walls, furniture, "
+        "other lights and reflected light count. Several layouts are offered, and of fewer luminaires the nearest "
+        "are told with what they miss; -o writes the scene of the first. The exit code is 1 where no layout is found. "
+        "The light is the only one with an array, or that of --lights."),
     .examples = "luxel arrange room.yaml --goal 'average>=500' --goal 'U0>=0.6'\n"
                 "luxel arrange room.yaml --goal 'ugr<=19' --dimming -o arranged.yaml\n"
                 "luxel arrange -s 'grids[0].limits.average=500' room.yaml --json",

@@ -149,7 +149,6 @@ struct option_row {
     const char *help;
 };
 
-
 /* Takes the word of --format as one of option_formats; reports another. */
 bool options_take_document_format(struct options *options);
 

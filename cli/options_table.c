@@ -113,17 +113,6 @@ static bool take_free(struct options *options, const char *argument)
     return true;
 }
 
-static bool take_goal(struct options *options, const char *argument)
-{
-    options->arrange.goals[options->arrange.goal_count++] = argument;
-    return true;
-}
-
-static bool take_most(struct options *options, const char *argument)
-{
-    return argument_whole("--most", argument, 1, 10000, &options->arrange.most);
-}
-
 static bool take_purpose(struct options *options, const char *argument)
 {
     return argument_word("--for", argument, purpose_words, &options->drawing.purpose);
@@ -373,9 +362,8 @@ enum {
                COMMAND_COMPARE | COMMAND_FIGURE | COMMAND_REPORT | COMMAND_GRID,
     MEASURING = COMMAND_RENDER | COMMAND_PROBE | COMMAND_GRID | COMMAND_STATS | COMMAND_PROFILE | COMMAND_ISOPHOTES |
                 COMMAND_COMPARE,
-    COMPUTING =
-        PICTURES | COMMAND_GRADE | COMMAND_GLARE | COMMAND_DERIVE | COMMAND_FIT | COMMAND_EXCHANGE | COMMAND_DAYLIGHT |
-        COMMAND_ARRANGE,
+    COMPUTING = PICTURES | COMMAND_GRADE | COMMAND_GLARE | COMMAND_DERIVE | COMMAND_FIT | COMMAND_EXCHANGE |
+                COMMAND_DAYLIGHT | COMMAND_ARRANGE,
     SCENES = PICTURES | COMMAND_CHECK | COMMAND_ADVISE | COMMAND_SCENE | COMMAND_SET | COMMAND_VARIANT | COMMAND_GLARE |
              COMMAND_DERIVE | COMMAND_FIT | COMMAND_EXCHANGE | COMMAND_DAYLIGHT | COMMAND_ARRANGE,
     WRITING = COMMAND_RENDER | COMMAND_PROBE | COMMAND_GRID | COMMAND_SET | COMMAND_PROFILE | COMMAND_ISOPHOTES |
@@ -386,7 +374,8 @@ enum {
 };
 
 static const struct option_row rows[] = {
-    {"output", 'o', N_("FILE"), WRITING | COMMAND_SWEEP | COMMAND_FIT | COMMAND_ARRANGE, TAKES(take_output), .value = VALUE_OUTPUT,
+    {"output", 'o', N_("FILE"), WRITING | COMMAND_SWEEP | COMMAND_FIT | COMMAND_ARRANGE, TAKES(take_output),
+     .value = VALUE_OUTPUT,
      .help =
          N_("write the result to FILE, in the format given by its extension; may be repeated (luxel sweep: the folder "
             "to fill)")},
@@ -438,14 +427,12 @@ static const struct option_row rows[] = {
          "or (0, 0, 1) where it has none")},
     {"limits", 0, NULL, COMMAND_GRID, SETS(judges),
      .help = N_("rate the glare of the scene's observers, too, and end with 1 unless all limits are kept for certain")},
-    {"goal", 0, N_("GOAL"), COMMAND_ARRANGE, TAKES(take_goal),
-     .help = N_("what is to be reached beside the scene's limits: average>=500, minimum>=200, U0>=0.6, maximum<=2000, "
-                "ratio>=0.1 or ugr<=19, and before it the name of a grid where there are several, as in desk:U0>=0.6; "
-                "may be repeated")},
-    {"dimming", 0, NULL, COMMAND_ARRANGE, SETS(arrange.dims),
-     .help = N_("let all luminaires be dimmed alike, for the least power")},
-    {"most", 0, N_("N"), COMMAND_ARRANGE, TAKES(take_most),
-     .help = N_("try no more than N luminaires; the default is 100")},
+    {"goal", 0, N_("GOAL"), COMMAND_ARRANGE, TAKES(arrange_take_goal),
+     .help =
+         N_("beside the scene's limits: average>=500, U0>=0.6, minimum>=200, maximum<=2000, ratio>=0.1, ugr<=19; of "
+            "several grids NAME:average>=500; may be repeated")},
+    {"dimming", 0, NULL, COMMAND_ARRANGE, SETS(arrange.dims), .help = N_("dim all alike, for the least power")},
+    {"most", 0, N_("N"), COMMAND_ARRANGE, TAKES(arrange_take_most), .help = N_("luminaires to try, usually to 100")},
     {"file", 0, N_("LAMP"), COMMAND_ROOM, KEEPS(room.file), .value = VALUE_FILE,
      .help = N_("the photometry file of the luminaires, .ies or .ldt")},
     {"array", 0, N_("N,M"), COMMAND_ROOM, TAKES(room_take_array), .help = N_("N columns along x and M rows along y")},

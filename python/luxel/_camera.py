@@ -15,8 +15,8 @@ if TYPE_CHECKING:
 class Camera(NamedTuple):
     """A pinhole camera without distortion: a place X of the scene is seen at the pixel K (R X + t), over its third.
 
-    The camera looks along its z axis, x runs to the right and y down; lengths are mm.  Pixel (0, 0) is the middle of the
-    one at the top left.
+    The camera looks along its z axis, x runs to the right and y down; lengths are mm.  Pixel (0, 0) is the middle of
+    the one at the top left.
     """
 
     K: "Floats"  #: 3 x 3
@@ -45,8 +45,8 @@ class Camera(NamedTuple):
             raise ValueError("K: pixels that are square and without skew are expected, not %g, %g and skew %g" %
                              (K[0, 0], K[1, 1], K[0, 1]))
         if abs(K[0, 2] - middle[0]) > 1e-6 * columns or abs(K[1, 2] - middle[1]) > 1e-6 * rows:
-            raise ValueError("K: the axis is expected in the middle of the picture, (%g, %g), not at (%g, %g): crop or pad"
-                             " it" % (middle + (K[0, 2], K[1, 2])))
+            raise ValueError("K: the axis is expected in the middle of the picture, (%g, %g), not at (%g, %g): "
+                             "crop or pad it" % (middle + (K[0, 2], K[1, 2])))
         depth = float(self.t[2]) if self.t[2] > 0 else 1000.0
         distance = screen_width * K[0, 0] / columns if screen_width else depth
         position = -self.R.T @ floats(self.t)

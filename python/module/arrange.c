@@ -28,10 +28,10 @@ static PyObject *layouts_list(PyObject *module, const luxel_arrangement *found, 
     for (size_t i = 0; list && i < count; i++) {
         const luxel_layout *layout = &layouts[i];
 
-        if (append(list, Py_BuildValue("((II)(dd)ddNN)", layout->n[0], layout->n[1], layout->spacing_mm[0],
-                                       layout->spacing_mm[1], layout->dimming, layout->reserve, limits_of(layout),
-                                       scene_handle(module, luxel_scene_copy(luxel_arrangement_scene(found, layout))))) <
-            0)
+        if (append(list,
+                   Py_BuildValue("((II)(dd)ddNN)", layout->n[0], layout->n[1], layout->spacing_mm[0],
+                                 layout->spacing_mm[1], layout->dimming, layout->reserve, limits_of(layout),
+                                 scene_handle(module, luxel_scene_copy(luxel_arrangement_scene(found, layout))))) < 0)
             Py_CLEAR(list);
     }
     return list;
@@ -67,10 +67,10 @@ static PyObject *arrange(PyObject *module, PyObject *arguments)
     work_return(&work);
     PyMem_Free(goals);
     if (diagnostics_end(&module_state(module)->language, status, diagnostics))
-        result = Py_BuildValue("(nNNInn)", (Py_ssize_t)found->light,
-                               layouts_list(module, found, found->found, found->count),
-                               layouts_list(module, found, found->missed, found->missed_count), found->fewest,
-                               (Py_ssize_t)found->tried, (Py_ssize_t)found->computed);
+        result =
+            Py_BuildValue("(nNNInn)", (Py_ssize_t)found->light, layouts_list(module, found, found->found, found->count),
+                          layouts_list(module, found, found->missed, found->missed_count), found->fewest,
+                          (Py_ssize_t)found->tried, (Py_ssize_t)found->computed);
     luxel_arrangement_free(found);
     return result;
 }

@@ -52,8 +52,8 @@ struct arranging {
     double done;
     struct own_arrangement *made;
     struct lx_superposition superposition;
-    size_t capacity, found; /* how many computed ones reach the goals */
-    struct lx_layout *tried; /* the best spacings of each array */
+    size_t capacity, found;       /* how many computed ones reach the goals */
+    struct lx_lamp_layout *tried; /* the best spacings of each array */
     size_t tried_capacity;
     bool reflects;
     double near; /* arrays whose sums come to so much of the goals are computed */
@@ -119,9 +119,8 @@ static luxel_status find_named(const struct lx_list *lights, const bool *on, con
         if (!is_named(&lights->items[i], i, name))
             continue;
         *light = i;
-        if (!can_be_arranged(&lights->items[i]))
-            return lx_refuse(diagnostics, LX_MSG_ARRANGE_FIXED, LX_ARGS(name, lights->items[i].variant->name));
-        return on[i] ? LUXEL_OK : lx_refuse(diagnostics, LX_MSG_ARRANGE_OFF, LX_ARGS(name));
+        if (on[i] && can_be_arranged(&lights->items[i]))
+            return LUXEL_OK;
     }
     return lx_refuse(diagnostics, LX_MSG_ARRANGE_NOT_LIGHT, LX_ARGS(name));
 }
@@ -188,8 +187,7 @@ static luxel_status judge_observers(struct arranging *arranging, const luxel_sce
         if (status == LUXEL_OK)
             status = luxel_judge_glare(scene, i, glare, judged, &count);
         for (size_t k = 0; status == LUXEL_OK && k < count; k++)
-            limits[told->limit_count++] =
-                (luxel_layout_limit){.is_observer = true, .index = i, .limit = judged[k]};
+            limits[told->limit_count++] = (luxel_layout_limit){.is_observer = true, .index = i, .limit = judged[k]};
         luxel_glare_free(glare);
     }
     return status;
@@ -200,8 +198,8 @@ static luxel_status judge_scene(struct arranging *arranging, const luxel_scene *
                                 luxel_layout *told, luxel_layout_limit *limits)
 {
     told->limit_count = 0;
-    luxel_status status = lx_measure_goals(&arranging->superposition, scene, settings, arranging->values, limits,
-                                           &told->limit_count);
+    luxel_status status =
+        lx_measure_goals(&arranging->superposition, scene, settings, arranging->values, limits, &told->limit_count);
     if (status == LUXEL_OK)
         status = judge_observers(arranging, scene, settings, told, limits);
     told->reaches = true;
@@ -217,7 +215,7 @@ static luxel_status judge_scene(struct arranging *arranging, const luxel_scene *
 }
 
 /* Computes the scene of a layout, as well as it takes to decide, and corrects the sums by it. */
-static luxel_status compute(struct arranging *arranging, const struct lx_layout *layout, struct computed *computed)
+static luxel_status compute(struct arranging *arranging, const struct lx_lamp_layout *layout, struct computed *computed)
 {
     struct lx_superposition *superposition = &arranging->superposition;
     const luxel_scene *goals = arranging->made->goals;
@@ -249,7 +247,7 @@ static luxel_status compute(struct arranging *arranging, const struct lx_layout 
 }
 
 /* Computes a layout and keeps it. */
-static luxel_status keep(struct arranging *arranging, const struct lx_layout *layout, struct computed **kept)
+static luxel_status keep(struct arranging *arranging, const struct lx_lamp_layout *layout, struct computed **kept)
 {
     struct own_arrangement *made = arranging->made;
     const size_t count = made->arrangement.computed;
@@ -271,20 +269,20 @@ static void drop_last(struct arranging *arranging)
     luxel_scene_free(last->scene);
 }
 
-static bool is_same(const struct lx_layout *a, const struct lx_layout *b)
+static bool is_same(const struct lx_lamp_layout *a, const struct lx_lamp_layout *b)
 {
     return a->array.spacing_mm[0] == b->array.spacing_mm[0] && a->array.spacing_mm[1] == b->array.spacing_mm[1] &&
            a->dimming == b->dimming;
 }
 
-static struct lx_layout find_again(struct arranging *arranging, const struct lx_layout *layout)
+static struct lx_lamp_layout find_again(struct arranging *arranging, const struct lx_lamp_layout *layout)
 {
     return lx_layout_find(&arranging->superposition, arranging->wanted, layout->array.n[0], layout->array.n[1],
                           arranging->room);
 }
 
 /* Computes an array with the spacings that are best as far as is known, and anew with what was learned by that. */
-static luxel_status consider(struct arranging *arranging, struct lx_layout *layout)
+static luxel_status consider(struct arranging *arranging, struct lx_lamp_layout *layout)
 {
     luxel_status status = LUXEL_OK;
     for (int i = 0; i < TRIES && status == LUXEL_OK; i++) {
@@ -292,7 +290,7 @@ static luxel_status consider(struct arranging *arranging, struct lx_layout *layo
         status = keep(arranging, layout, &computed);
         if (status != LUXEL_OK || computed->layout.reaches)
             break;
-        struct lx_layout other = find_again(arranging, layout);
+        struct lx_lamp_layout other = find_again(arranging, layout);
         if (computed->layout.reserve < 1 && other.reserve < computed->layout.reserve + 1e-4)
             break;
         for (size_t k = 0; k < computed->layout.limit_count; k++) /* what the bounds leave undecided takes more light */
@@ -325,13 +323,12 @@ static bool is_even(const struct lx_superposition *superposition, unsigned colum
 static int compare_numbers(const unsigned first[2], const unsigned second[2])
 {
     const unsigned counts[2] = {number_of(first), number_of(second)};
-    return counts[0] != counts[1] ? (counts[0] < counts[1] ? -1 : 1)
-                                  : (first[0] < second[0]) - (first[0] > second[0]);
+    return counts[0] != counts[1] ? (counts[0] < counts[1] ? -1 : 1) : (first[0] < second[0]) - (first[0] > second[0]);
 }
 
 static int compare_scores(const void *a, const void *b)
 {
-    const struct lx_layout *first = a, *second = b;
+    const struct lx_lamp_layout *first = a, *second = b;
     const int order = (first->score < second->score) - (first->score > second->score);
     return order != 0 ? order : compare_numbers(first->array.n, second->array.n);
 }
@@ -350,15 +347,14 @@ static luxel_status try_count(struct arranging *arranging, unsigned count)
         if (lx_reserve(&arranging->tried, &arranging->tried_capacity, arrangement->tried + 1,
                        sizeof *arranging->tried) != 0)
             return lx_out_of_memory(arranging->diagnostics);
-        arranging->tried[arrangement->tried++] = lx_layout_find(&arranging->superposition, arranging->wanted, columns,
-                                                                rows, arranging->room);
+        arranging->tried[arrangement->tried++] =
+            lx_layout_find(&arranging->superposition, arranging->wanted, columns, rows, arranging->room);
     }
     qsort(arranging->tried + first, arrangement->tried - first, sizeof *arranging->tried, compare_scores);
     luxel_status status = LUXEL_OK;
     const bool is_first = arranging->found == 0;
     for (size_t i = first; i < arrangement->tried && status == LUXEL_OK; i++) {
-        if (arranging->tried[i].reserve < arranging->near ||
-            arrangement->computed >= MOST_COMPUTED)
+        if (arranging->tried[i].reserve < arranging->near || arrangement->computed >= MOST_COMPUTED)
             break;
         const size_t before = arranging->found;
         status = consider(arranging, &arranging->tried[i]);
@@ -373,7 +369,7 @@ static luxel_status learn_reflected(struct arranging *arranging)
 {
     struct lx_superposition *superposition = &arranging->superposition;
     struct computed computed = {.scene = NULL};
-    struct lx_layout layout = {.dimming = 1};
+    struct lx_lamp_layout layout = {.dimming = 1};
     for (int i = 0; i < 2; i++) {
         layout.array.n[i] = 1 + (2 * superposition->least_mm[i] < superposition->half_mm[i]);
         layout.array.spacing_mm[i] = fmax(superposition->wall_mm[i], 1);
@@ -409,7 +405,7 @@ static luxel_status search(struct arranging *arranging)
 
 /* ---- what is told ---- */
 
-static bool is_computed(const struct arranging *arranging, const struct lx_layout *layout)
+static bool is_computed(const struct arranging *arranging, const struct lx_lamp_layout *layout)
 {
     const struct own_arrangement *made = arranging->made;
     for (size_t i = 0; i < made->arrangement.computed; i++)
@@ -489,9 +485,8 @@ static luxel_status begin(struct arranging *arranging, const luxel_scene *scene)
     luxel_diagnostics *diagnostics = arranging->diagnostics;
     size_t *light = &arranging->made->arrangement.light;
     bool *on = lx_lights_on(lx_scene_parameters(scene), &arranging->settings);
-    luxel_status status =
-        on ? find_light(lx_scene_parameters(scene), on, arranging->wanted->light, diagnostics, light)
-           : lx_out_of_memory(diagnostics);
+    luxel_status status = on ? find_light(lx_scene_parameters(scene), on, arranging->wanted->light, diagnostics, light)
+                             : lx_out_of_memory(diagnostics);
     free(on);
     const luxel_status goals = lx_goals_set(scene, arranging->wanted, diagnostics, &arranging->made->goals);
     if (status == LUXEL_OK)

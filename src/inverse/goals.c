@@ -3,11 +3,9 @@
 #include "goals.h"
 
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include "../base/diagnostics.h"
-#include "../base/memory.h"
 #include "../base/number.h"
 #include "../base/text.h"
 #include "../scene/scene.h"
@@ -17,9 +15,9 @@ static const struct word {
     const char *word, *key;
     bool is_least, is_most;
 } words[] = {
-    {"average", "average", true, false},    {"E", "average", true, false},    {"minimum", "minimum", true, false},
-    {"maximum", "maximum", false, true},    {"U0", "uniformity", true, false}, {"uniformity", "uniformity", true, false},
-    {"ratio", "ratio", true, true},         {"ugr", "ugr", false, true},      {"UGR", "ugr", false, true},
+    {"average", "average", true, false}, {"E", "average", true, false},     {"minimum", "minimum", true, false},
+    {"maximum", "maximum", false, true}, {"U0", "uniformity", true, false}, {"uniformity", "uniformity", true, false},
+    {"ratio", "ratio", true, true},      {"ugr", "ugr", false, true},       {"UGR", "ugr", false, true},
 };
 
 /* A part of a goal's text. */
@@ -93,23 +91,15 @@ static void report_whose(const luxel_scene *scene, const struct written *goal, b
                          luxel_diagnostics *diagnostics)
 {
     struct lx_text names = {0};
-    char *name = lx_copy_text(goal->name.text ? goal->name.text : "", goal->name.length);
     for (size_t i = 0; i < count; i++)
         if (name_of(scene, is_observer, i))
             lx_text_printf(&names, "%s%s", names.length > 0 ? ", " : "", name_of(scene, is_observer, i));
-    if (count == 0)
-        lx_report(diagnostics, LUXEL_SEVERITY_ERROR, NULL,
-                  is_observer ? LX_MSG_ARRANGE_NO_OBSERVER : LX_MSG_ARRANGE_NO_GRID, LX_ARGS(goal->text));
-    else if (goal->name.length == 0)
-        lx_report(diagnostics, LUXEL_SEVERITY_ERROR, NULL, LX_MSG_ARRANGE_WHICH_GRID, LX_ARGS(goal->text));
-    else
-        lx_report(diagnostics, LUXEL_SEVERITY_ERROR, NULL,
-                  is_observer ? LX_MSG_ARRANGE_NOT_OBSERVER : LX_MSG_ARRANGE_NOT_GRID,
-                  LX_ARGS(goal->text, name ? name : ""));
+    lx_report(diagnostics, LUXEL_SEVERITY_ERROR, NULL,
+              count > 0 && goal->name.length == 0 ? LX_MSG_ARRANGE_WHICH_GRID : LX_MSG_ARRANGE_NOBODY,
+              LX_ARGS(goal->text));
     if (names.length > 0)
-        lx_hint(diagnostics, is_observer ? LX_MSG_ARRANGE_OBSERVERS : LX_MSG_ARRANGE_GRIDS, LX_ARGS(names.bytes));
+        lx_hint(diagnostics, LX_MSG_ARRANGE_NAMES, LX_ARGS(names.bytes));
     lx_text_clear(&names);
-    free(name);
 }
 
 /* The grids or observers that are meant: from *first on to below *last. */
@@ -150,9 +140,14 @@ static luxel_status set_goal(const luxel_scene *scene, const char *text, luxel_d
         return refuse(diagnostics, LX_MSG_ARRANGE_GOAL, LX_ARGS(text));
     lx_write_number(wanted, digits);
     const bool is_least = strcmp(word->key, "ratio") == 0 ? wanted <= 1 : word->is_least;
-    if (is_least != goal.is_least)
-        return refuse(diagnostics, is_least ? LX_MSG_ARRANGE_LEAST : LX_MSG_ARRANGE_MOST,
-                      LX_ARGS(text, word->word, digits));
+    if (is_least != goal.is_least) {
+        struct lx_text meant = {0};
+        lx_text_printf(&meant, "%s%s%s", word->word, is_least ? ">=" : "<=", digits);
+        const luxel_status status =
+            refuse(diagnostics, LX_MSG_ARRANGE_WAY, LX_ARGS(text, meant.bytes ? meant.bytes : ""));
+        lx_text_clear(&meant);
+        return status;
+    }
     const bool is_observer = strcmp(word->key, "ugr") == 0;
     size_t first, last;
     if (!find_whose(scene, &goal, is_observer, &first, &last, diagnostics))
@@ -161,8 +156,8 @@ static luxel_status set_goal(const luxel_scene *scene, const char *text, luxel_d
     for (size_t i = first; i < last && status == LUXEL_OK; i++) {
         struct lx_text assignment = {0};
         lx_text_printf(&assignment, "%s[%zu].limits.%s=%s", is_observer ? "observers" : "grids", i, word->key, digits);
-        status = assignment.failed ? lx_out_of_memory(diagnostics)
-                                   : luxel_scene_set(goals, assignment.bytes, diagnostics);
+        status =
+            assignment.failed ? lx_out_of_memory(diagnostics) : luxel_scene_set(goals, assignment.bytes, diagnostics);
         lx_text_clear(&assignment);
     }
     return status;

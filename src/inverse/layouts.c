@@ -65,7 +65,7 @@ static double find_least_dimming(const struct finding *finding, double enough)
     return rounded <= 1 && reserve_at(finding, rounded) >= 1 ? rounded : high;
 }
 
-static void judge(const struct finding *finding, struct lx_layout *layout)
+static void judge(const struct finding *finding, struct lx_lamp_layout *layout)
 {
     lx_superpose(finding->superposition, &layout->array, finding->values);
     layout->dimming = 1;
@@ -92,9 +92,9 @@ static double limited(double value, double low, double high)
 }
 
 /* An array with other spacings, if it is better. */
-static bool take_better(const struct finding *finding, double x_mm, double y_mm, struct lx_layout *layout)
+static bool take_better(const struct finding *finding, double x_mm, double y_mm, struct lx_lamp_layout *layout)
 {
-    struct lx_layout other = *layout;
+    struct lx_lamp_layout other = *layout;
     other.array.spacing_mm[0] = limited(x_mm, finding->low[0], finding->high[0]);
     other.array.spacing_mm[1] = limited(y_mm, finding->low[1], finding->high[1]);
     judge(finding, &other);
@@ -104,7 +104,7 @@ static bool take_better(const struct finding *finding, double x_mm, double y_mm,
     return true;
 }
 
-static void climb(const struct finding *finding, struct lx_layout *layout)
+static void climb(const struct finding *finding, struct lx_lamp_layout *layout)
 {
     double step[2];
     for (int i = 0; i < 2; i++)
@@ -123,7 +123,7 @@ static void climb(const struct finding *finding, struct lx_layout *layout)
 }
 
 /* The best of the whole millimetres around. */
-static void round_spacings(const struct finding *finding, struct lx_layout *layout)
+static void round_spacings(const struct finding *finding, struct lx_lamp_layout *layout)
 {
     const double at[2] = {layout->array.spacing_mm[0], layout->array.spacing_mm[1]};
     layout->score = -1;
@@ -145,19 +145,19 @@ static void set_range(struct finding *finding, const unsigned n[2])
     }
 }
 
-struct lx_layout lx_layout_find(const struct lx_superposition *superposition, const luxel_arranging *arranging,
-                                unsigned columns, unsigned rows, double *room)
+struct lx_lamp_layout lx_layout_find(const struct lx_superposition *superposition, const luxel_arranging *arranging,
+                                     unsigned columns, unsigned rows, double *room)
 {
     struct finding finding = {
         .superposition = superposition, .arranging = arranging, .values = room, .mixed = superposition->sums};
-    const struct lx_layout none = {.array = {.n = {columns, rows}}, .score = -1};
-    struct lx_layout starts[STARTS], best = none;
+    const struct lx_lamp_layout none = {.array = {.n = {columns, rows}}, .score = -1};
+    struct lx_lamp_layout starts[STARTS], best = none;
     set_range(&finding, none.array.n);
     for (int i = 0; i < STARTS; i++)
         starts[i] = none;
     for (int row = 0; row <= NET; row++)
         for (int column = 0; column <= NET; column++) {
-            struct lx_layout one = none;
+            struct lx_lamp_layout one = none;
             if ((column > 0 && finding.low[0] == finding.high[0]) || (row > 0 && finding.low[1] == finding.high[1]))
                 continue;
             take_better(&finding, finding.low[0] + (finding.high[0] - finding.low[0]) * column / NET,

@@ -6,7 +6,7 @@
 #include "superposition.h"
 
 /* An array with the best spacings. */
-struct lx_layout {
+struct lx_lamp_layout {
     struct lx_array_try array;
     double dimming; /* 1: they give all their light */
     double reserve; /* by the sums: 1 or more where all goals of grids are reached */
@@ -18,7 +18,7 @@ struct lx_layout {
 bool lx_layout_fits(const struct lx_superposition *superposition, unsigned columns, unsigned rows);
 
 /* Finds them; `room` is for a value of each cell. */
-struct lx_layout lx_layout_find(const struct lx_superposition *superposition, const luxel_arranging *arranging,
-                                unsigned columns, unsigned rows, double *room);
+struct lx_lamp_layout lx_layout_find(const struct lx_superposition *superposition, const luxel_arranging *arranging,
+                                     unsigned columns, unsigned rows, double *room);
 
 #endif

@@ -221,8 +221,7 @@ static luxel_status find_field(struct lx_superposition *superposition, const lux
 
 /* ---- the table ---- */
 
-static luxel_status fill_table(struct lx_superposition *superposition, luxel_scene *one,
-                               const luxel_settings *settings)
+static luxel_status fill_table(struct lx_superposition *superposition, luxel_scene *one, const luxel_settings *settings)
 {
     luxel_status status = LUXEL_OK;
     const unsigned *nodes = superposition->nodes;
@@ -340,7 +339,7 @@ static luxel_status list_goals(struct lx_superposition *superposition)
         }
         superposition->cells += has_limits(grid) ? count : 0;
     }
-    return superposition->cells > 0 ? LUXEL_OK : lx_refuse(superposition->diagnostics, LX_MSG_ARRANGE_NO_LIMIT, NULL);
+    return superposition->cells > 0 ? LUXEL_OK : lx_refuse(superposition->diagnostics, LX_MSG_ARRANGE_NO_GOAL, NULL);
 }
 
 /* What the other lights give. */
@@ -382,8 +381,8 @@ luxel_status lx_superposition_make(const luxel_scene *scene, const luxel_setting
 {
     luxel_scene *one = NULL;
     luxel_settings alone = *settings;
-    *superposition = (struct lx_superposition){
-        .scene = scene, .settings = settings, .diagnostics = diagnostics, .light = light};
+    *superposition =
+        (struct lx_superposition){.scene = scene, .settings = settings, .diagnostics = diagnostics, .light = light};
     alone.lights = &superposition->light;
     alone.light_count = 1;
     luxel_status status = list_goals(superposition);
