@@ -39,7 +39,8 @@ def studies(tap, tool):
     tap.ok((whole == study.map(lambda scene: numpy.asarray(scene.render()))).all(), "the same without a folder")
     other = luxel.Study(dict(STUDY, seed=8))
     tap.ok(raises(ValueError, lambda: other.map(work, folder)), "a folder belongs to one study")
-    tap.ok(raises(IndexError, lambda: study[5]) and raises(luxel.LuxelError, lambda: luxel.Study({"study": 1, "scene": "nothing"})) and
+    tap.ok(raises(IndexError, lambda: study[5]) and
+           raises(luxel.LuxelError, lambda: luxel.Study({"study": 1, "scene": "nothing"})) and
            raises(luxel.LuxelError, lambda: luxel.Study("none.yaml")), "what is refused")
 
 
