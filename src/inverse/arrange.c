@@ -21,6 +21,7 @@ enum {
     MOST_TOLD = 6,      /* layouts that are told as missed, */
     MOST_TOLD_SLOW = 3, /* where each takes a solution of reflected light */
     MOST_COMPUTED = 60, /* scenes */
+    MOST_ALIKE = 3,     /* found ones of as many luminaires */
     TRIES = 4           /* of one array: what is computed corrects the sums */
 };
 /* Sums come so near to what is computed; where light is reflected, by what another array has told. */
@@ -34,6 +35,7 @@ static const double MOST_UNEVEN = 2;
 struct computed {
     luxel_layout layout;
     luxel_scene *scene;
+    bool grids_pass; /* the limits of grids are kept, whatever observers say */
 };
 
 struct own_arrangement {
@@ -195,7 +197,7 @@ static luxel_status judge_observers(struct arranging *arranging, const luxel_sce
 
 /* Computes the limits of a layout's scene; `limits` has room for all. */
 static luxel_status judge_scene(struct arranging *arranging, const luxel_scene *scene, const luxel_settings *settings,
-                                luxel_layout *told, luxel_layout_limit *limits)
+                                luxel_layout *told, luxel_layout_limit *limits, bool *grids_pass)
 {
     told->limit_count = 0;
     luxel_status status =
@@ -203,10 +205,12 @@ static luxel_status judge_scene(struct arranging *arranging, const luxel_scene *
     if (status == LUXEL_OK)
         status = judge_observers(arranging, scene, settings, told, limits);
     told->reaches = true;
+    *grids_pass = true;
     told->is_undecided = false;
     told->reserve = HUGE_VAL;
     for (size_t i = 0; i < told->limit_count; i++) {
         told->reaches = told->reaches && limits[i].limit.verdict == LUXEL_PASS;
+        *grids_pass = *grids_pass && (limits[i].is_observer || limits[i].limit.verdict == LUXEL_PASS);
         told->is_undecided = told->is_undecided || limits[i].limit.verdict == LUXEL_UNDECIDED;
         told->reserve = fmin(told->reserve, lx_goal_reserve_of(&limits[i].limit));
     }
@@ -238,9 +242,9 @@ static luxel_status compute(struct arranging *arranging, const struct lx_lamp_la
     coarse.share_reflected = arranging->reflects;
     coarse.reflected_error = fmax(coarse.reflected_error, COARSE);
     if (status == LUXEL_OK)
-        status = judge_scene(arranging, computed->scene, &coarse, told, limits);
+        status = judge_scene(arranging, computed->scene, &coarse, told, limits, &computed->grids_pass);
     if (status == LUXEL_OK && arranging->reflects && told->is_undecided)
-        status = judge_scene(arranging, computed->scene, &arranging->settings, told, limits);
+        status = judge_scene(arranging, computed->scene, &arranging->settings, told, limits, &computed->grids_pass);
     if (status == LUXEL_OK)
         lx_superposition_learn(superposition, &layout->array, layout->dimming, arranging->values);
     return status;
@@ -281,29 +285,36 @@ static struct lx_lamp_layout find_again(struct arranging *arranging, const struc
                           arranging->room);
 }
 
-/* Computes an array with the spacings that are best as far as is known, and anew with what was learned by that. */
+/* What the bounds of a least value leave undecided takes more light. */
+static void add_light(const luxel_layout *layout, struct lx_lamp_layout *other)
+{
+    for (size_t k = 0; k < layout->limit_count; k++) {
+        const luxel_limit *limit = &layout->limits[k].limit;
+        if (limit->verdict == LUXEL_UNDECIDED && !limit->is_most && limit->value.value > 0)
+            other->dimming = fmin(1, other->dimming * (1 + 2 * limit->value.error / limit->value.value));
+    }
+}
+
+/*
+ * Computes an array with the spacings that are best as far as is known, and anew with what was learned by that, as long
+ * as its grids may then keep their limits.  Observers do not decide on spacings.
+ */
 static luxel_status consider(struct arranging *arranging, struct lx_lamp_layout *layout)
 {
-    luxel_status status = LUXEL_OK;
-    for (int i = 0; i < TRIES && status == LUXEL_OK; i++) {
+    for (int i = 0; i < TRIES; i++) {
         struct computed *computed;
-        status = keep(arranging, layout, &computed);
-        if (status != LUXEL_OK || computed->layout.reaches)
-            break;
+        const luxel_status status = keep(arranging, layout, &computed);
+        if (status != LUXEL_OK || computed->grids_pass || i == TRIES - 1)
+            return status;
         struct lx_lamp_layout other = find_again(arranging, layout);
-        if (computed->layout.reserve < 1 && other.reserve < computed->layout.reserve + 1e-4)
-            break;
-        for (size_t k = 0; k < computed->layout.limit_count; k++) /* what the bounds leave undecided takes more light */
-            if (arranging->wanted->dims && computed->layout.limits[k].limit.verdict == LUXEL_UNDECIDED &&
-                !computed->layout.limits[k].limit.is_most)
-                other.dimming = fmin(1, other.dimming * (1 + 2 * computed->layout.limits[k].limit.value.error /
-                                                                 computed->layout.limits[k].limit.value.value));
-        if (is_same(&other, layout) || i == TRIES - 1)
+        if (arranging->wanted->dims)
+            add_light(&computed->layout, &other);
+        if (other.reserve < 1 || is_same(&other, layout))
             break;
         *layout = other;
         drop_last(arranging);
     }
-    return status;
+    return LUXEL_OK;
 }
 
 /* ---- the search ---- */
@@ -352,14 +363,14 @@ static luxel_status try_count(struct arranging *arranging, unsigned count)
     }
     qsort(arranging->tried + first, arrangement->tried - first, sizeof *arranging->tried, compare_scores);
     luxel_status status = LUXEL_OK;
-    const bool is_first = arranging->found == 0;
+    const size_t before = arranging->found;
     for (size_t i = first; i < arrangement->tried && status == LUXEL_OK; i++) {
-        if (arranging->tried[i].reserve < arranging->near || arrangement->computed >= MOST_COMPUTED)
+        /* once one is found only those count that should reach the goals, and of more luminaires the best alone */
+        if (arranging->tried[i].reserve < (arranging->found > before ? 1 : arranging->near) ||
+            arrangement->computed >= MOST_COMPUTED || arranging->found >= before + MOST_ALIKE ||
+            (before > 0 && i > first))
             break;
-        const size_t before = arranging->found;
         status = consider(arranging, &arranging->tried[i]);
-        if (!is_first && arranging->found > before) /* of more luminaires than need be the best will do */
-            break;
     }
     return status;
 }
@@ -396,7 +407,7 @@ static luxel_status search(struct arranging *arranging)
         const bool is_first = arranging->found == 0;
         status = try_count(arranging, count);
         if (is_first && arranging->found > 0)
-            last = count + 2 + count / 4 < most ? count + 2 + count / 4 : most;
+            last = count + 2 < most ? count + 2 : most;
         if (arrangement->computed >= MOST_COMPUTED)
             break;
     }
