@@ -295,6 +295,22 @@ static void add_light(const luxel_layout *layout, struct lx_lamp_layout *other)
     }
 }
 
+/* Where observers alone are in the way: spacings half of which are left to the walls spread the luminaires farther. */
+static luxel_status try_even(struct arranging *arranging, const struct lx_lamp_layout *layout)
+{
+    luxel_arranging even = *arranging->wanted;
+    even.is_even = true;
+    const struct lx_lamp_layout other =
+        lx_layout_find(&arranging->superposition, &even, layout->array.n[0], layout->array.n[1], arranging->room);
+    struct computed *computed;
+    if (other.reserve < 1 || is_same(&other, layout))
+        return LUXEL_OK;
+    const luxel_status status = keep(arranging, &other, &computed);
+    if (status == LUXEL_OK && !computed->layout.reaches)
+        drop_last(arranging);
+    return status;
+}
+
 /*
  * Computes an array with the spacings that are best as far as is known, and anew with what was learned by that, as long
  * as its grids may then keep their limits.  Observers do not decide on spacings.
@@ -304,6 +320,8 @@ static luxel_status consider(struct arranging *arranging, struct lx_lamp_layout 
     for (int i = 0; i < TRIES; i++) {
         struct computed *computed;
         const luxel_status status = keep(arranging, layout, &computed);
+        if (status == LUXEL_OK && computed->grids_pass && !computed->layout.reaches)
+            return try_even(arranging, layout);
         if (status != LUXEL_OK || computed->grids_pass || i == TRIES - 1)
             return status;
         struct lx_lamp_layout other = find_again(arranging, layout);
