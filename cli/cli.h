@@ -47,7 +47,8 @@ enum command_bit {
     COMMAND_FIT = 1 << 24,
     COMMAND_EXCHANGE = 1 << 25,
     COMMAND_DAYLIGHT = 1 << 26,
-    COMMAND_ANY = ((1 << 27) - 1) & ~COMMAND_NONE
+    COMMAND_ARRANGE = 1 << 27,
+    COMMAND_ANY = ((1 << 28) - 1) & ~COMMAND_NONE
 };
 
 /* What may stand behind a command, for those who complete it. */
@@ -81,9 +82,9 @@ extern const struct command command_render, command_probe, command_grid, command
     command_schema, command_help, command_figure, command_report, command_stats, command_profile, command_compare,
     command_isophotes, command_explain, command_advise, command_variant, command_grade, command_photometry,
     command_sweep, command_glare, command_derive, command_room, command_fit,
-    command_exchange, command_daylight;
+    command_exchange, command_daylight, command_arrange;
 
-enum { COMMAND_COUNT = 26 };
+enum { COMMAND_COUNT = 27 };
 
 /* All of them, in the order of the help. */
 extern const struct command *const commands[COMMAND_COUNT];

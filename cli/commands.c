@@ -8,11 +8,11 @@
 #include "cli.h"
 
 const struct command *const commands[COMMAND_COUNT] = {
-    &command_render,   &command_probe,    &command_derive, &command_fit,     &command_explain,    &command_grid,
-    &command_glare,    &command_daylight, &command_stats,  &command_profile, &command_isophotes,  &command_compare,
-    &command_figure,   &command_report,   &command_check,  &command_advise,  &command_photometry, &command_room,
-    &command_exchange, &command_variant,  &command_grade,  &command_sweep,   &command_scene,      &command_set,
-    &command_schema,   &command_help};
+    &command_render,  &command_probe,    &command_derive,  &command_fit,   &command_explain, &command_grid,
+    &command_glare,   &command_daylight, &command_arrange, &command_stats, &command_profile, &command_isophotes,
+    &command_compare, &command_figure,   &command_report,  &command_check, &command_advise,  &command_photometry,
+    &command_room,    &command_exchange, &command_variant, &command_grade, &command_sweep,   &command_scene,
+    &command_set,     &command_schema,   &command_help};
 
 const struct command *find_command(const char *name)
 {

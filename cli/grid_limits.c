@@ -23,7 +23,7 @@ struct judged limits_of_grid(const luxel_scene *scene, size_t i, const luxel_gri
     return judged;
 }
 
-static const char *limit_name(const luxel_limit *limit)
+const char *limits_name(const luxel_limit *limit)
 {
     static const struct {
         const char *key, *words;
@@ -36,8 +36,7 @@ static const char *limit_name(const luxel_limit *limit)
     return limit->is_most ? _("maximum / minimum") : _("minimum / maximum");
 }
 
-/* Whether the limit is a number of the grid's unit. */
-static bool has_unit(const luxel_limit *limit)
+bool limits_have_unit(const luxel_limit *limit)
 {
     return strcmp(limit->name, "average") == 0 || strcmp(limit->name, "minimum") == 0 ||
            strcmp(limit->name, "maximum") == 0;
@@ -58,9 +57,9 @@ void limits_print(const struct judged *judged, const char *unit)
             text_format(wanted, _("at least %.6g %% from %.6g %s on"), limit->wanted, limit->above, text_unit(unit));
         else
             text_format(wanted, limit->is_most ? _("at most %.6g%s%s") : _("at least %.6g%s%s"), limit->wanted,
-                        has_unit(limit) ? " " : "", has_unit(limit) ? text_unit(unit) : "");
+                        limits_have_unit(limit) ? " " : "", limits_have_unit(limit) ? text_unit(unit) : "");
         text_table_row(table,
-                       TEXT_CELLS(limit_name(limit), wanted,
+                       TEXT_CELLS(limits_name(limit), wanted,
                                   limit->has_value ? text_value_bound(value, 6, limit->value.value, limit->value.error)
                                                    : _("none"),
                                   _(luxel_verdict_word(limit->verdict))));

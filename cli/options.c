@@ -279,6 +279,7 @@ int options_read(int argc, char **argv, struct options *options)
     *options = (struct options){
         .assignments = message_allocate(room, sizeof *options->assignments),
         .free_keys = message_allocate(room, sizeof *options->free_keys),
+        .arrange.goals = message_allocate(room, sizeof *options->arrange.goals),
         .outputs = message_allocate(room, sizeof *options->outputs),
         .places = message_allocate(room, sizeof *options->places),
         .operands = message_allocate(room, sizeof *options->operands),
@@ -302,6 +303,7 @@ void options_clear(struct options *options)
 {
     free(options->assignments);
     free(options->free_keys);
+    free(options->arrange.goals);
     free(options->outputs);
     free(options->places);
     free(options->operands);

@@ -68,6 +68,14 @@ struct option_fit {
     bool is_relative;
 };
 
+/* Options of luxel arrange. */
+struct option_arrange {
+    const char **goals; /* in order */
+    size_t goal_count;
+    bool dims;
+    unsigned most; /* 0 where none was given */
+};
+
 /* Options of luxel sweep. */
 struct option_sweep {
     uint64_t show;
@@ -112,6 +120,7 @@ struct options {
     char standard_output[32];          /* the name of -o -, which says its format; "": there is none */
     unsigned bits;                     /* of a .png's grey levels; 0: none were given */
     uint64_t given[OPTIONS_MOST / 64]; /* one bit for each row of the table */
+    struct option_arrange arrange;
 };
 
 /* What an option's argument may be, for those who complete it. */
@@ -140,7 +149,6 @@ struct option_row {
     bool is_shared;           /* by many commands, whose help therefore only names it */
     const char *help;
 };
-
 
 /* Takes the word of --format as one of option_formats; reports another. */
 bool options_take_document_format(struct options *options);

@@ -356,11 +356,11 @@ enum {
                COMMAND_COMPARE | COMMAND_FIGURE | COMMAND_REPORT | COMMAND_GRID,
     MEASURING = COMMAND_RENDER | COMMAND_PROBE | COMMAND_GRID | COMMAND_STATS | COMMAND_PROFILE | COMMAND_ISOPHOTES |
                 COMMAND_COMPARE,
-    COMPUTING =
-        PICTURES | COMMAND_GRADE | COMMAND_GLARE | COMMAND_DERIVE | COMMAND_FIT | COMMAND_EXCHANGE | COMMAND_DAYLIGHT,
+    COMPUTING = PICTURES | COMMAND_GRADE | COMMAND_GLARE | COMMAND_DERIVE | COMMAND_FIT | COMMAND_EXCHANGE |
+                COMMAND_DAYLIGHT | COMMAND_ARRANGE,
     REFINING = PICTURES | COMMAND_GLARE | COMMAND_DAYLIGHT,
     SCENES = PICTURES | COMMAND_CHECK | COMMAND_ADVISE | COMMAND_SCENE | COMMAND_SET | COMMAND_VARIANT | COMMAND_GLARE |
-             COMMAND_DERIVE | COMMAND_FIT | COMMAND_EXCHANGE | COMMAND_DAYLIGHT,
+             COMMAND_DERIVE | COMMAND_FIT | COMMAND_EXCHANGE | COMMAND_DAYLIGHT | COMMAND_ARRANGE,
     WRITING = COMMAND_RENDER | COMMAND_DAYLIGHT | COMMAND_PROBE | COMMAND_GRID | COMMAND_SET | COMMAND_PROFILE |
               COMMAND_ISOPHOTES | COMMAND_COMPARE | COMMAND_FIGURE | COMMAND_EXPLAIN | COMMAND_REPORT |
               COMMAND_VARIANT | COMMAND_PHOTOMETRY | COMMAND_ROOM,
@@ -369,7 +369,8 @@ enum {
 };
 
 static const struct option_row rows[] = {
-    {"output", 'o', N_("FILE"), WRITING | COMMAND_SWEEP | COMMAND_FIT, TAKES(take_output), .value = VALUE_OUTPUT,
+    {"output", 'o', N_("FILE"), WRITING | COMMAND_SWEEP | COMMAND_FIT | COMMAND_ARRANGE, TAKES(take_output),
+     .value = VALUE_OUTPUT,
      .help =
          N_("write the result to FILE, in the format given by its extension; may be repeated (luxel sweep: the folder "
             "to fill)")},
@@ -421,6 +422,12 @@ static const struct option_row rows[] = {
          "or (0, 0, 1) where it has none")},
     {"limits", 0, NULL, COMMAND_GRID, SETS(judges),
      .help = N_("rate the glare of the scene's observers, too, and end with 1 unless all limits are kept for certain")},
+    {"goal", 0, N_("GOAL"), COMMAND_ARRANGE, TAKES(arrange_take_goal),
+     .help =
+         N_("beside the scene's limits: average>=500, U0>=0.6, minimum>=200, maximum<=2000, ratio>=0.1, ugr<=19; of "
+            "several grids NAME:average>=500; may be repeated")},
+    {"dimming", 0, NULL, COMMAND_ARRANGE, SETS(arrange.dims), .help = N_("dim all alike, for the least power")},
+    {"most", 0, N_("N"), COMMAND_ARRANGE, TAKES(arrange_take_most), .help = N_("luminaires to try, usually to 100")},
     {"file", 0, N_("LAMP"), COMMAND_ROOM, KEEPS(room.file), .value = VALUE_FILE,
      .help = N_("the photometry file of the luminaires, .ies or .ldt")},
     {"array", 0, N_("N,M"), COMMAND_ROOM, TAKES(room_take_array), .help = N_("N columns along x and M rows along y")},
@@ -569,7 +576,7 @@ static const struct option_row rows[] = {
     {"keep", 0, NULL, REFINING, SHARED, SETS(keeps),
      .help = N_("let Ctrl-C end the refining of reflected light: the best so far is printed with its bound, exit code "
                 "130; pressed again, it ends the tool")},
-    {"lights", 0, N_("LIST"), PICTURES, SHARED, KEEPS(lights), .value = VALUE_LIGHTS,
+    {"lights", 0, N_("LIST"), PICTURES | COMMAND_ARRANGE, SHARED, KEEPS(lights), .value = VALUE_LIGHTS,
      .help = N_("the lights that alone give light, whether they are enabled or not: names, or numbers as of lights[0], "
                 "with commas between them")},
     {"names", 0, N_("LIST"), COMMAND_CHECK, TAKES(take_names), WORDS(names_words),

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* The arguments of luxel room's options; how far numbers may go the library says. */
+/* The arguments of the options of luxel room and luxel arrange; how far numbers may go the library says. */
 #include "room_options.h"
 
 #include <math.h>
@@ -47,4 +47,15 @@ bool room_take_plane(struct options *options, const char *argument)
 bool room_take_maintenance(struct options *options, const char *argument)
 {
     return argument_number("--maintenance", argument, &options->room.maintenance);
+}
+
+bool arrange_take_goal(struct options *options, const char *argument)
+{
+    options->arrange.goals[options->arrange.goal_count++] = argument;
+    return true;
+}
+
+bool arrange_take_most(struct options *options, const char *argument)
+{
+    return argument_whole("--most", argument, 1, 10000, &options->arrange.most);
 }

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* The options of luxel room, as the table of options takes them. */
+/* The options of luxel room and luxel arrange, as the table of options takes them. */
 #ifndef LUXEL_CLI_ROOM_OPTIONS_H
 #define LUXEL_CLI_ROOM_OPTIONS_H
 
@@ -10,5 +10,7 @@ bool room_take_target(struct options *options, const char *argument);
 bool room_take_reflectances(struct options *options, const char *argument);
 bool room_take_plane(struct options *options, const char *argument);
 bool room_take_maintenance(struct options *options, const char *argument);
+bool arrange_take_goal(struct options *options, const char *argument);
+bool arrange_take_most(struct options *options, const char *argument);
 
 #endif

@@ -37,6 +37,7 @@
 #define LUXEL_LUXEL_H
 
 #include <luxel/alternatives.h>
+#include <luxel/arrange.h>
 #include <luxel/balance.h>
 #include <luxel/exchange.h>
 #include <luxel/bounded.h>

@@ -12,7 +12,9 @@ Lengths are millimetres, y points up on the screen; docs/SCENE.md of Luxel tells
 when arrays are asked for.  Everything may be used by several threads at once: a scene that is changed while another
 thread computes with it goes on there as it was.
 """
+from ._arrange import Arrangement, Layout, LayoutLimit
 from ._balance import Amount, Balance, LitSide
+from ._camera import Camera, measured
 from ._daylight import Daylight, DaylightFactor, DaylightGrid
 from ._document import Document
 from ._errors import (Diagnostic, LuxelError, LuxelFileError, LuxelKeyError, LuxelMemoryError, LuxelNotFoundError,
@@ -32,18 +34,19 @@ from ._results import (Alternative, Comparison, Extrema, Extremum, GridExtrema, 
                        Isophote, Judgement, Light, Mesh, Peak, Profile, Statistics, Summary)
 from ._room import Limit, Observer, Room, RoomArray, room
 from ._scene import Scene, builtin_scenes, instruction_sets, schema, variant
+from ._study import Study
 from ._luxel import version as _version
 
 __version__ = _version()
 
 __all__ = [
-    "Alternative", "Amount", "Balance", "Color", "Comparison", "Daylight", "DaylightFactor", "DaylightGrid",
-    "Diagnostic", "Diagram", "Document", "Exchange", "ExchangeSide", "Extrema", "Extremum", "Field", "Figure", "Fit",
-    "FitParameter", "Geometry", "Glare", "GlareSource", "Greatest", "Grid", "GridExtrema", "GridExtremum", "GridPeak",
-    "Histogram", "Isophote", "Jacobian", "Judgement", "LampSet", "Light", "Limit", "LitSide", "LuxelError",
-    "LuxelFileError", "LuxelKeyError", "LuxelMemoryError", "LuxelNotFoundError", "LuxelValueError", "LuxelWarning",
-    "Mesh", "Observer", "Opening", "Peak", "Photometry", "PhotometryFigures", "Probe", "Probes", "Profile", "Room",
-    "RoomArray", "STATES", "Scene", "Share", "Statistics", "Summary", "UgrReflectances", "UgrRoom", "UgrTable",
-    "builtin_scenes", "compare", "instruction_sets", "palettes", "read", "room", "schema", "set_language", "variant",
-    "__version__",
+    "Alternative", "Amount", "Arrangement", "Balance", "Camera", "Color", "Comparison", "Daylight", "DaylightFactor",
+    "DaylightGrid", "Diagnostic", "Diagram", "Document", "Exchange", "ExchangeSide", "Extrema", "Extremum", "Field",
+    "Figure", "Fit", "FitParameter", "Geometry", "Glare", "GlareSource", "Greatest", "Grid", "GridExtrema",
+    "GridExtremum", "GridPeak", "Histogram", "Isophote", "Jacobian", "Judgement", "LampSet", "Layout", "LayoutLimit",
+    "Light", "Limit", "LitSide", "LuxelError", "LuxelFileError", "LuxelKeyError", "LuxelMemoryError",
+    "LuxelNotFoundError", "LuxelValueError", "LuxelWarning", "Mesh", "Observer", "Opening", "Peak", "Photometry",
+    "PhotometryFigures", "Probe", "Probes", "Profile", "Room", "RoomArray", "STATES", "Scene", "Share", "Statistics",
+    "Study", "Summary", "UgrReflectances", "UgrRoom", "UgrTable", "builtin_scenes", "compare", "instruction_sets",
+    "measured", "palettes", "read", "room", "schema", "set_language", "variant", "__version__",
 ]

@@ -8,7 +8,7 @@ from _thread import allocate_lock
 from typing import (TYPE_CHECKING, Any, Dict, Iterable, Iterator, List, Mapping, Optional, Sequence, Tuple, Union,
                     overload)
 
-from . import _daylight, _exchange, _fit, _flow, _jacobian, _luxel
+from . import _arrange, _camera, _daylight, _exchange, _fit, _flow, _jacobian, _luxel, _torch
 from ._arrays import floats, spacing
 from ._balance import Balance, balance
 from ._document import Document
@@ -94,7 +94,8 @@ class Scene(Rated, _exchange.Exchanging, _daylight.Daylit):
     _path: Optional[str]
     _name: str
     _carried: Optional[Carried]
-    jacobian, fit = _jacobian.jacobian, _fit.fit
+    jacobian, fit, arrange = _jacobian.jacobian, _fit.fit, _arrange.arrange
+    camera, torch_function = _camera.camera, _torch.torch_function
 
     def __init__(self, source: "Union[str, bytes, os.PathLike[str], Mapping[str, Any], Scene]" = "report") -> None:
         if isinstance(source, Scene):

@@ -37,7 +37,8 @@ static int add_functions(PyObject *module)
         scene_functions,    edit_functions,     render_functions,     field_functions,    reading_functions,
         profile_functions,  probe_functions,    evaluate_functions,   grid_functions,     balance_functions,
         document_functions, exercise_functions, photometry_functions, geometry_functions, glare_functions,
-        derive_functions,   room_functions,     fit_functions,        exchange_functions, daylight_functions};
+        derive_functions,   room_functions,     fit_functions,        exchange_functions, daylight_functions,
+        arrange_functions,  study_functions};
 
     for (size_t i = 0; i < sizeof lists / sizeof *lists; i++)
         if (PyModule_AddFunctions(module, (PyMethodDef *)lists[i]) < 0)

@@ -113,7 +113,7 @@ extern const PyMethodDef scene_functions[], edit_functions[], render_functions[]
     reading_functions[], profile_functions[], probe_functions[], evaluate_functions[], grid_functions[],
     balance_functions[], document_functions[], exercise_functions[], photometry_functions[], geometry_functions[],
     glare_functions[], derive_functions[], room_functions[], fit_functions[], exchange_functions[],
-    daylight_functions[];
+    daylight_functions[], arrange_functions[], study_functions[];
 extern PyType_Spec scene_spec, field_spec, view_spec, holder_spec;
 
 #endif

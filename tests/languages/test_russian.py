@@ -34,16 +34,18 @@ NAMES = set("""luxel YAML JSON Schema UTF png pfm npy exr csv PNG NPY PFM EXR CS
     polar cartesian cone LORL DFF TILT NONE INCLUDE IESNA MORE TEST TESTLAB ISSUEDATE MANUFAC Lampe AG LED
     LDT ies ldt lamp
     warm-and-cold warm cold sRGB rgb channels color grey Duv xy cct
+    arrange average minimum ratio array
     repeated first_line missing_points submissions asked answered tsv relative accepted pixel""".split())
 
 COMMANDS = [
     [], ["help"], ["--help"], ["--version"], *[["help", name] for name in (
         "render", "probe", "grid", "check", "scene", "schema", "set", "help", "figure", "explain", "report", "stats",
-        "profile", "isophotes", "compare", "variant", "grade", "advise", "photometry", "sweep")],
+        "profile", "isophotes", "compare", "variant", "grade", "advise", "photometry", "sweep", "arrange")],
     ["stats"], ["stats", "--histogram"], ["profile"], ["profile", "three-lights"], ["isophotes"],
     ["compare", "report", "report"], ["compare", "report", "three-lights"], ["compare", "report"],
     ["explain", "-p", "0,0"], ["explain", "all-sources", "-p", "0,0"], ["explain", "-p", "900,0"],
     ["explain", "spot", "-p", "0,0"], ["derive", "-p", "0,0", "--free", "lights[0].position"],
+    ["arrange", "desk", "--goal", "average>=1"], ["arrange", "desk", "--goal", "U0>0.6"], ["arrange", "desk"],
     ["advise"], ["advise", "spot"], ["grade", "none.csv"], ["variant"],
     ["profile", "--from", "0,0"], ["stats", "--region", "0,0,0"], ["isophotes", "--levels", "0"],
     ["grid"], ["grid", "desk"], ["grid", "desk", "-o", "a.png"], ["grid", "desk", "--quantity", "brightness"],

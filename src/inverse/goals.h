@@ -1,0 +1,31 @@
+/* SPDX-License-Identifier: MIT */
+/* Goals of a layout: limits of a scene's grids and observers, written as "desk:average>=500". */
+#ifndef LX_INVERSE_GOALS_H
+#define LX_INVERSE_GOALS_H
+
+#include <luxel/arrange.h>
+
+#include "../scene/limits.h"
+
+/* A limit of a grid, as the search judges it. */
+struct lx_goal {
+    size_t first, count; /* the grid's cells among those of all grids that have limits */
+    enum lx_grid_limit which;
+    double wanted;
+};
+
+/*
+ * A committed copy of the scene whose limits are these goals, too.  LUXEL_ERROR_ARGUMENT: goals that are none, all of
+ * them reported, or no limit at all.  LUXEL_ERROR_SCENE: one is no legal limit.
+ */
+luxel_status lx_goals_set(const luxel_scene *scene, const luxel_arranging *arranging, luxel_diagnostics *diagnostics,
+                          luxel_scene **goals);
+
+/* The least of the values by what is wanted, where the cells have these values: 1 or more where no goal is missed. */
+double lx_goals_reserve(const struct lx_goal *goals, size_t count, const double *values);
+
+/* How near a limit is: its value by what is wanted, the other way round where that is the most; of a rating, which goes
+ * with the logarithm of light, as the light goes.  Infinite where there is no value and the limit is kept. */
+double lx_goal_reserve_of(const luxel_limit *limit);
+
+#endif
