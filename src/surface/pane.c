@@ -37,15 +37,19 @@ double lx_pane_transmittance(const struct lx_glass_pane *pane, double cosine)
     return (through(across * across, left) + through(along * along, left)) / 2;
 }
 
-double lx_panes_pass(const struct lx_glass_pane *panes, size_t count, const double place_mm[3], const double way[3],
-                     bool endless)
+double lx_panes_pass(const struct lx_glass_pane *panes, size_t count, const struct lx_glass_pane *through,
+                     const double place_mm[3], const double way[3], bool endless)
 {
     double passed = 1;
     for (size_t i = 0; i < count; i++) {
         const struct lx_glass_pane *pane = &panes[i];
         double from[3], met[3];
-        if (!(pane->index > 0))
+        if (!(pane->index > 0) || (through && pane != through && pane->surface == through->surface))
             continue;
+        if (pane == through) {
+            passed *= lx_pane_transmittance(pane, fabs(lx_dot(way, pane->axis)) / sqrt(lx_dot(way, way)));
+            continue;
+        }
         for (int k = 0; k < 3; k++)
             from[k] = place_mm[k] - pane->center_mm[k];
         const double height = lx_dot(from, pane->axis), change = lx_dot(way, pane->axis), share = -height / change;

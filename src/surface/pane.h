@@ -32,8 +32,9 @@ struct lx_glass_pane lx_pane_carried(const struct lx_glass_pane *pane, const str
 double lx_pane_transmittance(const struct lx_glass_pane *pane, double cosine);
 #define LX_PANE_ROUNDING 1e-14
 
-/* What panes leave of light that comes to a place by a way, from its end or, `endless`, from beyond all. */
-double lx_panes_pass(const struct lx_glass_pane *panes, size_t count, const double place_mm[3], const double way[3],
-                     bool endless);
+/* What panes leave of light that comes to a place by a way, from its end or, `endless`, from beyond all.  It comes
+ * `through` one of them, whatever rounding makes of its rim, and no other of that room; NULL: who knows through which. */
+double lx_panes_pass(const struct lx_glass_pane *panes, size_t count, const struct lx_glass_pane *through,
+                     const double place_mm[3], const double way[3], bool endless);
 
 #endif

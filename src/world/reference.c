@@ -107,7 +107,7 @@ lx_bounded lx_openness_of(const struct lx_prepared *prepared, const struct lx_el
     double place[3], towards[3];
     lx_values3(element->place_mm, place);
     lx_values3(way, towards);
-    const double passed = lx_panes_pass(prepared->panes, prepared->pane_count, place, towards, endless);
+    const double passed = lx_panes_pass(prepared->panes, prepared->pane_count, NULL, place, towards, endless);
     return lx_mul(open, (lx_bounded){passed, LX_PANE_ROUNDING});
 }
 
@@ -280,29 +280,42 @@ static void find_rim(const struct lx_glass_pane *opening, const double place_mm[
     }
 }
 
-/* What is seen of a patch through the openings of the room around the element, whose walls hide all else. */
+static void add_lighting(struct lx_lighting *sum, const struct lx_lighting *part)
+{
+    sum->irradiance = lx_add(sum->irradiance, part->irradiance);
+    sum->diffuse = lx_add(sum->diffuse, part->diffuse);
+    sum->specular = lx_add(sum->specular, part->specular);
+    sum->parts += part->parts;
+}
+
+/* What is seen through the openings of the room around the element, whose walls hide all else. */
 static struct lx_lighting light_through(const struct lx_prepared *prepared, const struct lx_element *element,
-                                        const struct lx_dome_view *whole, size_t room, double before)
+                                        const struct lx_dome *dome, size_t room, double away_mm)
 {
     struct lx_lighting sum = {.irradiance = lx_exact(0), .diffuse = lx_exact(0), .specular = lx_exact(0)};
     struct lx_prepared without = *prepared;
-    double place[3];
+    double place[3], normal[3];
     lx_values3(element->place_mm, place);
+    lx_values3(element->normal, normal);
     without.left_out = room + 1;
     for (size_t i = 0; i < prepared->pane_count; i++) {
         const struct lx_glass_pane *opening = &prepared->panes[i];
         const lx_wide3 outwards = lx_wide3_mul(lx_wide3_of(opening->axis), lx_wide_of(-1));
-        struct lx_dome_view seen;
+        struct lx_dome_view views[LX_MOST_DOME_VIEWS];
         lx_wide3 rim[4];
-        find_rim(opening, place, rim);
-        if (opening->surface != room || !lx_dome_clip(whole, rim, outwards, place, &seen))
+        if (opening->surface != room)
             continue;
-        const struct lx_lighting part =
-            light_by_extended(&without, element, &seen.emitter, before + sum.irradiance.value);
-        sum.irradiance = lx_add(sum.irradiance, part.irradiance);
-        sum.diffuse = lx_add(sum.diffuse, part.diffuse);
-        sum.specular = lx_add(sum.specular, part.specular);
-        sum.parts += part.parts;
+        find_rim(opening, place, rim);
+        const size_t count = lx_dome_see_through(dome, rim, outwards, place, away_mm, views);
+        for (size_t k = 0; k < count; k++) {
+            if (is_below(&views[k], place, normal))
+                continue;
+            set_panes(prepared, &views[k].emitter);
+            views[k].emitter.through = opening;
+            const struct lx_lighting part =
+                light_by_extended(&without, element, &views[k].emitter, sum.irradiance.value);
+            add_lighting(&sum, &part);
+        }
     }
     return sum;
 }
@@ -321,19 +334,16 @@ static struct lx_lighting light_by_dome(const struct lx_prepared *prepared, cons
     struct lx_prepared shared = *prepared;
     shared.tolerance /= SHARES;
     const size_t room = prepared->shadows_extended && !looks_below ? find_room(prepared, place, normal) : SIZE_MAX;
+    if (room < SIZE_MAX && !lx_is_sun(dome))
+        return light_through(&shared, element, dome, room, away_mm);
     for (size_t i = 0; i < dome->patch_count; i++) {
         struct lx_dome_view view;
         lx_dome_see(dome, i, place, away_mm, &view);
         if (!looks_below && is_below(&view, place, normal))
             continue;
         set_panes(prepared, &view.emitter);
-        const struct lx_lighting part = room < SIZE_MAX && view.emitter.facets
-                                            ? light_through(&shared, element, &view, room, sum.irradiance.value)
-                                            : light_by_extended(&shared, element, &view.emitter, sum.irradiance.value);
-        sum.irradiance = lx_add(sum.irradiance, part.irradiance);
-        sum.diffuse = lx_add(sum.diffuse, part.diffuse);
-        sum.specular = lx_add(sum.specular, part.specular);
-        sum.parts += part.parts;
+        const struct lx_lighting part = light_by_extended(&shared, element, &view.emitter, sum.irradiance.value);
+        add_lighting(&sum, &part);
     }
     return sum;
 }

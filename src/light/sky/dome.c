@@ -100,6 +100,8 @@ struct lx_dome *lx_dome_of_sky(const struct lx_sky *sky, lx_bounded zenith, lx_b
     dome->sky = *sky;
     memcpy(dome->up, sky->up, sizeof dome->up);
     dome->facing = lx_mul(zenith, lx_sky_horizontal(sky));
+    dome->zenith = zenith;
+    dome->ground = ground;
     const double along = lx_dot(sky->sun, sky->up);
     for (int k = 0; k < 3; k++) {
         around[0][k] = sky->sun[k] - along * sky->up[k];
@@ -153,6 +155,8 @@ struct lx_dome *lx_dome_carry(const struct lx_dome *dome, const struct lx_frame 
         return NULL;
     made->sky = dome->sky;
     made->facing = dome->facing;
+    made->zenith = dome->zenith;
+    made->ground = dome->ground;
     lx_frame_turn(frame, dome->up, made->up);
     lx_frame_turn(frame, dome->sky.up, made->sky.up);
     lx_frame_turn(frame, dome->sky.sun, made->sky.sun);
@@ -262,36 +266,70 @@ static bool lay_polygon(struct lx_dome_view *view, size_t count, const double pl
     return facets->area_mm2 > 1e-28 * facets->radius_mm * facets->radius_mm && facets->area_mm2 > 0;
 }
 
-bool lx_dome_clip(const struct lx_dome_view *whole, const lx_wide3 rim[4], lx_wide3 outwards, const double place_mm[3],
-                  struct lx_dome_view *seen)
+/* A polygon of offsets from a place, in the plane of an opening, that shines to the place; false: it has no area. */
+static bool set_view(const lx_wide3 *corners, size_t count, lx_wide3 inwards, lx_bounded radiance,
+                     const struct lx_sky *sky, const double place_mm[3], struct lx_dome_view *view)
 {
-    const lx_wide3 place = lx_wide3_of(place_mm);
-    const double height = lx_wide3_dot(outwards, rim[0]).high;
+    *view = (struct lx_dome_view){.emitter = {.type = LX_FACETS, .radiance = radiance, .attenuation = LX_INVERSE_SQUARE},
+                                  .facets = {.face_count = 1},
+                                  .face = {.normal = inwards}};
+    view->emitter.sky = sky;
+    view->emitter.facets = &view->facets;
+    view->facets.faces = &view->face;
+    view->facets.corners_mm = view->corners_mm;
+    view->facets.edges = view->edges;
+    view->facets.loop = view->loop;
+    memcpy(view->corners_mm, corners, count * sizeof *corners);
+    return count >= LX_DOME_CORNERS && lay_polygon(view, count, place_mm);
+}
+
+/* Whether a direction leads through a convex polygon around a place; its corners run counter-clockwise as seen from
+ * there. */
+static bool leads_through(const lx_wide3 *corners, size_t count, lx_wide3 towards)
+{
+    bool is_within = count >= LX_DOME_CORNERS;
+    for (size_t i = 0; i < count && is_within; i++)
+        is_within = lx_wide3_dot(lx_wide3_cross(corners[i], corners[(i + 1) % count]), towards).high <= 0;
+    return is_within;
+}
+
+size_t lx_dome_see_through(const struct lx_dome *dome, const lx_wide3 rim[4], lx_wide3 outwards,
+                           const double place_mm[3], double away_mm, struct lx_dome_view views[LX_MOST_DOME_VIEWS])
+{
+    enum { RIM = 4 };
+    const lx_wide height = lx_wide3_dot(outwards, rim[0]);
+    const lx_wide3 up = lx_wide3_of(dome->sky.up), down = lx_wide3_mul(up, lx_wide_of(-1));
+    const lx_wide3 inwards = lx_wide3_mul(outwards, lx_wide_of(-1)), sun = lx_wide3_of(dome->sky.sun);
+    const bool is_even = dome->sky.kind == LX_SKY_UNIFORM;
+    lx_wide3 above[LX_MOST_VIEW_CORNERS], below[LX_MOST_VIEW_CORNERS];
+    size_t seen = 0;
+    if (!(height.high > 0))
+        return 0;
+    const lx_wide scale = lx_wide_div(lx_wide_of(away_mm), height);
+    const lx_wide3 across = lx_wide3_cross(lx_wide3_sub(rim[1], rim[0]), lx_wide3_sub(rim[2], rim[1]));
+    const bool is_clockwise = lx_wide3_dot(across, inwards).high < 0;
     double size = 0;
-    size_t count = whole->facets.corner_count;
-    *seen = *whole;
-    seen->emitter.facets = &seen->facets;
-    seen->facets.faces = &seen->face;
-    seen->facets.corners_mm = seen->corners_mm;
-    seen->facets.edges = seen->edges;
-    seen->facets.loop = seen->loop;
-    for (size_t i = 0; i < count; i++)
-        seen->corners_mm[i] = lx_wide3_sub(whole->corners_mm[whole->facets.loop[i]], place);
-    if (!(height > 0))
-        return false;
-    for (int i = 0; i < 4; i++)
-        size = fmax(size, fabs(rim[i].x.high) + fabs(rim[i].y.high) + fabs(rim[i].z.high));
+    for (int i = 0; i < RIM; i++) {
+        const lx_wide3 *corner = &rim[is_clockwise ? RIM - 1 - i : i];
+        above[i] = below[i] = lx_wide3_mul(*corner, scale);
+        size = fmax(size, fabs(corner->x.high) + fabs(corner->y.high) + fabs(corner->z.high));
+    }
+    const size_t above_count = cut_polygon(above, RIM, &up), below_count = cut_polygon(below, RIM, &down);
+    const bool has_sun = lx_sky_has_sun(dome->sky.kind) && leads_through(above, above_count, sun);
+    if (dome->ground.value > 0)
+        seen += set_view(below, below_count, inwards, dome->ground, NULL, place_mm, &views[seen]);
+    for (size_t i = 0; i < above_count && has_sun; i++) {
+        const lx_wide far = lx_wide_div(lx_wide_of(away_mm), lx_wide3_dot(outwards, sun));
+        const lx_wide3 triangle[LX_DOME_CORNERS] = {lx_wide3_mul(sun, far), above[i], above[(i + 1) % above_count]};
+        seen += set_view(triangle, LX_DOME_CORNERS, inwards, dome->zenith, &dome->sky, place_mm, &views[seen]);
+    }
+    if (dome->zenith.value > 0 && !has_sun)
+        seen += set_view(above, above_count, inwards, dome->zenith, is_even ? NULL : &dome->sky, place_mm, &views[seen]);
     for (int k = 0; k < 3; k++)
         size += fabs(place_mm[k]);
-    seen->facets.corner_error_mm *= 1 + size / height;
-    count = cut_polygon(seen->corners_mm, count, &outwards);
-    for (int i = 0; i < 4 && count >= 3; i++) {
-        lx_wide3 side = lx_wide3_cross(rim[i], rim[(i + 1) % 4]);
-        if (lx_wide3_dot(side, rim[(i + 2) % 4]).high < 0)
-            side = lx_wide3_mul(side, lx_wide_of(-1));
-        count = cut_polygon(seen->corners_mm, count, &side);
-    }
-    return count >= 3 && lay_polygon(seen, count, place_mm);
+    for (size_t i = 0; i < seen; i++)
+        views[i].facets.corner_error_mm = DIRECTION_ERROR * away_mm * (1 + size / height.high);
+    return seen;
 }
 
 /* What it gives a plane that faces it, and from where: enough to tell how large other numbers are. */

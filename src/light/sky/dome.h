@@ -17,7 +17,7 @@
 #include "dome_keeping.h"
 #include "luminance.h"
 
-enum { LX_DOME_CORNERS = 3, LX_MOST_VIEW_CORNERS = 8, LX_MOST_DOME_PATCHES = 12 };
+enum { LX_DOME_CORNERS = 3, LX_MOST_VIEW_CORNERS = 8, LX_MOST_DOME_PATCHES = 12, LX_MOST_DOME_VIEWS = 6 };
 
 /* Around the origin, at about the distance 1. */
 struct lx_dome_patch {
@@ -33,6 +33,7 @@ struct lx_dome {
     struct lx_sky sky;
     double up[3];
     lx_bounded facing; /* the irradiance of a plane across `up` or, of the sun, its direction */
+    lx_bounded zenith, ground; /* of a sky, its radiance there, and that of the ground */
     struct lx_dome_patch patches[LX_MOST_DOME_PATCHES];
     size_t patch_count;
 };
@@ -64,10 +65,11 @@ struct lx_dome_view {
 void lx_dome_see(const struct lx_dome *dome, size_t patch, const double place_mm[3], double away_mm,
                  struct lx_dome_view *view);
 
-/* What is seen of a patch, a triangle around a place, through a rectangle whose corners are so far from the place, in
- * their order; false: nothing is.  The unit normal of the rectangle leads away from the place. */
-bool lx_dome_clip(const struct lx_dome_view *whole, const lx_wide3 rim[4], lx_wide3 outwards, const double place_mm[3],
-                  struct lx_dome_view *seen);
+/* What is seen of a sky and its ground through a rectangle whose corners are so far from a place, in their order, as
+ * convex polygons in a plane along it: the sky whole or, where the sun is in it, as triangles that have it in a corner.
+ * The unit normal of the rectangle leads away from the place.  Returns how many views were set. */
+size_t lx_dome_see_through(const struct lx_dome *dome, const lx_wide3 rim[4], lx_wide3 outwards,
+                           const double place_mm[3], double away_mm, struct lx_dome_view views[LX_MOST_DOME_VIEWS]);
 
 /* The sky with the radiance of its zenith, and the ground below with one of its own; NULL: memory ran out. */
 struct lx_dome *lx_dome_of_sky(const struct lx_sky *sky, lx_bounded zenith, lx_bounded ground);
