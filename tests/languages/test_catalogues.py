@@ -63,7 +63,7 @@ def sources(tap):
             elif element.get("name", element.tag) in SHOWN and re.search("[a-z]{2}", element.text or ""):
                 tap.equal(element.text, "Luxel", "%s: what is not translated is a name" % path.name)
 
-    messages = (ROOT / "src" / "base" / "messages.def").read_text(encoding="utf-8")
+    messages = "".join(path.read_text(encoding="utf-8") for path in sorted((ROOT / "src" / "base").glob("messages*.def")))
     parts = LITERAL.replace("(", "(?:", 1)
     for name, literals in re.findall(r'LX_MESSAGE\((\w+),\s*"[^"]*",\s*((?:%s\s*)+)\)' % parts, messages):
         text = "".join(re.findall(LITERAL, literals)).replace('\\"', '"').replace("\\\\", "\\")
