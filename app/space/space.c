@@ -5,6 +5,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "../../front/words.h"
 #include "../base/geometry.h"
 #include "../base/number.h"
 #include "../picture/marks.h"
@@ -120,6 +121,20 @@ void app_space_view(const AppSpace *space, const double place_mm[3], double view
     app_unit(to, view);
 }
 
+gboolean app_space_light(const AppThing *thing, const double place_mm[3], const double normal[3], double light[3])
+{
+    double to[3], along = 0;
+    if ((thing->kind != APP_THING_LAMP && thing->kind != APP_THING_DIRECTION) || !thing->is_on)
+        return FALSE;
+    for (int k = 0; k < 3; k++)
+        to[k] = thing->at_mm[k] - (thing->kind == APP_THING_DIRECTION ? thing->from_mm[k] : place_mm[k]);
+    if (!app_unit(to, light))
+        return FALSE;
+    for (int k = 0; k < 3; k++)
+        along += light[k] * normal[k];
+    return along > 0;
+}
+
 /* ---- surfaces and lamps ---- */
 
 static void add_surface(AppSpace *space, const luxel_scene *scene, AppOutlines *outlines, gsize index)
@@ -127,11 +142,16 @@ static void add_surface(AppSpace *space, const luxel_scene *scene, AppOutlines *
     char base[APP_KEY_SIZE];
     AppThing thing = {.kind = APP_THING_SURFACE, .index = index, .is_on = TRUE};
     g_snprintf(base, sizeof base, "surfaces[%zu]", index);
+    double center[3], half[3];
+    if (luxel_scene_surface_place(scene, index, center) == LUXEL_OK && app_space_half(scene, index, half))
+        for (int k = 0; k < 3; k++)
+            space->floor_mm[k] = MIN(space->floor_mm[k], center[k] - half[k]);
     const char *name = app_space_numbers(scene, base, "center", thing.at_mm, 3) == 3 ? "center" : "position";
     if (app_space_numbers(scene, base, name, thing.at_mm, 3) == 3) {
         add_thing(space, &thing, base, name);
         app_space_include(space, thing.at_mm);
-        app_space_add_surface(space, scene, outlines, index);
+        if (outlines)
+            app_space_add_surface(space, scene, outlines, index);
     }
 }
 
@@ -260,6 +280,7 @@ AppSpace *app_space_new(const AppMoment *moment, AppOutlines *outlines)
     space->things = g_array_new(FALSE, TRUE, sizeof(AppThing));
     space->lines = g_array_new(FALSE, TRUE, sizeof(AppLine));
     space->places = g_array_new(FALSE, TRUE, 3 * sizeof(double));
+    space->cones = g_array_new(FALSE, TRUE, sizeof(AppCone));
     for (int k = 0; k < 3; k++) {
         space->low[k] = (double)INFINITY;
         space->high[k] = (double)-INFINITY;
@@ -282,7 +303,30 @@ void app_space_free(AppSpace *space)
     g_array_unref(space->things);
     g_array_unref(space->lines);
     g_array_unref(space->places);
+    g_array_unref(space->cones);
     g_free(space);
+}
+
+char *app_thing_tell(const AppThing *thing)
+{
+    static const char *const words[] = {[APP_THING_LAMP] = N_("Source %zu"),
+                                        [APP_THING_AIM] = N_("Aim of source %zu"),
+                                        [APP_THING_AXIS] = N_("Direction of source %zu"),
+                                        [APP_THING_C0] = N_("Direction C0 of source %zu"),
+                                        [APP_THING_DIRECTION] = N_("Direction of source %zu"),
+                                        [APP_THING_SURFACE] = N_("Surface %zu"),
+                                        [APP_THING_OBSERVER] = N_("Observer"),
+                                        [APP_THING_TARGET] = N_("Where the observer looks")};
+    const gboolean is_direction =
+        thing->kind == APP_THING_AXIS || thing->kind == APP_THING_C0 || thing->kind == APP_THING_DIRECTION;
+    char n[3][APP_NUMBER_SIZE], *name = g_strdup_printf(_(words[thing->kind]), thing->index + 1);
+    if (is_direction)
+        return name;
+    for (int k = 0; k < 3; k++)
+        app_number_place(thing->at_mm[k], 1e4, n[k]);
+    char *text = g_strdup_printf(_("%s\nx %s, y %s, z %s mm"), name, n[0], n[1], n[2]);
+    g_free(name);
+    return text;
 }
 
 /* ---- moving ---- */
@@ -316,18 +360,19 @@ static gboolean set_direction(const AppThing *thing, const double to_mm[3], AppD
     return done;
 }
 
-static gboolean set_place(AppThing *thing, AppProjection projection, const double to_mm[3], double grain_mm,
+/* Sets the coordinates that are moved. */
+static gboolean set_place(AppThing *thing, const gboolean moves[3], const double to_mm[3], double grain_mm,
                           AppDocument *document)
 {
-    const int up = app_projection_up(projection);
     double place[3];
-    /* what the projection does not show stays as it is written */
+    /* what is not moved stays as it is written */
     char *text = app_document_get(document, thing->key, NULL);
     if (app_list_read(text, place, 3) != 3)
         memcpy(place, thing->at_mm, sizeof place);
     g_free(text);
-    place[0] = round_to(to_mm[0], grain_mm);
-    place[up] = round_to(to_mm[up], grain_mm);
+    for (int k = 0; k < 3; k++)
+        if (moves[k])
+            place[k] = round_to(to_mm[k], grain_mm);
     char *list = app_list_write(place, 3);
     const gboolean done = app_document_set(document, thing->key, list, NULL);
     if (done)
@@ -336,10 +381,9 @@ static gboolean set_place(AppThing *thing, AppProjection projection, const doubl
     return done;
 }
 
-gboolean app_space_move(AppThing *thing, AppProjection projection, const double to_mm[3], double grain_mm,
-                        AppDocument *document)
+static gboolean move(AppThing *thing, const gboolean moves[3], const double to_mm[3], double grain_mm,
+                     AppDocument *document)
 {
-    const int up = app_projection_up(projection);
     char number[APP_NUMBER_SIZE];
     switch (thing->kind) {
     case APP_THING_NONE: return FALSE;
@@ -349,17 +393,30 @@ gboolean app_space_move(AppThing *thing, AppProjection projection, const double 
     default: break;
     }
     if (strcmp(thing->key, "observer.z") == 0)
-        return projection == APP_ELEVATION &&
+        return moves[2] &&
                app_document_set(document, thing->key,
                                 app_number_write(MAX(round_to(to_mm[2], grain_mm), SMALLEST_MM), number), NULL);
     if (g_str_has_suffix(thing->key, ".vertices")) {
         const AppMark mark = {.kind = APP_MARK_SOURCE, .index = thing->index};
         double step[3] = {0};
-        step[0] = round_to(to_mm[0] - thing->at_mm[0], grain_mm);
-        step[up] = round_to(to_mm[up] - thing->at_mm[up], grain_mm);
-        for (int k = 0; k < 3; k++) /* the next step begins there */
-            thing->at_mm[k] += step[k];
+        for (int k = 0; k < 3; k++) {
+            step[k] = moves[k] ? round_to(to_mm[k] - thing->at_mm[k], grain_mm) : 0;
+            thing->at_mm[k] += step[k]; /* the next step begins there */
+        }
         return app_mark_shift(&mark, step, document);
     }
-    return set_place(thing, projection, to_mm, grain_mm, document);
+    return set_place(thing, moves, to_mm, grain_mm, document);
+}
+
+gboolean app_space_move(AppThing *thing, AppProjection projection, const double to_mm[3], double grain_mm,
+                        AppDocument *document)
+{
+    const gboolean moves[3] = {TRUE, app_projection_up(projection) == 1, app_projection_up(projection) == 2};
+    return move(thing, moves, to_mm, grain_mm, document);
+}
+
+gboolean app_space_carry(AppThing *thing, const double to_mm[3], double grain_mm, AppDocument *document)
+{
+    static const gboolean all[3] = {TRUE, TRUE, TRUE};
+    return move(thing, all, to_mm, grain_mm, document);
 }

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * A scene in space, as plan and elevation draw it: lines in the scene's coordinates, and things that can be grabbed,
+ * A scene in space, as what shows it there draws it: lines in the scene's coordinates, and things that can be grabbed,
  * each with the key of the scene that says where it is.  It knows no widget.
  */
 #ifndef LUXEL_APP_SPACE_H
@@ -51,10 +51,19 @@ typedef struct AppLine {
     gsize first, count; /* of the places */
 } AppLine;
 
+/* The cone of a spot, as far as it is aimed. */
+typedef struct AppCone {
+    gsize light;
+    double tip_mm[3], axis[3]; /* a unit vector */
+    double length_mm, radius_mm;
+} AppCone;
+
 typedef struct AppSpace {
     GArray *things;             /* AppThing's; lamps first */
     GArray *lines;              /* AppLine's */
     GArray *places;             /* three numbers each, in mm */
+    GArray *cones;              /* AppCone's */
+    double floor_mm[3];         /* the lowest coordinates of bodies, 0 or below */
     double low[3], high[3];     /* that hold all of them */
     double eye_mm[3];           /* where the observer stands */
     double sight[3];            /* the unit vector to the observer, where that is the same everywhere */
@@ -63,12 +72,20 @@ typedef struct AppSpace {
 
 typedef struct AppOutlines AppOutlines; /* outlines.h */
 
-/* The caller's; NULL: the scene is not committed.  Silhouettes of meshes are taken from the outlines. */
+/* The caller's; NULL: the scene is not committed.  Silhouettes are taken from the outlines; NULL: surfaces have no
+ * lines. */
 AppSpace *app_space_new(const AppMoment *moment, AppOutlines *outlines);
 void app_space_free(AppSpace *space);
 
+/* What a thing is, and where: "Source 2", "x 1500, y 200, z 2200 mm"; the caller's. */
+char *app_thing_tell(const AppThing *thing);
+
 /* The unit vector from a place to the observer, as the formula of the highlight has it. */
 void app_space_view(const AppSpace *space, const double place_mm[3], double view[3]);
+
+/* The unit vector from a place with this normal to a lamp, or against distant light; FALSE: it is none that shines
+ * there. */
+gboolean app_space_light(const AppThing *thing, const double place_mm[3], const double normal[3], double light[3]);
 
 /*
  * Moves a thing: the coordinates of the projection become those of `to_mm`, rounded to `grain_mm`, the third one stays.
@@ -77,6 +94,8 @@ void app_space_view(const AppSpace *space, const double place_mm[3], double view
  */
 gboolean app_space_move(AppThing *thing, AppProjection projection, const double to_mm[3], double grain_mm,
                         AppDocument *document);
+/* The same with all three coordinates. */
+gboolean app_space_carry(AppThing *thing, const double to_mm[3], double grain_mm, AppDocument *document);
 /* Whether a projection can move it at all: the height of an observer is not seen from above. */
 gboolean app_space_moves(const AppThing *thing, AppProjection projection);
 

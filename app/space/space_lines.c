@@ -156,15 +156,36 @@ static void add_box(AppSpace *space, const luxel_scene *scene, const AppBody *bo
     }
 }
 
-/* The normal of a surface that has an axis and no height. */
+gboolean app_space_front(const luxel_scene *scene, gsize surface, double axis[3])
+{
+    char base[APP_KEY_SIZE];
+    double height;
+    g_snprintf(base, sizeof base, "surfaces[%zu]", surface);
+    return app_space_numbers(scene, base, "axis", axis, 3) == 3 &&
+           app_space_numbers(scene, base, "height", &height, 1) != 1 && app_unit(axis, axis);
+}
+
+gboolean app_space_half(const luxel_scene *scene, gsize surface, double half[3])
+{
+    char base[APP_KEY_SIZE];
+    double radius, axis[3];
+    g_snprintf(base, sizeof base, "surfaces[%zu]", surface);
+    if (luxel_scene_surface_radius(scene, surface, &radius) != LUXEL_OK)
+        return FALSE;
+    const gboolean is_box = app_space_numbers(scene, base, "size", half, 3) == 3;
+    const gboolean is_plate = !is_box && app_space_front(scene, surface, axis);
+    for (int k = 0; k < 3; k++)
+        half[k] = is_box ? half[k] / 2 : radius * (is_plate ? sqrt(MAX(1 - axis[k] * axis[k], 0)) : 1);
+    return TRUE;
+}
+
+/* The normal of a plate. */
 static void add_front(AppSpace *space, const luxel_scene *scene, gsize index)
 {
     char base[APP_KEY_SIZE];
-    double center[3], axis[3], height, radius = 0;
+    double center[3], axis[3], radius = 0;
     g_snprintf(base, sizeof base, "surfaces[%zu]", index);
-    if (app_space_numbers(scene, base, "axis", axis, 3) == 3 &&
-        app_space_numbers(scene, base, "height", &height, 1) != 1 &&
-        luxel_scene_surface_place(scene, index, center) == LUXEL_OK &&
+    if (app_space_front(scene, index, axis) && luxel_scene_surface_place(scene, index, center) == LUXEL_OK &&
         luxel_scene_surface_radius(scene, index, &radius) == LUXEL_OK)
         add_normal(space, &(AppBody){APP_LINE_SURFACE, index, base, NULL}, center, axis, 2 * radius);
 }
@@ -225,6 +246,21 @@ void app_space_add_body(AppSpace *space, const luxel_scene *scene, const AppBody
         add_polygon(space, scene, body, center);
 }
 
+/* A cone reaches to what its lamp is aimed at. */
+static void add_cone(AppSpace *space, const luxel_scene *scene, const AppThing *lamp, const char *base, double reach,
+                     double angle)
+{
+    static const double FREE = 0.6, FARTHEST = 75 * G_PI / 180; /* of the reach; an angle that can be drawn */
+    double aim[3];
+    AppCone cone = {.light = lamp->index, .length_mm = FREE * reach};
+    memcpy(cone.tip_mm, lamp->at_mm, sizeof cone.tip_mm);
+    luxel_scene_light_direction(scene, lamp->index, cone.axis);
+    if (app_space_numbers(scene, base, "aim", aim, 3) == 3)
+        cone.length_mm = hypot(hypot(aim[0] - cone.tip_mm[0], aim[1] - cone.tip_mm[1]), aim[2] - cone.tip_mm[2]);
+    cone.radius_mm = cone.length_mm * tan(MIN(angle, FARTHEST));
+    g_array_append_val(space->cones, cone);
+}
+
 void app_space_add_cone(AppSpace *space, const luxel_scene *scene, const AppThing *lamp, const char *base, double reach)
 {
     static const double LENGTH = 0.3, WIDEST = 80; /* of the reach; degrees that can be drawn */
@@ -234,6 +270,7 @@ void app_space_add_cone(AppSpace *space, const luxel_scene *scene, const AppThin
         !luxel_scene_light_direction(scene, lamp->index, axis))
         return;
     const double angle = MIN(outer, WIDEST) * G_PI / 180, length = LENGTH * reach * cos(angle);
+    add_cone(space, scene, lamp, base, reach, angle);
     app_basis(axis, y, u, v);
     along(lamp->at_mm, axis, length, axis, 0, end);
     fill_circle(end, u, v, length * tan(angle), rim);

@@ -8,7 +8,7 @@
 #include "../../front/words.h"
 #include "../base/number.h"
 #include "../base/touch.h"
-#include "../picture/marks.h"
+#include "hold.h"
 #include "stage_private.h"
 
 enum {
@@ -165,40 +165,6 @@ static void drag_begin(GtkGestureDrag *gesture, double x, double y, AppStage *se
         select_thing(self);
 }
 
-/* A power of ten below what a pixel shows; a round step of some eight pixels where numbers are to be round. */
-static double grain_of(const AppStage *self, GdkModifierType state)
-{
-    const double pixel = 1 / self->map.scale;
-    if (!(state & GDK_CONTROL_MASK))
-        return pow(10, floor(log10(pixel * ((state & GDK_SHIFT_MASK) ? 0.1 : 1))));
-    const double power = pow(10, floor(log10(8 * pixel))), share = 8 * pixel / power;
-    return power * (share < 2 ? 2 : share < 5 ? 5 : 10);
-}
-
-/* Moves the thing that is held, and with a lamp the others that are chosen, as one step of undo: those that stand
- * somewhere by as much, or light from far away turns together. */
-static void move_held(AppStage *self, const double to_mm[3], double grain_mm)
-{
-    AppThing *thing = &self->thing;
-    const gboolean several = self->was_chosen && is_lamp(thing);
-    double step[3];
-    memcpy(step, thing->at_mm, sizeof step);
-    app_document_set_topic(self->document, several ? "lights" : NULL);
-    const gboolean done = app_space_move(thing, self->projection, to_mm, grain_mm, self->document);
-    if (done)
-        app_turn_follow(self->turn, self->document);
-    if (done && several && thing->kind == APP_THING_LAMP) {
-        for (int k = 0; k < 3; k++)
-            step[k] = thing->at_mm[k] - step[k];
-        for (guint i = 0; i < self->chosen->len; i++) {
-            const AppMark mark = {.kind = APP_MARK_SOURCE, .index = g_array_index(self->chosen, gsize, i)};
-            if (mark.index != thing->index) /* light from far away stands nowhere, and stays */
-                app_mark_shift(&mark, step, self->document);
-        }
-    }
-    app_document_set_topic(self->document, NULL);
-}
-
 static void drag_update(GtkGestureDrag *gesture, double dx, double dy, AppStage *self)
 {
     const GdkModifierType state = gtk_event_controller_get_current_event_state(GTK_EVENT_CONTROLLER(gesture));
@@ -213,7 +179,9 @@ static void drag_update(GtkGestureDrag *gesture, double dx, double dy, AppStage 
     memcpy(to, self->start_mm, sizeof to);
     to[0] += dx * gain;
     to[app_projection_up(self->projection)] -= dy * gain;
-    move_held(self, to, grain_of(self, state));
+    app_hold_move(&self->thing, &self->projection, to,
+                  app_hold_grain(1 / self->map.scale, (state & GDK_SHIFT_MASK) != 0, (state & GDK_CONTROL_MASK) != 0),
+                  self->was_chosen && is_lamp(&self->thing) ? self->chosen : NULL, self->turn, self->document);
 }
 
 static void drag_end(GtkGestureDrag *gesture, double dx, double dy, AppStage *self)
@@ -244,30 +212,14 @@ static void let_go(AppStage *self)
     app_document_end_gesture(self->document);
 }
 
-/* What is under the pointer, and where: "Source 2: x 1500, y 200, z 2200 mm". */
 static gboolean query_tooltip(AppStage *self, int x, int y, gboolean by_keys, GtkTooltip *tooltip)
 {
-    static const char *const words[] = {[APP_THING_LAMP] = N_("Source %zu"),
-                                        [APP_THING_AIM] = N_("Aim of source %zu"),
-                                        [APP_THING_AXIS] = N_("Direction of source %zu"),
-                                        [APP_THING_C0] = N_("Direction C0 of source %zu"),
-                                        [APP_THING_DIRECTION] = N_("Direction of source %zu"),
-                                        [APP_THING_SURFACE] = N_("Surface %zu"),
-                                        [APP_THING_OBSERVER] = N_("Observer"),
-                                        [APP_THING_TARGET] = N_("Where the observer looks")};
     AppThing thing;
-    char n[3][APP_NUMBER_SIZE];
     if (by_keys || !thing_at(self, x, y, &thing))
         return FALSE;
-    const gboolean is_direction =
-        thing.kind == APP_THING_AXIS || thing.kind == APP_THING_C0 || thing.kind == APP_THING_DIRECTION;
-    for (int k = 0; k < 3; k++)
-        app_number_place(thing.at_mm[k], 1e4, n[k]);
-    char *name = g_strdup_printf(_(words[thing.kind]), thing.index + 1);
-    char *text = is_direction ? g_strdup(name) : g_strdup_printf(_("%s\nx %s, y %s, z %s mm"), name, n[0], n[1], n[2]);
+    char *text = app_thing_tell(&thing);
     gtk_tooltip_set_text(tooltip, text);
     g_free(text);
-    g_free(name);
     return TRUE;
 }
 

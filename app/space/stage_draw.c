@@ -232,20 +232,6 @@ static void draw_vector(const Sheet *sheet, const char *name, const double vecto
     draw_text(sheet, name, to[0] + out * (to[0] - from[0]), to[1] + out * (to[1] - from[1]), TRUE);
 }
 
-/* The unit vector from the place to a lamp, or against distant light; FALSE where it shines from behind. */
-static gboolean find_light(const AppStage *stage, const AppThing *thing, double light[3])
-{
-    double to[3], along = 0;
-    for (int k = 0; k < 3; k++)
-        to[k] = thing->kind == APP_THING_DIRECTION ? thing->at_mm[k] - thing->from_mm[k]
-                                                   : thing->at_mm[k] - stage->place_mm[k];
-    if (!app_unit(to, light))
-        return FALSE;
-    for (int k = 0; k < 3; k++)
-        along += light[k] * stage->normal[k];
-    return thing->is_on && along > 0;
-}
-
 /* N, V, and of each lamp before the surface L; H, halfway between L and V, of the chosen one, or of all of a few. */
 static void draw_vectors(const Sheet *sheet)
 {
@@ -260,7 +246,7 @@ static void draw_vectors(const Sheet *sheet)
     }
     for (guint i = 0; i < things->len; i++) {
         const AppThing *thing = &g_array_index(things, AppThing, i);
-        if ((thing->kind != APP_THING_LAMP && thing->kind != APP_THING_DIRECTION) || !find_light(stage, thing, light))
+        if (!app_space_light(thing, stage->place_mm, stage->normal, light))
             continue;
         set_lamp(sheet, thing->index, 1);
         draw_vector(sheet, "L", light);

@@ -39,6 +39,7 @@ static const struct {
     {"F10", N_("Main menu")},
     {"F1", N_("Keyboard shortcuts")},
     {NULL, N_("Picture")},
+    {"S", N_("The scene in space, or the picture")},
     {"F", N_("Fit the picture")},
     {"Ctrl+0", N_("One pixel to one pixel")},
     {N_("+, −, wheel"), N_("Zoom")},

@@ -14,6 +14,7 @@
 #include "../base/pulse.h"
 #include "../base/reveal.h"
 #include "../base/row.h"
+#include "../space/space_view.h"
 #include "window_private.h"
 
 enum { PROGRESS_MS = 150, PULSE_MS = 1000 };
@@ -176,6 +177,7 @@ static void show_chosen(AppWindow *self)
     const gsize shown = app_sources_shown(APP_SOURCES(self->sources));
     app_view_choose(self->view, chosen);
     app_stage_choose(APP_STAGE(self->stage), chosen, shown);
+    app_space_view_choose(APP_SPACE_VIEW(self->space_view), chosen, shown);
     app_why_choose(APP_WHY(self->why), shown);
 }
 
@@ -203,7 +205,7 @@ static void document_renamed(AppWindow *self)
     g_free(title);
 }
 
-static void view_pointed(AppView *view, double x_mm, double y_mm, gboolean inside, AppWindow *self)
+static void view_pointed(GtkWidget *view, double x_mm, double y_mm, gboolean inside, AppWindow *self)
 {
     (void)view;
     self->pointer_mm[0] = x_mm;
@@ -214,6 +216,7 @@ static void view_pointed(AppView *view, double x_mm, double y_mm, gboolean insid
         app_dial_set_needle(APP_DIAL(self->bar), (double)NAN);
         app_sources_show_shares(APP_SOURCES(self->sources), NULL);
         app_stage_set_reading(APP_STAGE(self->stage), NULL);
+        app_space_view_set_reading(APP_SPACE_VIEW(self->space_view), NULL);
     }
     app_window_ask_pointer(self);
     app_window_judge(self);
@@ -236,11 +239,18 @@ static void source_toggled(GtkWidget *where, guint index, AppWindow *self)
     app_sources_toggle(APP_SOURCES(self->sources), index);
 }
 
+/* Wherever the pointer is on a lamp, or -1 on none, it is lit up everywhere else. */
+static void hover_light(AppWindow *self, gssize light)
+{
+    app_sources_hover(APP_SOURCES(self->sources), light);
+    app_stage_hover(APP_STAGE(self->stage), light);
+    app_space_view_hover(APP_SPACE_VIEW(self->space_view), light);
+}
+
 static void view_hovered(AppView *view, int kind, guint index, AppWindow *self)
 {
     (void)view;
-    app_sources_hover(APP_SOURCES(self->sources), kind == APP_MARK_SOURCE ? (gssize)index : -1);
-    app_stage_hover(APP_STAGE(self->stage), kind == APP_MARK_SOURCE ? (gssize)index : -1);
+    hover_light(self, kind == APP_MARK_SOURCE ? (gssize)index : -1);
 }
 
 static gboolean is_of_lamp(int kind)
@@ -248,15 +258,16 @@ static gboolean is_of_lamp(int kind)
     return kind != APP_THING_NONE && kind < APP_THING_SURFACE;
 }
 
-static void stage_hovered(AppStage *stage, int kind, guint index, AppWindow *self)
+/* In plan and elevation, or in space. */
+static void stage_hovered(GtkWidget *stage, int kind, guint index, AppWindow *self)
 {
     const gssize light = is_of_lamp(kind) ? (gssize)index : -1;
-    app_stage_hover(stage, light);
-    app_sources_hover(APP_SOURCES(self->sources), light);
+    (void)stage;
+    hover_light(self, light);
     app_view_hover(self->view, light < 0 ? APP_MARK_NONE : APP_MARK_SOURCE, light < 0 ? 0 : (gsize)light);
 }
 
-static void stage_selected(AppStage *stage, int kind, guint index, AppWindow *self)
+static void stage_selected(GtkWidget *stage, int kind, guint index, AppWindow *self)
 {
     (void)stage;
     if (is_of_lamp(kind)) {
@@ -271,7 +282,7 @@ static void list_hovered(AppSources *sources, int index, AppWindow *self)
 {
     (void)sources;
     app_view_hover(self->view, index < 0 ? APP_MARK_NONE : APP_MARK_SOURCE, index < 0 ? 0 : (gsize)index);
-    app_stage_hover(APP_STAGE(self->stage), index);
+    hover_light(self, index);
 }
 
 static void section_moved(AppView *view, double x_mm, double y_mm, AppWindow *self)
@@ -427,9 +438,13 @@ static void connect_parts(AppWindow *self)
     g_signal_connect(self->view, "toggled", G_CALLBACK(source_toggled), self);
     g_signal_connect(self->view, "hovered", G_CALLBACK(view_hovered), self);
     g_signal_connect(self->sources, "hovered", G_CALLBACK(list_hovered), self);
-    g_signal_connect(self->stage, "selected", G_CALLBACK(stage_selected), self);
-    g_signal_connect(self->stage, "toggled", G_CALLBACK(source_toggled), self);
-    g_signal_connect(self->stage, "hovered", G_CALLBACK(stage_hovered), self);
+    GtkWidget *const spaces[] = {self->stage, self->space_view};
+    for (gsize i = 0; i < G_N_ELEMENTS(spaces); i++) {
+        g_signal_connect(spaces[i], "selected", G_CALLBACK(stage_selected), self);
+        g_signal_connect(spaces[i], "toggled", G_CALLBACK(source_toggled), self);
+        g_signal_connect(spaces[i], "hovered", G_CALLBACK(stage_hovered), self);
+    }
+    g_signal_connect(self->space_view, "pointed", G_CALLBACK(view_pointed), self);
     g_signal_connect(self->view, "section-moved", G_CALLBACK(section_moved), self);
     g_signal_connect_swapped(self->view, "framed", G_CALLBACK(app_window_ask_picture), self);
     g_signal_connect(self->sources, "chosen", G_CALLBACK(source_chosen), self);
@@ -524,6 +539,7 @@ static void app_window_class_init(AppWindowClass *class)
     gtk_widget_class_set_template_from_resource(widget, "/org/luxel/Luxel/window.ui");
 #define BIND(name) gtk_widget_class_bind_template_child(widget, AppWindow, name)
     BIND(view);
+    BIND(cameras);
     BIND(pages);
     BIND(left_pane);
     BIND(right_pane);
@@ -562,6 +578,7 @@ static void app_window_class_init(AppWindowClass *class)
 static void make_space(AppWindow *self)
 {
     self->stage = app_stage_new(self->document);
+    app_window_add_space(self);
     self->why = app_why_new();
     gtk_overlay_add_overlay(GTK_OVERLAY(self->view_overlay), self->why);
     self->numbers = app_numbers_new(self->document, self->stage);

@@ -4,6 +4,7 @@
 
 #include "../../front/words.h"
 #include "../base/row.h"
+#include "../space/space_view.h"
 #include "shortcuts.h"
 #include "window_private.h"
 
@@ -43,12 +44,18 @@ static void view_action(GSimpleAction *action, GVariant *argument, gpointer data
     AppWindow *self = data;
     const char *name = g_action_get_name(G_ACTION(action));
     (void)argument;
-    if (strcmp(name, "fit") == 0)
+    AppSpaceView *space = app_window_is_in_space(self) ? APP_SPACE_VIEW(self->space_view) : NULL;
+    const gboolean is_in = strcmp(name, "zoom-in") == 0;
+    if (strcmp(name, "fit") == 0 && space)
+        app_space_view_fit(space);
+    else if (strcmp(name, "fit") == 0)
         app_view_fit(self->view);
     else if (strcmp(name, "one-to-one") == 0)
         app_view_one_to_one(self->view);
+    else if (space)
+        app_space_view_zoom(space, is_in ? ZOOM : 1 / ZOOM);
     else
-        app_view_zoom(self->view, strcmp(name, "zoom-in") == 0 ? ZOOM : 1 / ZOOM);
+        app_view_zoom(self->view, is_in ? ZOOM : 1 / ZOOM);
 }
 
 static void expose(GSimpleAction *action, GVariant *stops, gpointer data)
@@ -299,6 +306,7 @@ static const struct {
     {GDK_KEY_p, GDK_KEY_Cyrillic_ze, FALSE, "win.pin"},
     {GDK_KEY_d, GDK_KEY_Cyrillic_ve, FALSE, "win.next-side"},
     {GDK_KEY_w, GDK_KEY_Cyrillic_tse, FALSE, "win.why"},
+    {GDK_KEY_s, GDK_KEY_Cyrillic_yeru, FALSE, "win.space"},
 };
 
 static gboolean letter_pressed(GtkEventControllerKey *controller, guint key, guint code, GdkModifierType state,

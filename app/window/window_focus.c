@@ -6,7 +6,7 @@ typedef enum Pane { PANE_SCENE, PANE_PICTURE, PANE_NUMBERS, PANE_BAR, PANES } Pa
 
 static GtkWidget *widget_of(AppWindow *self, Pane pane)
 {
-    GtkWidget *const widgets[PANES] = {self->left_scroll, GTK_WIDGET(self->view), self->right_box, self->bar};
+    GtkWidget *const widgets[PANES] = {self->left_scroll, app_window_camera(self), self->right_box, self->bar};
     return widgets[pane];
 }
 
@@ -24,7 +24,7 @@ void app_window_take_keyboard(AppWindow *self)
 {
     GtkWidget *focus = gtk_window_get_focus(GTK_WINDOW(self));
     if (pane_in_focus(self) < 0 || !gtk_widget_get_mapped(focus))
-        gtk_widget_grab_focus(GTK_WIDGET(self->view));
+        gtk_widget_grab_focus(app_window_camera(self));
     gtk_window_present(GTK_WINDOW(self));
 }
 

@@ -83,7 +83,7 @@ void app_window_show_right(AppWindow *self, gboolean shown)
             g_settings_set_boolean(self->settings, "right-shown", shown);
     }
     if (!shown && gtk_widget_get_focus_child(self->right_box))
-        gtk_widget_grab_focus(GTK_WIDGET(self->view));
+        gtk_widget_grab_focus(app_window_camera(self));
     show_right(self);
 }
 

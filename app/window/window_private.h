@@ -63,7 +63,8 @@ struct _AppWindow {
     /* of the template */
     AppView *view;
     GtkWidget *pages, *left_pane, *right_pane, *left_scroll, *left_box, *right_box, *compare_box, *compare_label, *bar;
-    GtkWidget *view_overlay, *bars_box; /* what lies over the picture */
+    GtkWidget *cameras;                 /* picture and space, of which one is seen, */
+    GtkWidget *view_overlay, *bars_box; /* and what lies over them */
     GtkWidget *unsaved_bar, *unsaved_label, *discard_button, *fault_bar, *fault_label, *outside_bar, *outside_label;
     GtkWidget *direct_label; /* what the picture is, before reflected light has come */
     GtkWidget *progress_label, *stop_button;
@@ -74,7 +75,7 @@ struct _AppWindow {
     GMenu *builtin_menu, *recent_menu, *export_menu;
     /* made by hand */
     GtkWidget *screen_form, *surface_list, *surface_form, *material_form, *picture_form;
-    GtkWidget *sources, *points, *display_form, *numbers, *stage, *why;
+    GtkWidget *sources, *points, *display_form, *numbers, *stage, *space_view, *why;
     GtkWidget *gallery; /* NULL: it was not asked for yet */
 };
 
@@ -120,6 +121,12 @@ void app_window_set_stale(AppWindow *self, const luxel_diagnostics *faults);
 void app_window_make_repair(AppWindow *self);
 /* Where nothing is seen, as a plate shows the observer its back, says so and offers to turn it. */
 void app_window_offer_turn(AppWindow *self, const AppPicture *picture);
+
+/* window_space.c: the scene in space, in the place of the picture. */
+void app_window_add_space(AppWindow *self);
+gboolean app_window_is_in_space(AppWindow *self);
+/* That of the two that is seen. */
+GtkWidget *app_window_camera(AppWindow *self);
 
 /* window_panes.c: the widths of the panes, in whatever window they stand. */
 void app_window_watch_panes(AppWindow *self);

@@ -7,6 +7,7 @@
 #include "../base/lamp.h"
 #include "../base/number.h"
 #include "../base/pulse.h"
+#include "../space/space_view.h"
 #include "export.h"
 #include "window_private.h"
 
@@ -39,7 +40,7 @@ void app_window_reveal_bar(AppWindow *self, GtkWidget *bar, gboolean revealed)
 {
     GtkWidget *focus = gtk_window_get_focus(GTK_WINDOW(self));
     if (!revealed && focus && gtk_widget_is_ancestor(focus, bar))
-        gtk_widget_grab_focus(GTK_WIDGET(self->view));
+        gtk_widget_grab_focus(app_window_camera(self));
     gtk_info_bar_set_revealed(GTK_INFO_BAR(bar), revealed);
 }
 
@@ -141,6 +142,7 @@ void app_window_show_picture(AppPicture *picture, gpointer owner)
         app_window_rest(self);
     app_view_set_picture(self->view, picture);
     app_stage_set_moment(APP_STAGE(self->stage), picture->shot->moment);
+    app_space_view_set_picture(APP_SPACE_VIEW(self->space_view), picture);
     app_display_form_tell_range(APP_DISPLAY_FORM(self->display_form), picture->low, picture->high);
     app_form_suggest(APP_FORM(self->picture_form), "picture.range", picture->low, picture->high);
     app_numbers_set_colors(APP_NUMBERS(self->numbers), picture->display.palette, picture->low, picture->high,
@@ -309,6 +311,7 @@ void app_window_show_reading(const AppReading *reading, gpointer owner)
     app_dial_set_needle(APP_DIAL(self->bar), shown_value(reading));
     app_sources_show_shares(APP_SOURCES(self->sources), reading);
     app_stage_set_reading(APP_STAGE(self->stage), reading);
+    app_space_view_set_reading(APP_SPACE_VIEW(self->space_view), reading);
     if (value->on_surface && value->has_value)
         app_why_point(APP_WHY(self->why), app_window_shot(self), reading->x_mm, reading->y_mm);
     app_window_judge(self);

@@ -11,6 +11,7 @@
 #include "../../front/words.h"
 #include "../base/dim.h"
 #include "../base/number.h"
+#include "../space/space_view.h"
 #include "window_private.h"
 
 /* What may be behind, and after how long it is said. */
@@ -50,6 +51,7 @@ void app_window_await_reading(AppWindow *self)
     app_dial_set_needle(APP_DIAL(self->bar), (double)NAN);
     app_sources_show_shares(APP_SOURCES(self->sources), NULL);
     app_stage_set_reading(APP_STAGE(self->stage), NULL);
+    app_space_view_set_reading(APP_SPACE_VIEW(self->space_view), NULL);
 }
 
 static gboolean grow_late(gpointer data);
@@ -65,6 +67,7 @@ static guint tell_parts(AppWindow *self)
     app_why_set_version(APP_WHY(self->why), version.shot);
     app_view_set_stale(self->view, is_dim);
     app_stage_set_stale(APP_STAGE(self->stage), is_dim);
+    app_space_view_set_stale(APP_SPACE_VIEW(self->space_view), is_dim);
     app_set_stale(self->bar, is_dim);
     app_set_stale(self->status_label, self->pointer_inside && !app_version_equal(&self->reading, &version));
     return (is_latest(self) ? 0 : BEHIND_PICTURE) | (has_numbers && has_sources ? 0 : BEHIND_NUMBERS) |
@@ -103,6 +106,8 @@ void app_window_forget(AppWindow *self)
     app_window_set_stale(self, NULL);
     app_view_forget(self->view);
     app_stage_set_moment(APP_STAGE(self->stage), NULL);
+    app_space_view_set_picture(APP_SPACE_VIEW(self->space_view), NULL);
+    app_space_view_set_reading(APP_SPACE_VIEW(self->space_view), NULL);
     app_stage_set_reading(APP_STAGE(self->stage), NULL);
     app_dial_set_picture(APP_DIAL(self->bar), NULL);
     app_dial_set_needle(APP_DIAL(self->bar), (double)NAN);

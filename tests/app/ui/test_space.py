@@ -1,0 +1,109 @@
+# SPDX-License-Identifier: MIT
+"""The scene in space, in the place of the picture: lit bodies, lamps that are taken in the plane of the view, a view that
+turns, moves and is fitted again, and the value of a place that the pointer is on."""
+import re
+
+from desk import luxel, trial
+from waiting import wait
+
+POSITION = re.compile(rb"position: \[([-\d.]+), ([-\d.]+), ([-\d.]+)\]")
+
+
+def place(window):
+    return tuple(map(float, POSITION.search(window.save()).groups()))
+
+
+def space_area(window):
+    """x, y, width, height of the view on the screen."""
+    x, y, width, height = (round(number) for number in window.widget.find("image", "Space").area())
+    left, top = window.edges()
+    return round(left) + x, round(top) + y, width, height
+
+
+def dots_of(desk, window, is_such):
+    """The places of dots of the view that are such."""
+    x, y, width, height = space_area(window)
+    data = desk.screen(x, y, width, height)
+    return [(x + i // 3 % width, y + i // 3 // width) for i in range(0, len(data), 3) if is_such(data[i:i + 3])]
+
+
+def middle(dots):
+    return tuple(sum(dot[k] for dot in dots) / len(dots) for k in range(2)) if dots else None
+
+
+def is_of_first(dot):
+    return tuple(dot) == FIRST
+
+
+FIRST = (201, 130, 24)
+
+
+def resting(desk, window):
+    """The first lamp's badge, once it stays where it is."""
+    before = middle(dots_of(desk, window, is_of_first))
+    desk.hand("sleep", "0.4")
+    return before if before and before == middle(dots_of(desk, window, is_of_first)) else None
+
+
+def open_space(desk):
+    path = desk.path("lamp.yaml")
+    luxel("set", "report", "-s", "lights[0].position=[500, 300, 1900]", "-o", path)
+    window = desk.start(path).window()
+    desk.key("s")
+    wait("the space view", lambda: window.widget.find("image", "Space"))
+    return window
+
+
+def lamps(tap, desk):
+    window = open_space(desk)
+    tap.equal(window.state("space"), True, "S shows the scene in space")
+    before = window.save()
+    lamp = wait("the lamp", lambda: resting(desk, window))
+    desk.drag(lamp, (lamp[0] + 2, lamp[1]))
+    tap.equal(window.save(), before, "a press with two dots of jitter moves nothing")
+    start = place(window)
+    desk.drag(lamp, (lamp[0] + 40, lamp[1]))
+    moved = wait("a new place", lambda: place(window) if place(window) != start else None)
+    tap.ok(moved[0] > start[0] and abs(moved[2] - start[2]) < 2, "a lamp moves in the plane of the view", moved)
+    window.act("undo")
+    tap.equal(window.save(), before, "as one step of undo")
+    desk.key("s")
+    wait("the picture", lambda: not window.state("space"))
+
+
+def turns(tap, desk):
+    window = open_space(desk)
+    x, y, width, height = space_area(window)
+    lamp = wait("the lamp", lambda: resting(desk, window))
+    corner = (x + 30, y + height - 30)
+    desk.drag(corner, (corner[0] + 80, corner[1]))
+    turned = wait("another view", lambda: next((at for at in [resting(desk, window)] if at and at != lamp), None))
+    tap.ok(abs(turned[0] - lamp[0]) > 10, "a drag on nothing turns the view", (lamp, turned))
+    desk.drag(corner, (corner[0] + 50, corner[1] - 20), button=3)
+    panned = wait("a view that moved", lambda: next((at for at in [resting(desk, window)] if at and at != turned), None))
+    tap.ok(abs(panned[0] - turned[0] - 50) < 3 and abs(panned[1] - turned[1] + 20) < 3,
+           "the right button moves it by as much as the hand", (turned, panned))
+    desk.click(x + width / 2, y + height / 2, 4, 3)
+    zoomed = wait("a larger view", lambda: next((at for at in [resting(desk, window)] if at != panned), None))
+    desk.key("f")
+    fitted = wait("all of it", lambda: next((at for at in [resting(desk, window)] if at and at != zoomed), None))
+    tap.ok(x < fitted[0] < x + width and y < fitted[1] < y + height, "F takes all of it into view", fitted)
+
+
+def values(tap, desk):
+    window = open_space(desk)
+    wait("the lamp", lambda: resting(desk, window))
+    x, y, width, height = space_area(window)
+    # the sphere is lit from the right and above, and brighter than all around it is the backdrop of one column
+    backdrop = {row: desk.color(x + 3, row) for row in range(y + height // 2, y + height, 8)}
+    body = [dot for dot in dots_of(desk, window, lambda dot: max(dot) - min(dot) < 2 and max(dot) > 0)
+            if dot[1] in backdrop and max(abs(a - b) for a, b in zip(desk.color(*dot), backdrop[dot[1]])) > 40][:1]
+    tap.ok(body, "bodies are seen in their light")
+    desk.move(*body[0])
+    wait("the value there", lambda: next((label.name for label in window.edge() if "W/sr" in label.name), None))
+    desk.move(x + 3, y + 3)
+    wait("none beside the bodies", lambda: not window.place_said())
+    tap.ok(True, "the pointer on a body reads its value")
+
+
+trial(lamps, turns, values)
