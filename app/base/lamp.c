@@ -5,19 +5,32 @@
 #include <luxel/drawing.h>
 #include <pango/pangocairo.h>
 
+static gboolean is_dark;
+
+void app_lamp_use_dark(gboolean dark)
+{
+    is_dark = dark;
+}
+
+gboolean app_lamp_is_dark(void)
+{
+    return is_dark;
+}
+
 void app_lamp_color(gsize light, double color[3])
 {
     luxel_drawing_style style;
-    luxel_drawing_style_init(&style, false);
+    luxel_drawing_style_init(&style, is_dark);
     luxel_light_color(&style, light, color);
 }
 
-char *app_lamp_color_name(gsize light)
+char *app_lamp_markup(gsize light)
 {
     double color[3];
     app_lamp_color(light, color);
-    return g_strdup_printf("#%02x%02x%02x", (unsigned)(color[0] * 255 + 0.5), (unsigned)(color[1] * 255 + 0.5),
-                           (unsigned)(color[2] * 255 + 0.5));
+    return g_strdup_printf("<span background=\"#%02x%02x%02x\" color=\"%s\">%zu</span>",
+                           (unsigned)(color[0] * 255 + 0.5), (unsigned)(color[1] * 255 + 0.5),
+                           (unsigned)(color[2] * 255 + 0.5), is_dark ? "#101216" : "#ffffff", light + 1);
 }
 
 /* As large as there is room for in the disk. */
@@ -34,9 +47,17 @@ static void draw_number(cairo_t *cairo, const AppBadge *badge)
     pango_layout_set_text(layout, number, -1);
     pango_layout_get_extents(layout, &ink, NULL);
     cairo_move_to(cairo, -(ink.x + ink.width / 2.0) / PANGO_SCALE, -(ink.y + ink.height / 2.0) / PANGO_SCALE);
-    cairo_set_source_rgb(cairo, badge->is_on ? 0 : 0.9, badge->is_on ? 0 : 0.9, badge->is_on ? 0 : 0.9);
-    pango_cairo_show_layout(cairo, layout);
-    cairo_new_path(cairo);
+    pango_cairo_layout_path(cairo, layout);
+    if (!badge->is_on || is_dark)
+        cairo_set_source_rgb(cairo, badge->is_on ? 0.06 : 0.9, badge->is_on ? 0.07 : 0.9, badge->is_on ? 0.09 : 0.9);
+    else { /* white with a dark edge, which is read on each of the colours */
+        cairo_set_source_rgba(cairo, 0, 0, 0, 0.75);
+        cairo_set_line_width(cairo, 2);
+        cairo_set_line_join(cairo, CAIRO_LINE_JOIN_ROUND);
+        cairo_stroke_preserve(cairo);
+        cairo_set_source_rgb(cairo, 1, 1, 1);
+    }
+    cairo_fill(cairo);
     pango_font_description_free(font);
     g_object_unref(layout);
 }

@@ -6,10 +6,14 @@
 #include <cairo.h>
 #include <glib.h>
 
+/* Whether colours are for a dark ground, as the theme of the windows has it; one for the whole program. */
+void app_lamp_use_dark(gboolean dark);
+gboolean app_lamp_is_dark(void);
+
 /* The colour of a light: red, green and blue from 0 to 1. */
 void app_lamp_color(gsize light, double color[3]);
-/* "#e69f00", for markup. */
-char *app_lamp_color_name(gsize light);
+/* Its number on its colour, as markup; the caller's. */
+char *app_lamp_markup(gsize light);
 
 /* The radius of a badge, without the line around it. */
 enum { APP_BADGE_RADIUS = 8 };

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* The bar is drawn by hand: a pointer that moves must change a few dots only, and no layout. */
+/* The numbers stand above the bar, which has the whole width.  It is drawn by hand: a pointer that moves must change a few dots only, and no layout. */
 #include "share.h"
 
 #include <math.h>
@@ -8,7 +8,7 @@
 #include "lamp.h"
 #include "number.h"
 
-enum { HEIGHT = 15, BAR = 6, NUMBER_WIDTH = 58, PERCENT_WIDTH = 44, GAP = 4 };
+enum { HEIGHT = 21, BAR = 5, NUMBER_WIDTH = 58, PERCENT_WIDTH = 46, GAP = 4 };
 
 struct _AppShare {
     GtkWidget parent;
@@ -33,7 +33,7 @@ static void draw_text(GtkWidget *widget, GtkSnapshot *snapshot, const char *text
     gtk_style_context_get_color(gtk_widget_get_style_context(widget), &ink);
     pango_layout_get_pixel_size(layout, &width, &height);
     gtk_snapshot_save(snapshot);
-    gtk_snapshot_translate(snapshot, &GRAPHENE_POINT_INIT((float)(right - width), (float)(HEIGHT - height) / 2));
+    gtk_snapshot_translate(snapshot, &GRAPHENE_POINT_INIT((float)(right - width), (float)(HEIGHT - BAR - height) / 2));
     gtk_snapshot_append_layout(snapshot, layout, &ink);
     gtk_snapshot_restore(snapshot);
     g_object_unref(layout);
@@ -42,22 +42,22 @@ static void draw_text(GtkWidget *widget, GtkSnapshot *snapshot, const char *text
 static void app_share_snapshot(GtkWidget *widget, GtkSnapshot *snapshot)
 {
     const AppShare *self = APP_SHARE(widget);
-    const double width = gtk_widget_get_width(widget), bar = width - NUMBER_WIDTH - PERCENT_WIDTH - 2 * GAP;
+    const double width = gtk_widget_get_width(widget), top = HEIGHT - BAR;
     const double part = part_of(self);
     char number[APP_NUMBER_SIZE], percent[APP_NUMBER_SIZE];
     double color[3];
     GdkRGBA ink;
-    if (!isfinite(self->share) || bar < 1)
+    if (!isfinite(self->share) || width < 1)
         return;
     gtk_style_context_get_color(gtk_widget_get_style_context(widget), &ink);
     ink.alpha = 0.18f;
-    gtk_snapshot_append_color(snapshot, &ink, &GRAPHENE_RECT_INIT(0, (HEIGHT - BAR) / 2.0f, (float)bar, BAR));
+    gtk_snapshot_append_color(snapshot, &ink, &GRAPHENE_RECT_INIT(0, (float)top, (float)width, BAR));
     app_lamp_color(self->light, color);
     const GdkRGBA fill = {(float)color[0], (float)color[1], (float)color[2], 1};
-    gtk_snapshot_append_color(snapshot, &fill, &GRAPHENE_RECT_INIT(0, (HEIGHT - BAR) / 2.0f, (float)(bar * part), BAR));
+    gtk_snapshot_append_color(snapshot, &fill, &GRAPHENE_RECT_INIT(0, (float)top, (float)(width * part), BAR));
     draw_text(widget, snapshot, app_number_show(self->share, 4, number), width - PERCENT_WIDTH - GAP);
     g_snprintf(percent, sizeof percent, "%.*f %%", part < 0.9995 ? 1 : 0, 100 * part); /* "100.0 %" is too wide */
-    draw_text(widget, snapshot, percent, width);
+    draw_text(widget, snapshot, app_number_mark(percent), width);
 }
 
 static void app_share_measure(GtkWidget *widget, GtkOrientation orientation, int size, int *least, int *natural,

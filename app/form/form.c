@@ -332,6 +332,15 @@ static gboolean is_file(const luxel_parameter *parameter)
            (g_str_has_suffix(parameter->path, ".file") || g_str_has_suffix(parameter->path, ".mesh"));
 }
 
+/* What an empty field stands for, in grey; NULL: a field that may not be empty. */
+static const char *missing_of(const luxel_parameter *parameter)
+{
+    if (parameter->default_value || parameter->required)
+        return parameter->default_value;
+    /* the weight of ambient light is that of diffuse light */
+    return g_str_has_suffix(parameter->path, ".material.ambient") ? "= kd" : _("none");
+}
+
 static Entry *new_entry(AppForm *self, const luxel_parameter *parameter, int component)
 {
     Entry *entry = g_new0(Entry, 1);
@@ -347,7 +356,7 @@ static Entry *new_entry(AppForm *self, const luxel_parameter *parameter, int com
         .advised = parameter->advised_range[MAX(component, 0)],
         .advised_words = parameter->advised,
         .hint = parameter->choices ? parameter->choices : parameter->type,
-        .missing = parameter->default_value,
+        .missing = missing_of(parameter),
         .is_file = is_file(parameter),
     };
     *entry = (Entry){self, parameter, component, app_row_new(&spec), NULL};

@@ -99,8 +99,8 @@ void app_source_row_set_gives(AppSourceRow *self, const AppSource *source, const
     if (source && isfinite(source->flux))
         g_string_append_printf(text, "Φ %s %s", app_number_show(source->flux, 4, number), flux_unit);
     if (source && isfinite(source->irradiance))
-        g_string_append_printf(text, "%sE %s %s", text->len ? "   " : "",
-                               app_number_show(source->irradiance, 4, number), unit);
+        g_string_append_printf(text, "%sE %s%s%s", text->len ? "   " : "",
+                               app_number_show(source->irradiance, 4, number), *unit ? " " : "", unit);
     if (g_strcmp0(text->str, gtk_label_get_text(GTK_LABEL(self->gives))) != 0)
         gtk_label_set_text(GTK_LABEL(self->gives), text->str);
     g_string_free(text, TRUE);
@@ -159,9 +159,9 @@ static void app_source_row_init(AppSourceRow *self)
     gtk_widget_add_css_class(self->gives, "numeric");
     gtk_widget_set_valign(self->solo, GTK_ALIGN_CENTER);
     gtk_widget_add_css_class(self->solo, "small");
-    gtk_widget_set_tooltip_text(self->gives,
-                                _("Φ: the flux of the source in all\nE: the irradiance or illuminance where the centre "
-                                  "of the first surface is seen; 0 also in shadow"));
+    gtk_widget_set_tooltip_text(
+        self->gives, _("Φ: the flux of the source in all\nE: the irradiance or illuminance at the place where Why? "
+                       "is kept, or else where the centre of the first surface is seen; 0 also in shadow"));
 }
 
 GtkWidget *app_source_row_new(gsize light)

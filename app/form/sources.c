@@ -19,7 +19,7 @@
 
 static const char *const prefixes[] = {"lights[].", NULL};
 
-enum { ROW_HEIGHT = 54, MOST_ROWS = 5 /* that are seen without scrolling */ };
+enum { ROW_HEIGHT = 59, MOST_ROWS = 5 /* that are seen without scrolling */ };
 
 struct _AppSources {
     GtkBox parent;
@@ -355,7 +355,8 @@ void app_sources_show_shares(AppSources *self, const AppReading *reading)
 void app_sources_show(AppSources *self, const AppMeasures *measures, gboolean photometric)
 {
     for (guint i = 0; i < self->items->len && i < measures->source_count; i++) {
-        const char *unit = gettext(app_moment_unit(measures->live->moment, LUXEL_IRRADIANCE));
+        const char *unit = app_moment_unit(measures->live->moment, LUXEL_IRRADIANCE);
+        unit = strcmp(unit, "relative") == 0 ? "" : gettext(unit); /* the word for none is longer than the number */
         app_source_row_set_gives(g_ptr_array_index(self->items, i), &measures->sources[i],
                                  photometric ? _("lm") : _("W"), unit);
     }

@@ -57,11 +57,10 @@ static void add_shares(GString *text, const luxel_profile *profile, gsize at)
         const double share = profile->shares[at * profile->lights + i];
         if (share == 0)
             continue;
-        char *color = app_lamp_color_name(i);
-        g_string_append_printf(text, "%s<span background=\"%s\" color=\"black\">%zu</span> %s", before, color, i + 1,
-                               app_number_show(share, SHARE_DIGITS, number));
+        char *lamp = app_lamp_markup(i);
+        g_string_append_printf(text, "%s%s %s", before, lamp, app_number_show(share, SHARE_DIGITS, number));
         before = "  ";
-        g_free(color);
+        g_free(lamp);
     }
 }
 

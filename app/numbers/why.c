@@ -38,6 +38,9 @@ struct _AppWhy {
     GCancellable *cancellable;
 };
 
+enum { KEPT, SIGNALS };
+static guint signals[SIGNALS];
+
 G_DEFINE_FINAL_TYPE(AppWhy, app_why, GTK_TYPE_BOX)
 
 static void free_place(gpointer data)
@@ -79,12 +82,11 @@ static char *write_shares(const AppReading *reading)
             rest += reading->shares[order[i]];
             continue;
         }
-        char *color = app_lamp_color_name(order[i]);
+        char *lamp = app_lamp_markup(order[i]);
         app_number_show(100 * reading->shares[order[i]] / reading->value.value, 2, percent);
-        g_string_append_printf(text, "%s<span background=\"%s\" color=\"black\"> %zu </span>\t%s\t%s %%", i ? "\n" : "",
-                               color, order[i] + 1, app_number_show(reading->shares[order[i]], DIGITS, number),
-                               percent);
-        g_free(color);
+        g_string_append_printf(text, "%s%s\t%s\t%s %%", i ? "\n" : "", lamp,
+                               app_number_show(reading->shares[order[i]], DIGITS, number), percent);
+        g_free(lamp);
     }
     if (rest != 0) {
         char number[APP_NUMBER_SIZE];
@@ -219,6 +221,38 @@ void app_why_point(AppWhy *self, AppShot *shot, double x_mm, double y_mm)
         self->timer = g_timeout_add(REST_MS, rested, self);
 }
 
+static void tell_kept(AppWhy *self)
+{
+    g_signal_emit(self, signals[KEPT], 0);
+}
+
+void app_why_pin(AppWhy *self, AppShot *shot, double x_mm, double y_mm)
+{
+    app_shot_ref(shot);
+    app_shot_unref(self->place.shot);
+    self->place = (Place){shot, x_mm, y_mm};
+    g_clear_handle_id(&self->timer, g_source_remove);
+    ask(self);
+    if (gtk_toggle_button_get_active(GTK_TOGGLE_BUTTON(self->pin)))
+        tell_kept(self);
+    else
+        gtk_toggle_button_set_active(GTK_TOGGLE_BUTTON(self->pin), TRUE);
+}
+
+gboolean app_why_pinned(const AppWhy *self, double place_mm[2])
+{
+    if (!self->is_shown || !self->place.shot || !gtk_toggle_button_get_active(GTK_TOGGLE_BUTTON(self->pin)))
+        return FALSE;
+    place_mm[0] = self->place.x_mm;
+    place_mm[1] = self->place.y_mm;
+    return TRUE;
+}
+
+gboolean app_why_is_shown(const AppWhy *self)
+{
+    return self->is_shown;
+}
+
 void app_why_follow(AppWhy *self, AppShot *shot)
 {
     if (!self->place.shot || self->place.shot == shot || self->timer)
@@ -300,6 +334,7 @@ void app_why_show(AppWhy *self, gboolean shown)
     self->is_shown = shown;
     gtk_widget_set_visible(GTK_WIDGET(self), shown);
     ask(self);
+    tell_kept(self);
 }
 
 /* ---- the class ---- */
@@ -326,6 +361,7 @@ static void app_why_class_init(AppWhyClass *class)
 {
     G_OBJECT_CLASS(class)->dispose = app_why_dispose;
     G_OBJECT_CLASS(class)->finalize = app_why_finalize;
+    signals[KEPT] = g_signal_new("kept", APP_TYPE_WHY, G_SIGNAL_RUN_LAST, 0, NULL, NULL, NULL, G_TYPE_NONE, 0);
 }
 
 /* A label that is read and copied. */
@@ -355,6 +391,7 @@ static GtkWidget *new_head(AppWhy *self)
     gtk_button_set_icon_name(GTK_BUTTON(self->pin), "view-pin-symbolic");
     gtk_widget_set_tooltip_text(self->pin, _("Stay at this place, wherever the pointer goes"));
     app_name_control(self->pin, _("Stay at this place"));
+    g_signal_connect_swapped(self->pin, "toggled", G_CALLBACK(tell_kept), self);
     gtk_widget_set_tooltip_text(close, _("Close"));
     app_name_control(close, _("Close"));
     gtk_actionable_set_action_name(GTK_ACTIONABLE(close), "win.why");

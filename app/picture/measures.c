@@ -176,20 +176,30 @@ static void take_off(AppPoint *point, const luxel_probe *probe)
     point->pixel_value -= probe->pixel_value;
 }
 
-/* The irradiance that each source gives at the place seen at the first surface's centre. */
-static void read_sources(const AppShot *shot, Kept *kept, AppMeasures *measures)
+/* The point of the screen at which the sources are asked what they give; FALSE: there is none. */
+static gboolean find_place(const AppQuestion *question, const luxel_scene *scene, double screen_mm[2])
 {
+    double center[3];
+    memcpy(screen_mm, question->place_mm, sizeof question->place_mm);
+    return question->is_placed ||
+           (luxel_scene_surface_place(scene, 0, center) == LUXEL_OK && luxel_scene_project(scene, center, screen_mm));
+}
+
+/* The irradiance that each source gives at a place. */
+static void read_sources(const AppQuestion *question, Kept *kept, AppMeasures *measures)
+{
+    const AppShot *shot = measures->live;
     const AppMoment *moment = shot->moment->direct ? shot->moment->direct : shot->moment;
     const luxel_scene *scene = moment->scene;
     luxel_settings irradiance = settings_of(shot, kept);
     luxel_probe *probe = NULL;
-    double center[3], screen[2];
+    double screen[2];
     measures->source_count = luxel_scene_light_count(scene);
     measures->sources = g_new0(AppSource, measures->source_count);
     irradiance.quantity = LUXEL_IRRADIANCE;
     irradiance.tolerance = 1e-6;
     app_moment_light(moment, &irradiance);
-    if (luxel_scene_surface_place(scene, 0, center) == LUXEL_OK && luxel_scene_project(scene, center, screen) &&
+    if (find_place(question, scene, screen) &&
         luxel_probe_screen(scene, &irradiance, screen[0], screen[1], NULL, &probe) != LUXEL_OK)
         probe = NULL;
     for (gsize i = 0; i < measures->source_count; i++) {
@@ -232,7 +242,7 @@ static void measure_sources(AppRunner *runner, const AppQuestion *question, Kept
 {
     AppMeasures *measures = new_measures(question);
     measures->has_sources = TRUE;
-    read_sources(measures->live, kept, measures);
+    read_sources(question, kept, measures);
     app_runner_report(runner, measures);
 }
 

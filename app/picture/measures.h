@@ -12,9 +12,11 @@
 
 /* What is wanted; of a shot of direct light alone the sources, as its numbers would be taken for those of the scene. */
 typedef struct AppQuestion {
-    AppShot *shot;    /* a reference is taken, as of the next two */
-    AppShot *minus;   /* what is taken off, so that the answers are of the difference; NULL: nothing */
-    AppShot *live;    /* that the sources are told of */
+    AppShot *shot;      /* a reference is taken, as of the next two */
+    AppShot *minus;     /* what is taken off, so that the answers are of the difference; NULL: nothing */
+    AppShot *live;      /* that the sources are told of: */
+    gboolean is_placed; /* what they give at the place that is seen at place_mm, else at the first surface's centre */
+    double place_mm[2];
     gboolean section; /* the profiles through section_mm */
     double section_mm[2];
     gboolean statistics; /* summary, extrema, histogram, and of surfaces that reflect light the balance */
@@ -36,7 +38,7 @@ typedef struct AppPoint {
 /* A source. */
 typedef struct AppSource {
     double flux;       /* in W or lm; NaN where it has none */
-    double irradiance; /* at the place of the first surface that is seen at its centre; NaN: none is */
+    double irradiance; /* where it is asked for; NaN: no surface is seen there */
 } AppSource;
 
 /* The answers, which come in parts: of each flag that is TRUE the rest is meant. */

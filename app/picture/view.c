@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "../../front/words.h"
+#include "../base/lamp.h"
 #include "view_private.h"
 
 enum { MARGIN = 12 };
@@ -337,6 +338,15 @@ static void app_view_snapshot(GtkWidget *widget, GtkSnapshot *snapshot)
     gtk_snapshot_pop(snapshot);
 }
 
+/* The colours of lamps are for the ground that the theme has. */
+static void app_view_css_changed(GtkWidget *widget, GtkCssStyleChange *change)
+{
+    GdkRGBA ink;
+    GTK_WIDGET_CLASS(app_view_parent_class)->css_changed(widget, change);
+    gtk_style_context_get_color(gtk_widget_get_style_context(widget), &ink);
+    app_lamp_use_dark(ink.red + ink.green + ink.blue > 1.5f);
+}
+
 static void app_view_size_allocate(GtkWidget *widget, int width, int height, int baseline)
 {
     (void)width;
@@ -373,6 +383,7 @@ static void app_view_class_init(AppViewClass *class)
     G_OBJECT_CLASS(class)->finalize = app_view_finalize;
     widget->snapshot = app_view_snapshot;
     widget->size_allocate = app_view_size_allocate;
+    widget->css_changed = app_view_css_changed;
     gtk_widget_class_set_css_name(widget, "luxelview");
     gtk_widget_class_set_accessible_role(widget, GTK_ACCESSIBLE_ROLE_IMG);
     signals[POINTED] = g_signal_new("pointed", APP_TYPE_VIEW, G_SIGNAL_RUN_LAST, 0, NULL, NULL, NULL, G_TYPE_NONE, 3,

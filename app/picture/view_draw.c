@@ -167,8 +167,8 @@ static GdkTexture *texture_of(GtkWidget *widget, const Look *look)
     static const char name[] = "luxel-marks";
     enum { MOST_DOTS = 8 };
     const guint shape = (guint)(((look->dots % MOST_DOTS) * DIRECTIONS + look->direction) * 8 + (int)look->shape);
-    const guint key = (((guint)look->light * MOST_DOTS * DIRECTIONS * 8 + shape) * 4) + (look->is_on ? 2 : 0) +
-                      (look->selected ? 1 : 0);
+    const guint key = (((guint)look->light * MOST_DOTS * DIRECTIONS * 8 + shape) * 8) + (app_lamp_is_dark() ? 4 : 0) +
+                      (look->is_on ? 2 : 0) + (look->selected ? 1 : 0);
     GHashTable *textures = g_object_get_data(G_OBJECT(widget), name);
     if (!textures) {
         textures = g_hash_table_new_full(g_direct_hash, g_direct_equal, NULL, g_object_unref);

@@ -28,6 +28,7 @@ static const struct {
     {"Ctrl+D", N_("Duplicate the source")},
     {"Ctrl+Delete", N_("Delete the source")},
     {"1 … 9", N_("Choose the source of this number")},
+    {"Alt+1 … 9", N_("Why? at the point P1 … P9")},
     {N_("Ctrl+click, Shift+click"), N_("Choose one more source, in the list or on the picture")},
     {"Alt+↑, Alt+↓", N_("Move the source in the list")},
     {"Ctrl+V", N_("Paste sources “x, y, z; …” or points “x, y; …”")},

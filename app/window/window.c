@@ -117,10 +117,12 @@ void app_window_ask_numbers(AppWindow *self)
         return;
     const AppPage page = app_numbers_page(APP_NUMBERS(self->numbers));
     const AppDisplay *display = &self->picture->display;
+    double place_mm[2];
     AppQuestion question = {
         .shot = app_window_shot(self),
         .minus = app_window_minus(self),
         .live = self->picture->shot,
+        .is_placed = app_why_pinned(APP_WHY(self->why), place_mm),
         .section = page == APP_PAGE_SECTION,
         .statistics = page == APP_PAGE_STATISTICS,
         .isophotes = display->isophotes,
@@ -129,6 +131,8 @@ void app_window_ask_numbers(AppWindow *self)
         .logarithmic = display->logarithmic,
     };
     memcpy(question.section_mm, self->section_mm, sizeof question.section_mm);
+    if (question.is_placed)
+        memcpy(question.place_mm, place_mm, sizeof question.place_mm);
     app_meter_ask(self->meter, &question);
 }
 
@@ -228,8 +232,10 @@ static void view_selected(AppView *view, int kind, guint index, AppWindow *self)
     if (kind == APP_MARK_SOURCE) {
         app_sources_choose(APP_SOURCES(self->sources), index);
         show_chosen(self);
-    } else if (kind == APP_MARK_SURFACE)
+    } else if (kind == APP_MARK_SURFACE) {
         gtk_drop_down_set_selected(GTK_DROP_DOWN(self->surface_list), index);
+        app_window_pin_why(self, self->pointer_mm);
+    }
 }
 
 /* On the picture or in space. */
@@ -453,6 +459,7 @@ static void connect_parts(AppWindow *self)
     g_signal_connect(self->numbers, "read", G_CALLBACK(section_read), self);
     g_signal_connect_swapped(self->numbers, "wanted", G_CALLBACK(page_turned), self);
     g_signal_connect_swapped(self->fault_bar, "response", G_CALLBACK(close_faults), self);
+    g_signal_connect_swapped(self->why, "kept", G_CALLBACK(app_window_ask_numbers), self);
     app_dial_set_form(APP_DIAL(self->bar), APP_DISPLAY_FORM(self->display_form));
 }
 

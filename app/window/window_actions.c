@@ -115,6 +115,25 @@ static void change_why(GSimpleAction *action, GVariant *state, gpointer data)
     g_simple_action_set_state(action, state);
 }
 
+void app_window_pin_why(AppWindow *self, const double place_mm[2])
+{
+    if (app_why_is_shown(APP_WHY(self->why)) && app_window_shot(self))
+        app_why_pin(APP_WHY(self->why), app_window_shot(self), place_mm[0], place_mm[1]);
+}
+
+/* Why? at a point of the scene, by its number. */
+static void go_to_point(GSimpleAction *action, GVariant *index, gpointer data)
+{
+    AppWindow *self = data;
+    double place_mm[2];
+    (void)action;
+    if (!app_window_shot(self) || luxel_scene_point(app_window_shot(self)->moment->scene, g_variant_get_uint32(index),
+                                                    &place_mm[0], &place_mm[1]) != LUXEL_OK)
+        return;
+    g_action_group_change_action_state(G_ACTION_GROUP(self), "why", g_variant_new_boolean(TRUE));
+    app_window_pin_why(self, place_mm);
+}
+
 static void change_quantity(GSimpleAction *action, GVariant *state, gpointer data)
 {
     AppWindow *self = data;
@@ -319,9 +338,11 @@ static gboolean letter_pressed(GtkEventControllerKey *controller, guint key, gui
         paste_action(G_SIMPLE_ACTION(g_action_map_lookup_action(G_ACTION_MAP(self), "paste")), NULL, self);
         return TRUE;
     }
+    const guint digit = gdk_keyval_to_unicode(key);
+    if ((state & (GDK_CONTROL_MASK | GDK_ALT_MASK)) == GDK_ALT_MASK && digit >= '1' && digit <= '9')
+        return gtk_widget_activate_action(GTK_WIDGET(self), "win.point-why", "u", digit - '1');
     if ((state & (GDK_CONTROL_MASK | GDK_ALT_MASK)) || app_window_gallery_is_open(self))
         return FALSE;
-    const guint digit = gdk_keyval_to_unicode(key);
     if (digit >= '1' && digit <= '9')
         return gtk_widget_activate_action(GTK_WIDGET(self), "win.source-choose", "u", digit - '1');
     for (gsize i = 0; i < G_N_ELEMENTS(letters); i++) {
@@ -397,6 +418,7 @@ void app_window_add_actions(AppWindow *self)
         {.name = "source-aim", .activate = source_action},
         {.name = "source-paste", .activate = paste_action},
         {.name = "point-add", .activate = point_add},
+        {.name = "point-why", .activate = go_to_point, .parameter_type = "u"},
         {.name = "point-paste", .activate = paste_action},
         {.name = "paste", .activate = paste_action},
     };

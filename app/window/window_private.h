@@ -143,6 +143,9 @@ void app_window_ask_report(AppWindow *self, void (*done)(AppWindow *self));
 void app_window_init_report(AppWindow *self);
 void app_window_load_report(AppWindow *self, AppReport *report);
 
+/* Where the card “Why?” is shown, it is kept at a place of the screen. */
+void app_window_pin_why(AppWindow *self, const double place_mm[2]);
+
 /* window_actions.c */
 void app_window_add_actions(AppWindow *self);
 void app_window_update_actions(AppWindow *self);

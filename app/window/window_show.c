@@ -180,10 +180,10 @@ static void add_shares(GString *text, const AppReading *reading)
     char number[APP_NUMBER_SIZE];
     gsize *order = app_reading_order(reading), shown = 0;
     while (shown < reading->share_count && shown < MOST_SHARES && reading->shares[order[shown]] != 0) {
-        char *color = app_lamp_color_name(order[shown]);
-        g_string_append_printf(text, "%s<span background=\"%s\" color=\"black\">%zu</span>: %s", shown ? ", " : "",
-                               color, order[shown] + 1, app_number_show(reading->shares[order[shown]], 4, number));
-        g_free(color);
+        char *lamp = app_lamp_markup(order[shown]);
+        g_string_append_printf(text, "%s%s: %s", shown ? ", " : "", lamp,
+                               app_number_show(reading->shares[order[shown]], 4, number));
+        g_free(lamp);
         shown++;
     }
     if (shown < reading->share_count && reading->shares[order[shown]] != 0)

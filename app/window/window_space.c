@@ -3,8 +3,6 @@
  * The scene in space, in the place of the picture or behind it: two cameras of one scene.  It is told what the picture
  * is told, and what the hand does there the other parts hear as from the picture.
  */
-#include "../../front/words.h"
-#include "../base/row.h"
 #include "../space/space_view.h"
 #include "window_private.h"
 
@@ -23,11 +21,11 @@ GtkWidget *app_window_camera(AppWindow *self)
     return app_window_is_in_space(self) ? self->space_view : GTK_WIDGET(self->view);
 }
 
-/* A place on a body is read as through the observer's screen, where the picture has it. */
 static void pressed(AppSpaceView *view, double x_mm, double y_mm, AppWindow *self)
 {
+    const double place_mm[2] = {x_mm, y_mm};
     (void)view;
-    g_signal_emit_by_name(self->view, "pointed", x_mm, y_mm, TRUE);
+    app_window_pin_why(self, place_mm);
 }
 
 static void change_space(GSimpleAction *action, GVariant *state, gpointer data)
