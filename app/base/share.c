@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* The numbers stand above the bar, which has the whole width.  It is drawn by hand: a pointer that moves must change a few dots only, and no layout. */
+/* The numbers stand above the bar, which has the whole width.  Both are drawn by hand: a pointer that moves must change
+ * a few dots only, and no layout. */
 #include "share.h"
 
 #include <math.h>

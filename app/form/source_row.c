@@ -3,6 +3,7 @@
 #include "source_row.h"
 
 #include <math.h>
+#include <string.h>
 
 #include "../../front/words.h"
 #include "../base/dim.h"
@@ -99,8 +100,10 @@ void app_source_row_set_gives(AppSourceRow *self, const AppSource *source, const
     if (source && isfinite(source->flux))
         g_string_append_printf(text, "Φ %s %s", app_number_show(source->flux, 4, number), flux_unit);
     if (source && isfinite(source->irradiance))
-        g_string_append_printf(text, "%sE %s%s%s", text->len ? "   " : "",
-                               app_number_show(source->irradiance, 4, number), *unit ? " " : "", unit);
+        g_string_append_printf(text, "%sE %s", text->len ? "   " : "", app_number_show(source->irradiance, 4, number));
+    /* the word for no unit is longer than the number */
+    if (source && isfinite(source->irradiance) && strcmp(unit, "relative") != 0)
+        g_string_append_printf(text, " %s", gettext(unit));
     if (g_strcmp0(text->str, gtk_label_get_text(GTK_LABEL(self->gives))) != 0)
         gtk_label_set_text(GTK_LABEL(self->gives), text->str);
     g_string_free(text, TRUE);

@@ -20,7 +20,7 @@ gsize app_source_row_light(const AppSourceRow *self);
 
 /* Shows what the document has; no signal is emitted. */
 void app_source_row_show(AppSourceRow *self, const char *title, gboolean enabled, gboolean solo);
-/* Shows flux and irradiance, in these units; NULL: they are not known. */
+/* Shows flux and irradiance, in these units, the second one untranslated; NULL: they are not known. */
 void app_source_row_set_gives(AppSourceRow *self, const AppSource *source, const char *flux_unit, const char *unit);
 /* Shows the share of the value under the pointer; NaN: there is none. */
 void app_source_row_set_share(AppSourceRow *self, double share, double whole);

@@ -356,7 +356,6 @@ void app_sources_show(AppSources *self, const AppMeasures *measures, gboolean ph
 {
     for (guint i = 0; i < self->items->len && i < measures->source_count; i++) {
         const char *unit = app_moment_unit(measures->live->moment, LUXEL_IRRADIANCE);
-        unit = strcmp(unit, "relative") == 0 ? "" : gettext(unit); /* the word for none is longer than the number */
         app_source_row_set_gives(g_ptr_array_index(self->items, i), &measures->sources[i],
                                  photometric ? _("lm") : _("W"), unit);
     }

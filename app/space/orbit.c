@@ -15,7 +15,8 @@ static const double FAR_OFF = 3.2;                        /* of the camera, in h
 static const double NEAREST = 0.02;                       /* of the distance */
 static const double LEAST_SCALE = 0.02, MOST_SCALE = 200; /* of one at which the scene fills the widget */
 static const double LEAST_TILT = 0.02;
-static const double UNDER = 0.45, AROUND = 1.5; /* of the screen: how much of plates under bodies, and of others */
+/* Parts of the screen: how much of plates under bodies is to be in view, and of others. */
+static const double UNDER = 0.45, AROUND = 1.5;
 enum { MARGIN = 40, CORNERS = 8, PASSES = 3 };
 
 static double dot(const double a[3], const double b[3])
@@ -64,8 +65,8 @@ static void add_place(GArray *places, const double place_mm[3])
     g_array_append_vals(places, place_mm, 1);
 }
 
-/* Where lamps with their panels, aims and bodies are: of a body the corners of a box.  Of plates that lie under bodies, as tables do, and
- * of what is much larger than the screen, only so much as the screen is large. */
+/* Where lamps with their panels, aims and bodies are: of a body the corners of a box.  Of plates under bodies, such as
+ * tables, and of what is much larger than the screen, only so much as the screen is large. */
 static GArray *places_of(const luxel_scene *scene, const AppSpace *space)
 {
     GArray *places = g_array_new(FALSE, FALSE, 3 * sizeof(double));

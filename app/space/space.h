@@ -94,7 +94,7 @@ gboolean app_space_light(const AppThing *thing, const double place_mm[3], const 
  */
 gboolean app_space_move(AppThing *thing, AppProjection projection, const double to_mm[3], double grain_mm,
                         AppDocument *document);
-/* The same with all three coordinates. */
+/* Moves all three coordinates of a thing, else as above. */
 gboolean app_space_carry(AppThing *thing, const double to_mm[3], double grain_mm, AppDocument *document);
 /* Whether a projection can move it at all: the height of an observer is not seen from above. */
 gboolean app_space_moves(const AppThing *thing, AppProjection projection);

@@ -72,7 +72,7 @@ static void place(AppSpaceView *self)
     orbit->width = gtk_widget_get_width(GTK_WIDGET(self));
     orbit->height = gtk_widget_get_height(GTK_WIDGET(self));
     if (self->space && !self->is_own && orbit->width > 0 && self->doing == APP_SPACE_RESTS)
-        app_orbit_begin(orbit, self->picture->shot->moment->scene, self->space);
+        (orbit->scale > 0 ? app_orbit_fit : app_orbit_begin)(orbit, self->picture->shot->moment->scene, self->space);
 }
 
 static void read_space(AppSpaceView *self)

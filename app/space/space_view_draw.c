@@ -6,6 +6,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "../../front/words.h"
 #include "../base/geometry.h"
 #include "../base/lamp.h"
 #include "space_view_private.h"
@@ -22,7 +23,8 @@ enum {
     VECTOR = 70,
     SHORT = 24, /* of a vector that has no letter */
     MOST_VECTORS = 4,
-    ROUND = 32
+    ROUND = 32,
+    CORNER = 16
 };
 static const double HIDDEN = 0.16, DASHES[] = {4, 4}, DOTS[] = {1.5, 4};
 
@@ -556,5 +558,9 @@ void app_space_view_draw(AppSpaceView *self, cairo_t *cairo)
     draw_things(&sheet);
     if (self->has_place && !self->is_stale)
         draw_vectors(&sheet);
+    if (self->lit && self->lit->moment && self->lit->moment->direct) {
+        cairo_set_source_rgb(cairo, 1, 1, 1);
+        draw_words(&sheet, _("Space shows direct light"), CORNER, sheet.orbit->height - CORNER, FALSE, FALSE);
+    }
     g_array_unref(sheet.taken);
 }

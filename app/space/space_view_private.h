@@ -40,7 +40,7 @@ struct _AppSpaceView {
 
 /* The orbit by which all is drawn: that of the picture of the bodies, as long as it fits. */
 const AppOrbit *app_space_view_orbit(const AppSpaceView *self);
-/* Where the mark of a lamp stands: where it is seen, or at the edge, to where `angle` points then.  TRUE: at the edge. */
+/* Where the mark of a lamp stands: where it is seen, or at the edge, with the `angle` to it.  TRUE: at the edge. */
 gboolean app_space_view_mark(const AppSpaceView *self, const AppThing *thing, double at[3], double *angle);
 gboolean app_space_view_is_chosen(const AppSpaceView *self, gsize light);
 

@@ -175,7 +175,7 @@ static void show_surface(AppWindow *self)
 }
 
 /* The chosen sources are marked on the picture and in space; the formula is that of the one that the form shows. */
-static void show_chosen(AppWindow *self)
+void app_window_show_chosen(AppWindow *self)
 {
     const GArray *chosen = app_sources_chosen(APP_SOURCES(self->sources));
     const gsize shown = app_sources_shown(APP_SOURCES(self->sources));
@@ -191,7 +191,7 @@ static void document_changed(AppWindow *self)
     app_form_refresh(APP_FORM(self->picture_form));
     show_surface(self);
     app_sources_refresh(APP_SOURCES(self->sources));
-    show_chosen(self);
+    app_window_show_chosen(self);
     app_points_refresh(APP_POINTS(self->points));
     app_window_update_actions(self);
     app_window_update_hint(self);
@@ -231,7 +231,7 @@ static void view_selected(AppView *view, int kind, guint index, AppWindow *self)
     (void)view;
     if (kind == APP_MARK_SOURCE) {
         app_sources_choose(APP_SOURCES(self->sources), index);
-        show_chosen(self);
+        app_window_show_chosen(self);
     } else if (kind == APP_MARK_SURFACE) {
         gtk_drop_down_set_selected(GTK_DROP_DOWN(self->surface_list), index);
         app_window_pin_why(self, self->pointer_mm);
@@ -245,50 +245,17 @@ static void source_toggled(GtkWidget *where, guint index, AppWindow *self)
     app_sources_toggle(APP_SOURCES(self->sources), index);
 }
 
-/* Wherever the pointer is on a lamp, or -1 on none, it is lit up everywhere else. */
-static void hover_light(AppWindow *self, gssize light)
-{
-    app_sources_hover(APP_SOURCES(self->sources), light);
-    app_stage_hover(APP_STAGE(self->stage), light);
-    app_space_view_hover(APP_SPACE_VIEW(self->space_view), light);
-}
-
 static void view_hovered(AppView *view, int kind, guint index, AppWindow *self)
 {
     (void)view;
-    hover_light(self, kind == APP_MARK_SOURCE ? (gssize)index : -1);
-}
-
-static gboolean is_of_lamp(int kind)
-{
-    return kind != APP_THING_NONE && kind < APP_THING_SURFACE;
-}
-
-/* In plan and elevation, or in space. */
-static void stage_hovered(GtkWidget *stage, int kind, guint index, AppWindow *self)
-{
-    const gssize light = is_of_lamp(kind) ? (gssize)index : -1;
-    (void)stage;
-    hover_light(self, light);
-    app_view_hover(self->view, light < 0 ? APP_MARK_NONE : APP_MARK_SOURCE, light < 0 ? 0 : (gsize)light);
-}
-
-static void stage_selected(GtkWidget *stage, int kind, guint index, AppWindow *self)
-{
-    (void)stage;
-    if (is_of_lamp(kind)) {
-        app_sources_choose(APP_SOURCES(self->sources), index);
-        app_view_select(self->view, APP_MARK_SOURCE, index);
-        show_chosen(self);
-    } else if (kind == APP_THING_SURFACE)
-        gtk_drop_down_set_selected(GTK_DROP_DOWN(self->surface_list), index);
+    app_window_hover_light(self, kind == APP_MARK_SOURCE ? (gssize)index : -1);
 }
 
 static void list_hovered(AppSources *sources, int index, AppWindow *self)
 {
     (void)sources;
     app_view_hover(self->view, index < 0 ? APP_MARK_NONE : APP_MARK_SOURCE, index < 0 ? 0 : (gsize)index);
-    hover_light(self, index);
+    app_window_hover_light(self, index);
 }
 
 static void section_moved(AppView *view, double x_mm, double y_mm, AppWindow *self)
@@ -318,7 +285,7 @@ static void source_chosen(AppSources *sources, guint index, AppWindow *self)
 {
     (void)sources;
     app_view_select(self->view, APP_MARK_SOURCE, index);
-    show_chosen(self);
+    app_window_show_chosen(self);
 }
 
 static void solo_changed(AppSources *sources, int index, AppWindow *self)
@@ -444,13 +411,8 @@ static void connect_parts(AppWindow *self)
     g_signal_connect(self->view, "toggled", G_CALLBACK(source_toggled), self);
     g_signal_connect(self->view, "hovered", G_CALLBACK(view_hovered), self);
     g_signal_connect(self->sources, "hovered", G_CALLBACK(list_hovered), self);
-    GtkWidget *const spaces[] = {self->stage, self->space_view};
-    for (gsize i = 0; i < G_N_ELEMENTS(spaces); i++) {
-        g_signal_connect(spaces[i], "selected", G_CALLBACK(stage_selected), self);
-        g_signal_connect(spaces[i], "toggled", G_CALLBACK(source_toggled), self);
-        g_signal_connect(spaces[i], "hovered", G_CALLBACK(stage_hovered), self);
-    }
     g_signal_connect(self->space_view, "pointed", G_CALLBACK(view_pointed), self);
+    app_window_connect_spaces(self);
     g_signal_connect(self->view, "section-moved", G_CALLBACK(section_moved), self);
     g_signal_connect_swapped(self->view, "framed", G_CALLBACK(app_window_ask_picture), self);
     g_signal_connect(self->sources, "chosen", G_CALLBACK(source_chosen), self);
@@ -491,7 +453,7 @@ AppWindow *app_window_new(AppApplication *application)
     document_renamed(self);
     app_window_ask_picture(self);
     app_view_select(self->view, APP_MARK_SOURCE, 0);
-    show_chosen(self);
+    app_window_show_chosen(self);
     if (app_pulse_is_on())
         self->pulse_timer = g_timeout_add(PULSE_MS, show_pulse, self);
     gtk_widget_grab_focus(GTK_WIDGET(self->view));

@@ -88,6 +88,9 @@ void app_window_ask_picture(AppWindow *self);
 void app_window_ask_numbers(AppWindow *self);
 void app_window_ask_pointer(AppWindow *self);
 
+/* The chosen sources are marked on the picture and in space. */
+void app_window_show_chosen(AppWindow *self);
+
 /* window_show.c: what comes is shown; of the painter, the meter and the pointer. */
 void app_window_show_picture(AppPicture *picture, gpointer owner);
 void app_window_show_numbers(AppMeasures *measures, gpointer owner);
@@ -124,6 +127,10 @@ void app_window_offer_turn(AppWindow *self, const AppPicture *picture);
 
 /* window_space.c: the scene in space, in the place of the picture. */
 void app_window_add_space(AppWindow *self);
+/* What the hand does in space, plan and elevation is told to the others. */
+void app_window_connect_spaces(AppWindow *self);
+/* A lamp that the pointer is on, or -1, is lit up wherever it is shown, but for the picture. */
+void app_window_hover_light(AppWindow *self, gssize light);
 gboolean app_window_is_in_space(AppWindow *self);
 /* That of the two that is seen. */
 GtkWidget *app_window_camera(AppWindow *self);

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The scene in space, in the place of the picture: lit bodies, lamps that are taken in the plane of the view, a view that
+"""The scene in space, in the place of the picture: lit bodies, lamps that move in the plane of the view, a view that
 turns, moves and is fitted again, and the value of a place that the pointer is on."""
 import re
 
@@ -27,22 +27,23 @@ def dots_of(desk, window, is_such):
     return [(x + i // 3 % width, y + i // 3 // width) for i in range(0, len(data), 3) if is_such(data[i:i + 3])]
 
 
-def middle(dots):
-    return tuple(sum(dot[k] for dot in dots) / len(dots) for k in range(2)) if dots else None
+FIRST = (201, 130, 24)  # the colour of the first lamp
+BADGE = 18  # dots, of its height; its plumb line hangs below
 
 
-def is_of_first(dot):
-    return tuple(dot) == FIRST
-
-
-FIRST = (201, 130, 24)
+def badge(desk, window):
+    """The middle of the first lamp's badge; None: it is not in view."""
+    dots = dots_of(desk, window, lambda dot: tuple(dot) == FIRST)
+    top = min((dot[1] for dot in dots), default=0)
+    part = [dot for dot in dots if dot[1] <= top + BADGE]
+    return tuple((min(dot[k] for dot in part) + max(dot[k] for dot in part)) / 2 for k in range(2)) if part else None
 
 
 def resting(desk, window):
-    """The first lamp's badge, once it stays where it is."""
-    before = middle(dots_of(desk, window, is_of_first))
+    """The same, once it stays where it is."""
+    before = badge(desk, window)
     desk.hand("sleep", "0.4")
-    return before if before and before == middle(dots_of(desk, window, is_of_first)) else None
+    return before if before and before == badge(desk, window) else None
 
 
 def open_space(desk):
@@ -79,9 +80,10 @@ def turns(tap, desk):
     desk.drag(corner, (corner[0] + 80, corner[1]))
     turned = wait("another view", lambda: next((at for at in [resting(desk, window)] if at and at != lamp), None))
     tap.ok(abs(turned[0] - lamp[0]) > 10, "a drag on nothing turns the view", (lamp, turned))
-    desk.drag(corner, (corner[0] + 50, corner[1] - 20), button=3)
-    panned = wait("a view that moved", lambda: next((at for at in [resting(desk, window)] if at and at != turned), None))
-    tap.ok(abs(panned[0] - turned[0] - 50) < 3 and abs(panned[1] - turned[1] + 20) < 3,
+    desk.drag(corner, (corner[0] + 50, corner[1] + 20), button=3)
+    panned = wait("a view that moved",
+                  lambda: next((at for at in [resting(desk, window)] if at and at != turned), None))
+    tap.ok(abs(panned[0] - turned[0] - 50) < 3 and abs(panned[1] - turned[1] - 20) < 3,
            "the right button moves it by as much as the hand", (turned, panned))
     desk.click(x + width / 2, y + height / 2, 4, 3)
     zoomed = wait("a larger view", lambda: next((at for at in [resting(desk, window)] if at != panned), None))
@@ -107,4 +109,15 @@ def values(tap, desk):
     wait("none beside the bodies", lambda: not window.place_said())
 
 
-trial(lamps, turns, values)
+def points(tap, desk):
+    window = desk.start().window()
+    before = wait("what the source gives", lambda: window.says("Φ", "E "))
+    desk.key("alt+2")
+    tap.ok(wait("Why? at the second point", lambda: window.says("x = 150, y = 0")), "Alt+2 asks why at P2")
+    wait("what the source gives there", lambda: window.says("Φ", "E ") not in (None, before))
+    desk.key("w")
+    wait("what it gives in the middle", lambda: window.says("Φ", "E ") == before)
+    tap.ok(True, "the list tells E at the place where Why? is kept")
+
+
+trial(lamps, turns, values, points)
