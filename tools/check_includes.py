@@ -14,6 +14,8 @@ from tap import Tap
 FLOORS = [["base"], ["format"], ["parameter"], ["material"], ["light", "surface"], ["scene"], ["study"],
           ["kernel"], ["world"], ["flux"],
           ["picture"], ["reflect"], ["field"], ["document"], ["api"], ["exercise", "inverse"], ["figure"]]
+# The same for the desktop app, within app/.
+APP_FLOORS = [["base"], ["files"], ["picture"], ["space"], ["form"], ["numbers"], ["window"]]
 # Folders of programs that use the library as any other program would.
 OUTSIDE = ["front", "cli", "app", "web", "bindings", "examples", "python", "tests/cli", "tests/app",
            "tests/properties"]
@@ -47,10 +49,10 @@ def room_of(path):
     return parts[1] if parts[0] == "src" and len(parts) > 2 else None
 
 
-def allowed_rooms(room):
+def allowed_rooms(room, floors=FLOORS):
     """The rooms that a room may include."""
     allowed = {room}
-    for floor in FLOORS:
+    for floor in floors:
         if room in floor:
             return allowed
         allowed.update(floor)
@@ -82,6 +84,15 @@ def room_faults(root, room):
                 yield "%s: include public headers as <luxel/...>, not \"%s\"" % (path, target)
             elif room_of(found) not in allowed:
                 yield "%s: %s must not include %s (\"%s\")" % (path, room, room_of(found) or found, target)
+
+
+def app_faults(root, room):
+    allowed = allowed_rooms(room, APP_FLOORS)
+    for path in sources(root, os.path.join("app", room)):
+        for angle, target in includes(root, path):
+            found = None if angle else os.path.normpath(os.path.join(os.path.dirname(path), target))
+            if found and found.startswith("app" + os.sep) and found.split(os.sep)[1] not in allowed:
+                yield "%s: %s must not include \"%s\"" % (path, room, target)
 
 
 def public_faults(root):
@@ -118,6 +129,10 @@ def main():
         if os.path.isdir(os.path.join(root, "src", room)):
             faults = list(room_faults(root, room))
             tap.ok(not faults, "src/%s includes only rooms before it" % room, *faults)
+    for room in sorted(os.listdir(os.path.join(root, "app"))):
+        if any(sources(root, os.path.join("app", room))):
+            faults = list(app_faults(root, room))
+            tap.ok(room in sum(APP_FLOORS, []) and not faults, "app/%s includes only rooms before it" % room, *faults)
     faults = list(public_faults(root))
     tap.ok(not faults, "include/luxel includes only itself and the C library", *faults)
     for folder in OUTSIDE:

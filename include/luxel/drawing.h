@@ -39,7 +39,8 @@ LUXEL_API void luxel_drawing_style_init(luxel_drawing_style *style, bool dark);
 
 /*
  * The colour in which luxel_draw_profile() draws the shares of light i, for marks, lists and keys that stand beside it:
- * red, green and blue from 0 to 1.  Every sixth light has the same one again; their lines differ in their dashes.
+ * red, green and blue from 0 to 1, as they suit the style's ground.  Every tenth light has the same one again; their
+ * lines differ in their dashes.
  * LUXEL_ERROR_ARGUMENT: no style, a style that cannot be drawn with, or nowhere to write to.
  */
 LUXEL_API luxel_status luxel_light_color(const luxel_drawing_style *style, size_t i, double color[3]);

@@ -4,15 +4,22 @@
 
 #include "parts.h"
 
-/* Colours that keep apart for those who are colour-blind, too (M. Okabe and K. Ito 2008), yellow left out. */
-static const unsigned char colors[][3] = {{230, 159, 0},   {86, 180, 233}, {0, 158, 115},
-                                          {204, 121, 167}, {213, 94, 0},   {0, 114, 178}};
-enum { COLORS = sizeof colors / sizeof colors[0] };
+enum { COLORS = 10 };
 
-void lx_light_color(size_t light, double color[3])
+/* Colours that keep apart for those who are colour-blind, too: the nearest two of them differ by ΔE 14 (CIE 1976) on a
+ * light ground and 17 on a dark one, in protanopia, deuteranopia and tritanopia (G. M. Machado and others 2009). */
+static const unsigned char on_light[COLORS][3] = {{201, 130, 24}, {16, 156, 229}, {20, 128, 90},  {200, 32, 146},
+                                                  {68, 36, 163},  {161, 76, 13},  {104, 151, 81}, {106, 8, 9},
+                                                  {62, 44, 91},   {158, 137, 137}};
+static const unsigned char on_dark[COLORS][3] = {{238, 153, 24},  {154, 205, 255}, {92, 249, 194},  {235, 72, 171},
+                                                 {106, 122, 248}, {205, 155, 122}, {240, 240, 120}, {232, 76, 62},
+                                                 {148, 151, 230}, {148, 125, 125}};
+
+void lx_light_color(const double ground[3], size_t light, double color[3])
 {
+    const bool is_dark = ground[0] + ground[1] + ground[2] < 1.5;
     for (int i = 0; i < 3; i++)
-        color[i] = colors[light % COLORS][i] / 255.0;
+        color[i] = (is_dark ? on_dark : on_light)[light % COLORS][i] / 255.0;
 }
 
 void lx_light_line(const struct lx_canvas *canvas, size_t light, bool stacked, double size, double color[3])
@@ -20,12 +27,10 @@ void lx_light_line(const struct lx_canvas *canvas, size_t light, bool stacked, d
     const size_t count = COLORS;
     const double dashes[][4] = {{0.7, 0.35, 0.7, 0.35}, {0.2, 0.25, 0.2, 0.25}, {0.9, 0.25, 0.2, 0.25}};
     double lengths[4];
-    lx_light_color(light, color);
+    lx_light_color(canvas->ground, light, color);
     if (stacked) /* areas have no dashes: they become paler */
-        for (int i = 0; i < 3; i++) {
-            color[i] = colors[light % count][i] / 255.0;
+        for (int i = 0; i < 3; i++)
             color[i] += (canvas->ground[i] - color[i]) * fmin(0.15 + 0.3 * (double)(light / count), 0.75);
-        }
     for (int i = 0; i < 4; i++)
         lengths[i] = light < count ? 0 : size * dashes[(light / count - 1) % 3][i];
     cairo_set_dash(canvas->cairo, lengths, light < count || stacked ? 0 : 4, 0);

@@ -47,7 +47,7 @@ luxel_status luxel_light_color(const luxel_drawing_style *style, size_t i, doubl
 {
     if (!style_goes(style) || !color)
         return LUXEL_ERROR_ARGUMENT;
-    lx_light_color(i, color);
+    lx_light_color(style->ground, i, color);
     return LUXEL_OK;
 }
 

@@ -42,7 +42,7 @@ double lx_curves_place(const struct lx_curves *curves, size_t i);
 void lx_draw_curves(const struct lx_curves *curves, const struct lx_canvas *canvas, const struct lx_plot *plot);
 
 /* The colour of a light on a ground, by which it is known wherever it is drawn. */
-void lx_light_color(size_t light, double color[3]);
+void lx_light_color(const double ground[3], size_t light, double color[3]);
 /* The colour of a light's shares; sets the line's dashes, too, which tell those apart whose colours are the same. */
 void lx_light_line(const struct lx_canvas *canvas, size_t light, bool stacked, double size, double color[3]);
 

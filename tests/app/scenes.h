@@ -11,8 +11,8 @@
 
 #include <cmocka.h>
 
-#include "../../app/document.h"
-#include "../../app/picture.h"
+#include "../../app/files/document.h"
+#include "../../app/picture/picture.h"
 
 /* A document of a built-in scene, or of a text; the caller's, g_object_unref(). */
 AppDocument *document_of_builtin(const char *name);

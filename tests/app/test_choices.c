@@ -2,7 +2,7 @@
 /* Every choice of every key, and every kind of light and surface, has a label: a list shows no bare key. */
 #include <string.h>
 
-#include "../../app/choices.h"
+#include "../../app/base/choices.h"
 #include "scenes.h"
 
 static void labels_every_choice(void **state)

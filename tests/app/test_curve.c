@@ -3,7 +3,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "../../app/curve.h"
+#include "../../app/picture/curve.h"
 #include "scenes.h"
 
 static luxel_profile *profile_of(const AppMoment *moment)

@@ -4,7 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "../../app/display.h"
+#include "../../app/picture/display.h"
 #include "scenes.h"
 
 /* A painted field. */

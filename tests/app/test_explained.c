@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* The part of an explanation that is about a light, as the library writes it. */
-#include "../../app/explained.h"
+#include "../../app/numbers/explained.h"
 
 #include <string.h>
 

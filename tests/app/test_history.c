@@ -2,7 +2,7 @@
 /* The history of a text: every step back and forth, what becomes one step, and what it is about. */
 #include <string.h>
 
-#include "../../app/history.h"
+#include "../../app/files/history.h"
 #include "scenes.h"
 
 enum { STEPS = 3000, LONGEST = 60 };

@@ -3,8 +3,8 @@
 #include <math.h>
 #include <string.h>
 
-#include "../../app/marks.h"
-#include "../../app/number.h"
+#include "../../app/base/number.h"
+#include "../../app/picture/marks.h"
 #include "scenes.h"
 
 static const AppTouch exact = {.mm_per_pixel = 1e-6}; /* so that rounding is nothing */

@@ -3,7 +3,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "../../app/measures.h"
+#include "../../app/picture/measures.h"
 #include "scenes.h"
 
 /* What a meter and a pointer told last; answers come in parts, and each part is kept. */

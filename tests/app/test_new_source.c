@@ -3,9 +3,9 @@
 #include <math.h>
 #include <string.h>
 
-#include "../../app/marks.h"
-#include "../../app/new_source.h"
-#include "../../app/number.h"
+#include "../../app/base/number.h"
+#include "../../app/form/new_source.h"
+#include "../../app/picture/marks.h"
 #include "scenes.h"
 
 /* The greatest irradiance of a source alone, over every eighth pixel of each way. */

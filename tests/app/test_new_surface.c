@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* Files that come into a scene: what they are, how they are named, and that a mesh is seen where it is put. */
-#include "../../app/new_surface.h"
+#include "../../app/form/new_surface.h"
 
 #include <glib/gstdio.h>
 #include <math.h>

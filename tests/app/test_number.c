@@ -3,7 +3,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "../../app/number.h"
+#include "../../app/base/number.h"
 #include "scenes.h"
 
 #define NBSP "\u00a0"
@@ -249,11 +249,15 @@ static void shows_with_the_mark(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(reads_numbers), cmocka_unit_test(refuses_the_rest),
-        cmocka_unit_test(writes_short),  cmocka_unit_test(writes_amounts),
+        cmocka_unit_test(reads_numbers),
+        cmocka_unit_test(refuses_the_rest),
+        cmocka_unit_test(writes_short),
+        cmocka_unit_test(writes_amounts),
         cmocka_unit_test(writes_what_reads_back),
-        cmocka_unit_test(reads_lists),   cmocka_unit_test(names_the_fault_of_a_list),
-        cmocka_unit_test(reads_pairs),   cmocka_unit_test(reads_yaml_lists),
+        cmocka_unit_test(reads_lists),
+        cmocka_unit_test(names_the_fault_of_a_list),
+        cmocka_unit_test(reads_pairs),
+        cmocka_unit_test(reads_yaml_lists),
         cmocka_unit_test(shows_with_the_mark),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* Silhouettes in plan and elevation: found anew where a mesh changes, and shifted where it only moves. */
-#include "../../app/outlines.h"
+#include "../../app/space/outlines.h"
 
 #include <math.h>
 #include <string.h>

@@ -492,12 +492,18 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(shows_direct_light_first),
-        cmocka_unit_test(paints_what_is_computed),       cmocka_unit_test(shows_the_newest),
-        cmocka_unit_test(paints_anew_without_computing), cmocka_unit_test(fits_the_view),
-        cmocka_unit_test(shows_one_light_alone),         cmocka_unit_test(tells_faults_and_goes_on),
-        cmocka_unit_test(compares_with_what_was_pinned), cmocka_unit_test(shows_a_quick_look_first),
-        cmocka_unit_test(gives_up_what_is_outdated),     cmocka_unit_test(follows_a_slow_scene_too),
-        cmocka_unit_test(stops_while_computing),         cmocka_unit_test(draws_the_outline_as_a_line),
+        cmocka_unit_test(paints_what_is_computed),
+        cmocka_unit_test(shows_the_newest),
+        cmocka_unit_test(paints_anew_without_computing),
+        cmocka_unit_test(fits_the_view),
+        cmocka_unit_test(shows_one_light_alone),
+        cmocka_unit_test(tells_faults_and_goes_on),
+        cmocka_unit_test(compares_with_what_was_pinned),
+        cmocka_unit_test(shows_a_quick_look_first),
+        cmocka_unit_test(gives_up_what_is_outdated),
+        cmocka_unit_test(follows_a_slow_scene_too),
+        cmocka_unit_test(stops_while_computing),
+        cmocka_unit_test(draws_the_outline_as_a_line),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

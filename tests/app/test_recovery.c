@@ -9,7 +9,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include "../../app/recovery.h"
+#include "../../app/files/recovery.h"
 #include "scenes.h"
 
 static char *program, *state_folder, *folder; /* folder: where work is kept */

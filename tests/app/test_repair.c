@@ -2,7 +2,7 @@
 /* Repairs: a scene that was refused can be computed with what is offered, and is only changed where it must be. */
 #include <string.h>
 
-#include "../../app/repair.h"
+#include "../../app/form/repair.h"
 #include "scenes.h"
 
 /* Whether a picture can be made of the scene of a document. */

@@ -4,7 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "../../app/resample.h"
+#include "../../app/picture/resample.h"
 #include "scenes.h"
 
 enum { MOST = 200 };

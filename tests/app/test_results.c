@@ -2,8 +2,8 @@
 /* The results as one text: what the field and the points have, with their places, a line each. */
 #include <string.h>
 
-#include "../../app/number.h"
-#include "../../app/results.h"
+#include "../../app/base/number.h"
+#include "../../app/numbers/results.h"
 #include "scenes.h"
 
 static void expect_line(const char *text, const char *name, double value)

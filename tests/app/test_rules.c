@@ -4,8 +4,8 @@
 #include <math.h>
 #include <string.h>
 
-#include "../../app/number.h"
-#include "../../app/rules.h"
+#include "../../app/base/number.h"
+#include "../../app/form/rules.h"
 #include "scenes.h"
 
 static luxel_parameters *parameters;

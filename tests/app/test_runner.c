@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* The runner: the newest job is done, reports come in order, and after the end nothing comes. */
-#include "../../app/runner.h"
+#include "../../app/base/runner.h"
 #include "scenes.h"
 
 /* What the jobs do and what came back; the thread has its own part of it. */

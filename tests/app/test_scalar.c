@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* Texts become YAML scalars and come back, whatever is in them. */
-#include "../../app/scalar.h"
+#include "../../app/base/scalar.h"
 #include "scenes.h"
 
 static void goes_there_and_back(void **state)

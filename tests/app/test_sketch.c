@@ -2,7 +2,7 @@
 /* Sketches have the grey levels of the scenes' own pictures, come in order, and tell what is not to be had. */
 #include <glib/gstdio.h>
 
-#include "../../app/sketch.h"
+#include "../../app/picture/sketch.h"
 #include "scenes.h"
 
 enum { MOST = 8 };

@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: MIT */
 /* Plan and elevation: where things are, and that a projection moves what it shows and nothing else. */
-#include "../../app/space.h"
+#include "../../app/space/space.h"
 
 #include <math.h>
 #include <string.h>
 
-#include "../../app/outlines.h"
+#include "../../app/space/outlines.h"
 #include "scenes.h"
 
 static AppOutlines *outlines; /* of the group of tests */

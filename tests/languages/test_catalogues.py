@@ -24,7 +24,7 @@ MIXED = re.compile(r"[a-zA-Z][а-яёА-ЯЁ]|[а-яёА-ЯЁ][a-zA-Z]")
 LITERAL = r'"((?:[^"\\]|\\.)*)"'
 # Files that must be in POTFILES if they have texts, and what shows that they do.
 IN_C = r"\b(?:N?_|ngettext)\("
-HAVE_TEXTS = [("cli/*.c", IN_C), ("cli/draw/*.c", IN_C), ("front/*.c", IN_C), ("app/*.c", IN_C),
+HAVE_TEXTS = [("cli/*.c", IN_C), ("cli/draw/*.c", IN_C), ("front/*.c", IN_C), ("app/*/*.c", IN_C),
               ("app/ui/*.ui", 'translatable="yes"'), ("data/desktop/*.desktop.in", ""), ("data/desktop/*.xml.in", "")]
 # Properties and attributes of the app's forms whose texts people see or hear.
 SHOWN = {"title", "label", "tooltip-text", "placeholder-text"}

@@ -115,8 +115,8 @@ def shares(tap, desk):
         data = desk.screen(*area)
         return sum(1 for i in range(0, len(data), 3) if tuple(data[i:i + 3]) == color)
 
-    for color in ((230, 159, 0), (86, 180, 233)):
-        tap.ok(wait("its colour", lambda: dots(color) > 40), "the list has a badge in the colour of the curve", color)
+    for color in ((201, 130, 24), (16, 156, 229)):
+        tap.ok(wait("its colour", lambda: dots(color) > 15), "the list has a badge in the colour of the curve", color)
     tap.equal(window.widget.find("list").names(None, "Share"), ["Share", "Share"],
               "without a pointer there is no share")
     window.pointed(*window.pixel(0, 0))

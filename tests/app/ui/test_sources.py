@@ -29,7 +29,7 @@ def list_of_sources(tap, desk):
     tap.equal(kinds(window), ["point", "spot"], "a spot is added")
     checked(desk, window)
     tap.ok(wait("flux and irradiance", lambda: len([text for text in window.labels() if re.match(
-        r"Φ \S+ W   E \S+ \S+$", text)]) == 2), "each source says its flux and what it gives to the surface")
+        r"Φ \S+ W   E \S+( \S+)?$", text)]) == 2), "each source says its flux and what it gives to the surface")
     window.press("Duplicate the source")
     wait("three", lambda: len(kinds(window)) == 3)
     tap.equal(kinds(window), ["point", "spot", "spot"], "it is doubled")

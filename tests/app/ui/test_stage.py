@@ -6,7 +6,7 @@ import re
 from desk import luxel, trial
 from waiting import wait
 
-ORANGE = (230, 159, 0)
+ORANGE = (201, 130, 24)
 POSITION = re.compile(rb"position: \[([-\d.]+), ([-\d.]+), ([-\d.]+)\]")
 
 

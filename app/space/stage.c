@@ -1,0 +1,373 @@
+/* SPDX-License-Identifier: MIT */
+/* The widget: how the scene is fitted, and the hand on it. */
+#include "stage.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "../../front/words.h"
+#include "../base/number.h"
+#include "../base/touch.h"
+#include "hold.h"
+#include "stage_private.h"
+
+enum {
+    MARGIN = 20,
+    TITLE = 14,
+    REACH = 14,
+    LEAST_SIDE = 40,
+    STILL = 4 /* within which a press is no drag */
+};
+
+enum { SELECTED, HOVERED, TOGGLED, SIGNALS };
+static guint signals[SIGNALS];
+
+G_DEFINE_FINAL_TYPE(AppStage, app_stage, GTK_TYPE_WIDGET)
+
+/* ---- the map ---- */
+
+void app_stage_place(const AppStageMap *map, AppProjection projection, const double place_mm[3], double at[2])
+{
+    at[0] = map->left + place_mm[0] * map->scale;
+    at[1] = map->floors[projection] - place_mm[app_projection_up(projection)] * map->scale;
+}
+
+/* One scale for both, so that they can be read together; what is left of the height is shared. */
+static void fit(AppStage *self)
+{
+    const double width = gtk_widget_get_width(GTK_WIDGET(self)), height = gtk_widget_get_height(GTK_WIDGET(self));
+    const AppSpace *space = self->space;
+    if (!space || self->is_held || width < LEAST_SIDE || height < LEAST_SIDE)
+        return;
+    double sides[3];
+    for (int k = 0; k < 3; k++)
+        sides[k] = MAX(space->high[k] - space->low[k], 1);
+    AppStageMap *map = &self->map;
+    map->scale = MIN((width - 2 * MARGIN) / sides[0], (height - 4 * MARGIN - 2 * TITLE) / (sides[1] + sides[2]));
+    map->left = width / 2 - (space->low[0] + space->high[0]) / 2 * map->scale;
+    const double spare = (height - 4 * MARGIN - 2 * TITLE - map->scale * (sides[1] + sides[2])) / 2;
+    double top = 0;
+    for (int i = 0; i < APP_PROJECTIONS; i++) {
+        const int up = app_projection_up((AppProjection)i);
+        map->tops[i] = top;
+        map->floors[i] = top + TITLE + MARGIN + spare / 2 + space->high[up] * map->scale;
+        top += TITLE + 2 * MARGIN + spare + sides[up] * map->scale;
+    }
+    map->tops[APP_PROJECTIONS] = height;
+}
+
+/* What nobody sees is not read off the scene. */
+static void read_space(AppStage *self)
+{
+    if (self->space || !self->moment || !gtk_widget_get_mapped(GTK_WIDGET(self)))
+        return;
+    self->space = app_space_new(self->moment, self->outlines);
+    fit(self);
+}
+
+/* ---- which are chosen ---- */
+
+gboolean app_stage_is_chosen(const AppStage *self, gsize light)
+{
+    for (guint i = 0; i < self->chosen->len; i++)
+        if (g_array_index(self->chosen, gsize, i) == light)
+            return TRUE;
+    return FALSE;
+}
+
+static gboolean is_lamp(const AppThing *thing)
+{
+    return thing->kind == APP_THING_LAMP || thing->kind == APP_THING_DIRECTION;
+}
+
+/* ---- the hand ---- */
+
+static AppProjection projection_at(const AppStage *self, double y)
+{
+    return y < self->map.tops[APP_ELEVATION] ? APP_PLAN : APP_ELEVATION;
+}
+
+/* The nearest thing within reach; of those as near the one that is on top. */
+static gboolean thing_at(const AppStage *self, double x, double y, AppThing *found)
+{
+    const AppProjection projection = projection_at(self, y);
+    double best = app_touch_reach((GtkWidget *)self, REACH);
+    found->kind = APP_THING_NONE;
+    for (guint i = 0; self->space && i < self->space->things->len; i++) {
+        const AppThing *thing = &g_array_index(self->space->things, AppThing, i);
+        double at[2];
+        if (!app_space_moves(thing, projection))
+            continue;
+        app_stage_place(&self->map, projection, thing->at_mm, at);
+        const double apart = hypot(at[0] - x, at[1] - y);
+        if (apart < best - (found->kind == APP_THING_NONE ? 0 : 2)) {
+            best = apart;
+            *found = *thing;
+        }
+    }
+    return found->kind != APP_THING_NONE;
+}
+
+static void tell_hovered(AppStage *self, const AppThing *thing)
+{
+    if (thing->kind == self->thing.kind && thing->index == self->thing.index)
+        return;
+    self->thing = *thing;
+    gtk_widget_set_cursor_from_name(GTK_WIDGET(self), thing->kind == APP_THING_NONE ? "default" : "grab");
+    g_signal_emit(self, signals[HOVERED], 0, (int)thing->kind, (guint)thing->index);
+    gtk_widget_queue_draw(GTK_WIDGET(self));
+}
+
+static void pointer_moved(GtkEventControllerMotion *controller, double x, double y, AppStage *self)
+{
+    AppThing thing;
+    (void)controller;
+    if (self->is_held)
+        return;
+    thing_at(self, x, y, &thing);
+    self->projection = projection_at(self, y);
+    tell_hovered(self, &thing);
+}
+
+static void pointer_left(GtkEventControllerMotion *controller, AppStage *self)
+{
+    const AppThing none = {.kind = APP_THING_NONE};
+    (void)controller;
+    if (!self->is_held)
+        tell_hovered(self, &none);
+}
+
+static void select_thing(AppStage *self)
+{
+    g_signal_emit(self, signals[SELECTED], 0, (int)self->thing.kind, (guint)self->thing.index);
+}
+
+static void drag_begin(GtkGestureDrag *gesture, double x, double y, AppStage *self)
+{
+    const GdkModifierType state = gtk_event_controller_get_current_event_state(GTK_EVENT_CONTROLLER(gesture));
+    AppThing thing;
+    gtk_widget_grab_focus(GTK_WIDGET(self));
+    if (self->is_stale || !thing_at(self, x, y, &thing)) {
+        gtk_gesture_set_state(GTK_GESTURE(gesture), GTK_EVENT_SEQUENCE_DENIED);
+        return;
+    }
+    self->thing = thing;
+    self->projection = projection_at(self, y);
+    memcpy(self->start_mm, thing.at_mm, sizeof self->start_mm);
+    self->is_held = TRUE;
+    self->has_moved = FALSE;
+    self->is_toggling = is_lamp(&thing) && (state & (GDK_CONTROL_MASK | GDK_SHIFT_MASK));
+    self->was_chosen = is_lamp(&thing) && self->chosen->len > 1 && app_stage_is_chosen(self, thing.index);
+    g_clear_pointer(&self->turn, app_turn_free);
+    self->turn = self->was_chosen ? app_turn_begin(self->document, self->chosen, thing.index) : NULL;
+    app_document_begin_gesture(self->document);
+    if (!self->was_chosen && !self->is_toggling)
+        select_thing(self);
+}
+
+static void drag_update(GtkGestureDrag *gesture, double dx, double dy, AppStage *self)
+{
+    const GdkModifierType state = gtk_event_controller_get_current_event_state(GTK_EVENT_CONTROLLER(gesture));
+    const double gain = ((state & GDK_SHIFT_MASK) ? 0.1 : 1) / self->map.scale;
+    double to[3];
+    if (!self->is_held || (!self->has_moved && hypot(dx, dy) < STILL))
+        return;
+    if (self->is_toggling && !self->was_chosen) /* it is a drag, which chooses nothing but what it moves */
+        select_thing(self);
+    self->is_toggling = FALSE;
+    self->has_moved = TRUE;
+    memcpy(to, self->start_mm, sizeof to);
+    to[0] += dx * gain;
+    to[app_projection_up(self->projection)] -= dy * gain;
+    app_hold_move(&self->thing, &self->projection, to,
+                  app_hold_grain(1 / self->map.scale, (state & GDK_SHIFT_MASK) != 0, (state & GDK_CONTROL_MASK) != 0),
+                  self->was_chosen && is_lamp(&self->thing) ? self->chosen : NULL, self->turn, self->document);
+}
+
+static void drag_end(GtkGestureDrag *gesture, double dx, double dy, AppStage *self)
+{
+    (void)gesture;
+    (void)dx;
+    (void)dy;
+    if (!self->is_held)
+        return;
+    self->is_held = FALSE;
+    g_clear_pointer(&self->turn, app_turn_free);
+    app_document_end_gesture(self->document);
+    if (!self->has_moved && self->is_toggling)
+        g_signal_emit(self, signals[TOGGLED], 0, (guint)self->thing.index);
+    else if (!self->has_moved && self->was_chosen)
+        select_thing(self);
+    fit(self);
+    gtk_widget_queue_draw(GTK_WIDGET(self));
+}
+
+/* The mark that is held is let go: it is of a scene that is no longer there. */
+static void let_go(AppStage *self)
+{
+    if (!self->is_held)
+        return;
+    self->is_held = FALSE;
+    g_clear_pointer(&self->turn, app_turn_free);
+    app_document_end_gesture(self->document);
+}
+
+static gboolean query_tooltip(AppStage *self, int x, int y, gboolean by_keys, GtkTooltip *tooltip)
+{
+    AppThing thing;
+    if (by_keys || !thing_at(self, x, y, &thing))
+        return FALSE;
+    char *text = app_thing_tell(&thing);
+    gtk_tooltip_set_text(tooltip, text);
+    g_free(text);
+    return TRUE;
+}
+
+/* ---- what is shown ---- */
+
+void app_stage_set_moment(AppStage *self, AppMoment *moment)
+{
+    if (moment == self->moment)
+        return;
+    if (moment)
+        app_moment_ref(moment);
+    else
+        let_go(self);
+    app_moment_unref(self->moment);
+    self->moment = moment;
+    g_clear_pointer(&self->space, app_space_free);
+    read_space(self);
+    gtk_widget_queue_draw(GTK_WIDGET(self));
+}
+
+void app_stage_choose(AppStage *self, const GArray *lights, gsize selected)
+{
+    self->selected = (gssize)selected;
+    g_array_set_size(self->chosen, 0);
+    g_array_append_vals(self->chosen, lights->data, lights->len);
+    gtk_widget_queue_draw(GTK_WIDGET(self));
+}
+
+void app_stage_hover(AppStage *self, gssize light)
+{
+    if (light == self->hovered)
+        return;
+    self->hovered = light;
+    gtk_widget_queue_draw(GTK_WIDGET(self));
+}
+
+void app_stage_set_reading(AppStage *self, const AppReading *reading)
+{
+    const gboolean has = reading && reading->value.on_surface;
+    if (!has && !self->has_place)
+        return;
+    self->has_place = has;
+    if (has) {
+        memcpy(self->place_mm, reading->value.position_mm, sizeof self->place_mm);
+        memcpy(self->normal, reading->value.normal, sizeof self->normal);
+    }
+    gtk_widget_queue_draw(GTK_WIDGET(self));
+}
+
+void app_stage_set_stale(AppStage *self, gboolean stale)
+{
+    self->is_stale = stale;
+    gtk_widget_queue_draw(GTK_WIDGET(self));
+}
+
+static void app_stage_snapshot(GtkWidget *widget, GtkSnapshot *snapshot)
+{
+    AppStage *self = APP_STAGE(widget);
+    const int width = gtk_widget_get_width(widget), height = gtk_widget_get_height(widget);
+    const graphene_rect_t area = GRAPHENE_RECT_INIT(0, 0, (float)width, (float)height);
+    if (!self->space || !(self->map.scale > 0))
+        return;
+    if (self->is_stale)
+        gtk_snapshot_push_opacity(snapshot, 0.3);
+    cairo_t *cairo = gtk_snapshot_append_cairo(snapshot, &area);
+    app_stage_draw(self, cairo, width, height);
+    cairo_destroy(cairo);
+    if (self->is_stale)
+        gtk_snapshot_pop(snapshot);
+}
+
+static void app_stage_map(GtkWidget *widget)
+{
+    GTK_WIDGET_CLASS(app_stage_parent_class)->map(widget);
+    read_space(APP_STAGE(widget));
+}
+
+static void app_stage_size_allocate(GtkWidget *widget, int width, int height, int baseline)
+{
+    (void)width;
+    (void)height;
+    (void)baseline;
+    fit(APP_STAGE(widget));
+}
+
+/* ---- the class ---- */
+
+static void app_stage_dispose(GObject *object)
+{
+    AppStage *self = APP_STAGE(object);
+    g_clear_object(&self->document);
+    g_clear_pointer(&self->space, app_space_free);
+    g_clear_pointer(&self->moment, app_moment_unref);
+    G_OBJECT_CLASS(app_stage_parent_class)->dispose(object);
+}
+
+static void app_stage_finalize(GObject *object)
+{
+    g_array_unref(APP_STAGE(object)->chosen);
+    app_turn_free(APP_STAGE(object)->turn);
+    app_outlines_free(APP_STAGE(object)->outlines);
+    G_OBJECT_CLASS(app_stage_parent_class)->finalize(object);
+}
+
+static void app_stage_class_init(AppStageClass *class)
+{
+    GtkWidgetClass *widget = GTK_WIDGET_CLASS(class);
+    G_OBJECT_CLASS(class)->dispose = app_stage_dispose;
+    G_OBJECT_CLASS(class)->finalize = app_stage_finalize;
+    widget->snapshot = app_stage_snapshot;
+    widget->size_allocate = app_stage_size_allocate;
+    widget->map = app_stage_map;
+    gtk_widget_class_set_css_name(widget, "luxelstage");
+    gtk_widget_class_set_accessible_role(widget, GTK_ACCESSIBLE_ROLE_IMG);
+    signals[SELECTED] = g_signal_new("selected", APP_TYPE_STAGE, G_SIGNAL_RUN_LAST, 0, NULL, NULL, NULL, G_TYPE_NONE, 2,
+                                     G_TYPE_INT, G_TYPE_UINT);
+    signals[HOVERED] = g_signal_new("hovered", APP_TYPE_STAGE, G_SIGNAL_RUN_LAST, 0, NULL, NULL, NULL, G_TYPE_NONE, 2,
+                                    G_TYPE_INT, G_TYPE_UINT);
+    signals[TOGGLED] =
+        g_signal_new("toggled", APP_TYPE_STAGE, G_SIGNAL_RUN_LAST, 0, NULL, NULL, NULL, G_TYPE_NONE, 1, G_TYPE_UINT);
+}
+
+static void app_stage_init(AppStage *self)
+{
+    GtkWidget *widget = GTK_WIDGET(self);
+    GtkEventController *motion = gtk_event_controller_motion_new();
+    GtkGesture *drag = gtk_gesture_drag_new();
+    self->selected = self->hovered = -1;
+    self->chosen = g_array_new(FALSE, FALSE, sizeof(gsize));
+    self->outlines = app_outlines_new();
+    gtk_widget_set_focusable(widget, TRUE);
+    gtk_widget_set_hexpand(widget, TRUE);
+    gtk_widget_set_vexpand(widget, TRUE);
+    gtk_widget_set_has_tooltip(widget, TRUE);
+    gtk_accessible_update_property(GTK_ACCESSIBLE(self), GTK_ACCESSIBLE_PROPERTY_LABEL, _("Plan and elevation"), -1);
+    g_signal_connect(widget, "query-tooltip", G_CALLBACK(query_tooltip), NULL);
+    g_signal_connect(motion, "motion", G_CALLBACK(pointer_moved), self);
+    g_signal_connect(motion, "leave", G_CALLBACK(pointer_left), self);
+    g_signal_connect(drag, "drag-begin", G_CALLBACK(drag_begin), self);
+    g_signal_connect(drag, "drag-update", G_CALLBACK(drag_update), self);
+    g_signal_connect(drag, "drag-end", G_CALLBACK(drag_end), self);
+    gtk_widget_add_controller(widget, motion);
+    gtk_widget_add_controller(widget, GTK_EVENT_CONTROLLER(drag));
+}
+
+GtkWidget *app_stage_new(AppDocument *document)
+{
+    AppStage *self = g_object_new(APP_TYPE_STAGE, NULL);
+    self->document = g_object_ref(document);
+    return GTK_WIDGET(self);
+}
