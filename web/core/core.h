@@ -17,6 +17,10 @@ struct core {
     luxel_diagnostics *diagnostics; /* of the last call that can fail */
     luxel_quantity quantity;
     bool is_direct; /* only direct light is computed, whatever the scene says */
+    /* Of the package for npm: what is asked has its own solution of reflected light, as the tool's, and these settings
+     * of luxel_settings. */
+    bool is_package;
+    double tolerance, light_error, reflected_error;
 };
 
 extern struct core core;
@@ -29,6 +33,9 @@ const luxel_scene *computed_scene(void);
 
 /* The evaluator of the present scene and quantity, or NULL. */
 const luxel_evaluator *present_evaluator(void);
+
+/* Drops what was made for the scene and the settings that were. */
+void drop_evaluator(void);
 
 /* Drops what another camera saw of the scene that was. */
 void drop_stage(void);
