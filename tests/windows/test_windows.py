@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: MIT
-"""luxel.exe under Wine against the tool for Linux: test_windows.py LUXEL LUXEL.EXE FOLDER (of Wine's own files)."""
+"""luxel.exe, and programs with luxel.dll, under Wine against the tool for Linux: test_windows.py LUXEL LUXEL.EXE FOLDER
+(of Wine's own files)."""
 import array
+import json
 import os
 import pathlib
 import re
@@ -143,9 +145,46 @@ def paths(folder):
     tap.ok(code == 2 and b"needs an extension" in told, "a dot of a folder begins no extension", code, told)
 
 
+def long_paths(folder):
+    """A folder whose name has more characters than what Windows took before version 1903."""
+    place = folder.joinpath(*["a folder of some length, " * 3] * 5)
+    place.mkdir(parents=True)
+    (place / "scene.yaml").write_text(BALL, encoding="utf-8")
+    name = str(place.relative_to(folder))
+    tap.ok(len(name) > 350, "it is long", len(name))
+    same(folder, "a long path", "check", f"{name}/scene.yaml")
+    code, _, told = run(WINDOWS, folder, "render", f"{name}/scene.yaml", "-q", "-o", f"{name}/picture.pfm")
+    tap.ok(code == 0 and (place / "picture.pfm").is_file(), "output behind a long path", told)
+
+
+def library(folder):
+    """Examples that are linked with luxel.dll by either import library run, and give the tool's numbers."""
+    root = SOURCES.parents[1]
+    built = pathlib.Path(WINDOWS).parent
+    shutil.copy(built / "luxel.dll", folder)
+    value = json.loads(run(NATIVE, folder, "probe", "report", "-p", "0,0", "--json")[1])["points"][0]["value"]
+    for kind in ("luxel.lib", "libluxel.dll.a"):
+        for name, wanted in (("probe_points", f"{value:.8g}"), ("render_to_png", "11.7475"), ("measure_plane", "flux")):
+            program = folder / f"{name}.exe"
+            linked = subprocess.run(["x86_64-w64-mingw32-gcc-posix", "-std=gnu11", "-Wall", "-Wextra", "-Werror",
+                                     f"-I{root}/include", "-o", program, root / f"examples/{name}.c", built / kind],
+                                    capture_output=True, text=True, check=False)
+            tap.equal((linked.returncode, linked.stderr), (0, ""), f"{name} is linked by {kind}")
+            told = subprocess.run(["wine", program, *(["sphere.png"] if name == "render_to_png" else [])], cwd=folder,
+                                  env={**os.environ, "WINEPREFIX": PREFIX, "WINEDEBUG": "-all"}, timeout=120,
+                                  capture_output=True, text=True, check=False)
+            tap.ok(told.returncode == 0 and wanted in told.stdout, f"{name} runs", told.stdout, told.stderr)
+    shown = subprocess.run(["x86_64-w64-mingw32-objdump", "-p", built / "luxel.dll"], capture_output=True, text=True,
+                           check=True).stdout
+    names = re.findall(r"^\s*\[ *\d+\](?: \+base\[ *\d+\])?\s+(?:[0-9a-f]+ )?(\w+)$", shown, re.MULTILINE)
+    symbols = (root / "tests/abi/luxel_1.symbols").read_text(encoding="utf-8")
+    listed = re.findall(r"^(luxel_\w+) ", symbols, re.MULTILINE)
+    tap.equal(sorted(names), sorted(listed), "functions that luxel.dll shows")
+
+
 INSTRUCTIONS = shared_instructions()
 SOURCES = pathlib.Path(__file__).resolve().parents[2] / "data/scenes"
-for test in (paths, texts, inputs, scenes_and_formats):
+for test in (paths, long_paths, library, texts, inputs, scenes_and_formats):
     with tempfile.TemporaryDirectory() as name:
         tap.run(test, pathlib.Path(name))
 print(f"{tap.count - tap.failed} passed, {tap.failed} failed")

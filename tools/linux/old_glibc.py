@@ -12,8 +12,8 @@ import re
 import subprocess
 import sys
 
-SYMBOL = re.compile(r"^[0-9a-f]+ .{6}(?P<kind>[FO ]) \S+\s+[0-9a-f]+\s+\(?GLIBC_(?P<version>[\d.]+)\)?\s+(?P<name>\w+)$",
-                    re.M)
+SYMBOL = re.compile(r"^[0-9a-f]+ .{6}(?P<kind>[FO ]) \S+\s+[0-9a-f]+\s+"
+                    r"\(?GLIBC_(?P<version>[\d.]+)\)?\s+(?P<name>\w+)$", re.M)
 # Since 2.34 libc has what these had; of programs that were linked earlier it has it in versions of then alone.
 FORMER = {"libpthread.so.0": ("pthread_", "sem_"), "libdl.so.2": ("dl",)}
 
@@ -65,7 +65,8 @@ def main(place, version):
         make_stand_in(folder, soname, symbols)
     maths = symbols_of(library / "libm.so.6", limit)
     make_stand_in(folder, "libm.so.6", [(name, kind, found) for name, (kind, found, _) in sorted(maths.items())])
-    subprocess.run(["gcc", "-O2", "-fPIC", "-c", "-o", folder / "old.o", pathlib.Path(__file__).with_suffix(".c")], check=True)
+    source = pathlib.Path(__file__).with_suffix(".c")
+    subprocess.run(["gcc", "-O2", "-fPIC", "-c", "-o", folder / "old.o", source], check=True)
     (folder / "libold.a").unlink(missing_ok=True)
     subprocess.run(["ar", "-Drcs", folder / "libold.a", folder / "old.o"], check=True)
     needed = " ".join(str(folder / soname) for soname in former)

@@ -14,10 +14,13 @@ import re
 import subprocess
 import sys
 import tempfile
-import time
 import zipfile
 
-EVERYWHERE = {"libc.so.6", "libm.so.6", "libpthread.so.0", "libdl.so.2", "ld-linux-x86-64.so.2", "ld-linux-aarch64.so.1"}
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1]))
+from deterministic_zip import files_of, pack  # noqa: E402
+
+EVERYWHERE = {"libc.so.6", "libm.so.6", "libpthread.so.0", "libdl.so.2", "ld-linux-x86-64.so.2",
+              "ld-linux-aarch64.so.1"}
 OF_FIGURES = ("libcairo", "libpango", "libgobject", "libglib", "libharfbuzz", "libfontconfig")
 DRAWS = ("_figure", "libluxel-figure")
 
@@ -55,16 +58,6 @@ def tag_files(root, tag):
     (information / "RECORD").write_text("\n".join(lines) + "\n", encoding="utf-8")
 
 
-def pack(root, target):
-    date = time.gmtime(int(os.environ.get("SOURCE_DATE_EPOCH", "315532800")))[:6]
-    with zipfile.ZipFile(target, "w", zipfile.ZIP_DEFLATED) as archive:
-        for path in sorted(path for path in root.rglob("*") if path.is_file()):
-            entry = zipfile.ZipInfo(path.relative_to(root).as_posix(), date)
-            entry.external_attr = 0o100644 << 16
-            entry.compress_type = zipfile.ZIP_DEFLATED
-            archive.writestr(entry, path.read_bytes())
-
-
 def main(wheel, folder):
     with tempfile.TemporaryDirectory() as place:
         root = pathlib.Path(place)
@@ -81,7 +74,7 @@ def main(wheel, folder):
         tag = f"manylinux_{newest[0]}_{newest[1]}_{os.uname().machine}"
         tag_files(root, tag)
         name = re.sub(r"-[^-]*\.whl$", f"-{tag}.whl", pathlib.Path(wheel).name)
-        pack(root, pathlib.Path(folder) / name)
+        pack(pathlib.Path(folder) / name, files_of(root, ""))
         print(name)
 
 

@@ -17,7 +17,7 @@ struct core {
     luxel_diagnostics *diagnostics; /* of the last call that can fail */
     luxel_quantity quantity;
     bool is_direct; /* only direct light is computed, whatever the scene says */
-    /* Of the package for npm: what is asked has its own solution of reflected light, as the tool's, and these settings
+    /* The package for npm: what it asks has a solution of reflected light of its own, as the tool's, and these settings
      * of luxel_settings. */
     bool is_package;
     double tolerance, light_error, reflected_error;

@@ -149,7 +149,8 @@ static void answer_whole_probe(const luxel_probe *probe, double albedo)
     answer_close('}');
 }
 
-enum { SCREEN = 2, ELEMENT = 11 }; /* numbers for a place: x, y; position, normal, whether it has a view, view, surface */
+/* Numbers for a place: x, y; or position, normal, whether it has a view, that, surface. */
+enum { SCREEN = 2, ELEMENT = 11 };
 
 static luxel_place place_of(const double *numbers, size_t width)
 {
