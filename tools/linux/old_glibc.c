@@ -33,6 +33,22 @@ HIDDEN int fstatat64(int folder, const char *path, struct stat64 *state, int fla
     return __fxstatat64(VERSION_OF_STAT, folder, path, state, flags);
 }
 
+/* Those of x86-64 have the same structure. */
+HIDDEN int stat(const char *path, struct stat *state)
+{
+    return __xstat64(VERSION_OF_STAT, path, (struct stat64 *)state);
+}
+
+HIDDEN int lstat(const char *path, struct stat *state)
+{
+    return __lxstat64(VERSION_OF_STAT, path, (struct stat64 *)state);
+}
+
+HIDDEN int fstat(int file, struct stat *state)
+{
+    return __fxstat64(VERSION_OF_STAT, file, (struct stat64 *)state);
+}
+
 /* In the user's language, where its namesake is English. */
 HIDDEN const char *strerrordesc_np(int number)
 {

@@ -238,9 +238,9 @@ PAGE_CALLS(package_field) const char *package_field(void)
     answer_open('{');
     answer_pixel("maximum", &statistics->maximum);
     answer_pixel("minimum", &statistics->minimum);
-    answer_given("mean", statistics->pixels > 0, statistics->mean);
-    answer_given("lit", statistics->pixels > 0, statistics->lit);
-    answer_given("pixels", true, (double)statistics->pixels);
+    answer_given("mean", statistics->has_surface, statistics->mean);
+    answer_given("lit", statistics->has_surface, statistics->lit);
+    answer_given("pixels", true, (double)statistics->surface_pixels);
     answer_given("reflected_error", statistics->has_reflected, statistics->reflected_error);
     answer_close('}');
     answer_close('}');
