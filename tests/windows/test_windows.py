@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
 """luxel.exe, and programs with luxel.dll, under Wine against the tool for Linux: test_windows.py LUXEL LUXEL.EXE FOLDER
-(of Wine's own files)."""
+(of Wine's own files) [NAME...] (of tests below)."""
 import array
 import json
 import os
@@ -185,7 +185,8 @@ def library(folder):
 INSTRUCTIONS = shared_instructions()
 SOURCES = pathlib.Path(__file__).resolve().parents[2] / "data/scenes"
 for test in (paths, long_paths, library, texts, inputs, scenes_and_formats):
-    with tempfile.TemporaryDirectory() as name:
-        tap.run(test, pathlib.Path(name))
+    if not sys.argv[4:] or test.__name__ in sys.argv[4:]:
+        with tempfile.TemporaryDirectory() as name:
+            tap.run(test, pathlib.Path(name))
 print(f"{tap.count - tap.failed} passed, {tap.failed} failed")
 tap.finish()

@@ -21,7 +21,7 @@ from deterministic_zip import files_of, pack  # noqa: E402
 
 EVERYWHERE = {"libc.so.6", "libm.so.6", "libpthread.so.0", "libdl.so.2", "ld-linux-x86-64.so.2",
               "ld-linux-aarch64.so.1"}
-OF_FIGURES = ("libcairo", "libpango", "libgobject", "libglib", "libharfbuzz", "libfontconfig")
+OF_FIGURES = ("libcairo", "libpango", "libgobject", "libglib", "libharfbuzz", "libfontconfig", "libz.so")
 DRAWS = ("_figure", "libluxel-figure")
 
 
