@@ -147,7 +147,7 @@ def paths(folder):
 
 def long_paths(folder):
     """A folder whose name has more characters than what Windows took before version 1903."""
-    place = folder.joinpath(*["a folder of some length, " * 3] * 5)
+    place = folder.joinpath(*["a folder whose name is of quite some length, as it tells what is in it"] * 5)
     place.mkdir(parents=True)
     (place / "scene.yaml").write_text(BALL, encoding="utf-8")
     name = str(place.relative_to(folder))
@@ -164,7 +164,7 @@ def library(folder):
     shutil.copy(built / "luxel.dll", folder)
     value = json.loads(run(NATIVE, folder, "probe", "report", "-p", "0,0", "--json")[1])["points"][0]["value"]
     for kind in ("luxel.lib", "libluxel.dll.a"):
-        for name, wanted in (("probe_points", f"{value:.8g}"), ("render_to_png", "11.7475"), ("measure_plane", "flux")):
+        for name, wanted in (("probe_points", f"{value:.12g}"), ("render_to_png", "11.7475"), ("measure_plane", "flux")):
             program = folder / f"{name}.exe"
             linked = subprocess.run(["x86_64-w64-mingw32-gcc-posix", "-std=gnu11", "-Wall", "-Wextra", "-Werror",
                                      f"-I{root}/include", "-o", program, root / f"examples/{name}.c", built / kind],
