@@ -163,8 +163,9 @@ def library(folder):
     built = pathlib.Path(WINDOWS).parent
     shutil.copy(built / "luxel.dll", folder)
     value = json.loads(run(NATIVE, folder, "probe", "report", "-p", "0,0", "--json")[1])["points"][0]["value"]
+    examples = {"probe_points": f"{value:.12g}", "render_to_png": "11.7475", "measure_plane": "flux"}
     for kind in ("luxel.lib", "libluxel.dll.a"):
-        for name, wanted in (("probe_points", f"{value:.12g}"), ("render_to_png", "11.7475"), ("measure_plane", "flux")):
+        for name, wanted in examples.items():
             program = folder / f"{name}.exe"
             linked = subprocess.run(["x86_64-w64-mingw32-gcc-posix", "-std=gnu11", "-Wall", "-Wextra", "-Werror",
                                      f"-I{root}/include", "-o", program, root / f"examples/{name}.c", built / kind],
