@@ -145,18 +145,6 @@ def paths(folder):
     tap.ok(code == 2 and b"needs an extension" in told, "a dot of a folder begins no extension", code, told)
 
 
-def long_paths(folder):
-    """A folder whose name has more characters than what Windows took before version 1903."""
-    place = folder.joinpath(*["a folder whose name is of quite some length, as it tells what is in it"] * 5)
-    place.mkdir(parents=True)
-    (place / "scene.yaml").write_text(BALL, encoding="utf-8")
-    name = str(place.relative_to(folder))
-    tap.ok(len(name) > 350, "it is long", len(name))
-    same(folder, "a long path", "check", f"{name}/scene.yaml")
-    code, _, told = run(WINDOWS, folder, "render", f"{name}/scene.yaml", "-q", "-o", f"{name}/picture.pfm")
-    tap.ok(code == 0 and (place / "picture.pfm").is_file(), "output behind a long path", told)
-
-
 def library(folder):
     """Examples that are linked with luxel.dll by either import library run, and give the tool's numbers."""
     root = SOURCES.parents[1]
@@ -185,7 +173,7 @@ def library(folder):
 
 INSTRUCTIONS = shared_instructions()
 SOURCES = pathlib.Path(__file__).resolve().parents[2] / "data/scenes"
-for test in (paths, long_paths, library, texts, inputs, scenes_and_formats):
+for test in (paths, library, texts, inputs, scenes_and_formats):
     if not sys.argv[4:] or test.__name__ in sys.argv[4:]:
         with tempfile.TemporaryDirectory() as name:
             tap.run(test, pathlib.Path(name))

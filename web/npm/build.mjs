@@ -46,7 +46,7 @@ function trial(core) {
         check(core.edit(text, []) === text && core.open(text, name), JSON.stringify(core.messages()));
         for (const stride of [4, 1]) check(core.render(stride) && core.field().values.length, 'no picture');
         core.get('lights[0].intensity');
-        check(core.probePoints([[10, 20]]), 'no probe');
+        check(core.scene() && core.probePoints([[10, 20]]), 'no probe');
         const changed = core.edit(text, [{ set: 'surfaces[0].center=[10, 20, 300.5]' }]);
         check(changed && core.open(changed, name) && core.render(1), 'not as changed');
         check(!core.open(text.replace(/radius: \d+/, 'radius: -3')) && core.messages().length, 'a mistake is not told');
