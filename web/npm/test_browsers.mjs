@@ -51,7 +51,7 @@ async function look(browser, folder, value) {
         check(asked.some(isSecond), 'the second part was not fetched');
         equal(await page.evaluate(() => window.steps.remote()), value, 'in a worker');
         const frame = page.frameLocator('luxel-scene iframe');
-        await frame.locator('canvas').first().waitFor({ timeout: 60e3 });
+        await frame.locator('canvas.picture').waitFor({ timeout: 60e3 });
         await page.waitForFunction(() => document.querySelector('luxel-scene').text !== undefined);
         equal(faults, [], 'faults');
     } finally {
