@@ -31,7 +31,8 @@ WARNINGS_ARE_ERRORS = --werror
 .NOTPARALLEL:
 .PHONY: build help setup run app python check quick check-long check-nightly bench install clean compile-clang \
     check-clang check-sanitize check-threads check-valgrind format fuzz coverage fuzz-coverage mutants properties frozen \
-    freeze docs validation abi po packages check-packages check-kills check-wheel check-aarch64 notebook web check-web windows check-windows
+    freeze docs validation abi po packages check-packages check-kills check-wheel check-aarch64 notebook web check-web windows check-windows \
+    npm check-npm wheels check-wheels linux check-linux release check-release
 
 build: $(BUILD)/build.ninja
 	@$(COMPILE) $(BUILD)
@@ -67,8 +68,16 @@ help:
 	@echo 'make packages        the Debian packages in $(BUILD)/packages, judged by lintian'
 	@echo 'make check-packages  the same, installed into a fresh Debian and tried there'
 	@echo 'make check-wheel     the Python package as a wheel in $(BUILD)/wheel, installed into a fresh environment and tried'
+	@echo 'make wheels          the Python package as a wheel for other systems, and its sources, in build/wheels'
+	@echo 'make check-wheels    the same, installed into fresh environments of every Python from 3.11 on that is here'
+	@echo 'make linux           the tool, the app and the page as an archive for any folder, in build/linux'
+	@echo 'make check-linux     the same, tried with an empty environment, and in a root folder of its own'
+	@echo 'make npm             the packages luxel-core and luxel-scene for npm, in build/npm'
+	@echo 'make check-npm       the same, installed and tried in Node, a plain page, Vite and esbuild'
+	@echo 'make release         all that others are given, in build/release, with sums; PARTS="page npm" for some of it'
+	@echo 'make check-release   the same made twice, whose bytes must be the same'
 	@echo 'make web             the web page in build-web/page: static files, for any server, and luxel.html alone'
-	@echo 'make windows         luxel.exe for 64-bit Windows and luxel-windows.zip, in build/windows'
+	@echo 'make windows         luxel.exe and luxel.dll for 64-bit Windows and luxel-windows.zip, in build/windows'
 	@echo 'make check-windows   the same, tried by Wine; ends with "N passed, N failed"'
 	@echo 'make check-web       the same, tried in Node and in Chromium; ends with "N passed, N failed"'
 	@echo 'make notebook        write docs/python/tutorial.ipynb anew from docs/PYTHON.md'
@@ -284,6 +293,35 @@ check-web: web setup $(BUILD)/build.ninja
 	@$(COMPILE) $(BUILD) luxel:executable
 	@node web/tests/run.mjs build-web $(abspath $(BUILD))/cli/luxel
 
+# What others install by npm; it has the core and the page that `make web` builds.
+npm: web
+	@tools/npm build-web build/npm
+
+check-npm: npm setup $(BUILD)/build.ninja
+	@$(COMPILE) $(BUILD) luxel:executable
+	@node web/npm/test.mjs build/npm $(abspath $(BUILD))/cli/luxel
+
+wheels:
+	@tools/setup wheel
+	@CONFIGURE='$(CONFIGURE)' tools/wheels build/wheels
+
+check-wheels: wheels
+	@tools/check_wheels build/wheels
+
+linux: setup
+	@CONFIGURE='$(CONFIGURE)' tools/linux/build build/linux
+
+check-linux: linux $(BUILD)/build.ninja
+	@$(COMPILE) $(BUILD) luxel:executable
+	@tools/check_linux build/linux $(BUILD)/cli/luxel
+
+# CONFIGURE holds for all parts.
+release:
+	@CONFIGURE='$(CONFIGURE)' PARTS='$(PARTS)' ADDRESS='$(ADDRESS)' tools/release build/release
+
+check-release: release
+	@CONFIGURE='$(CONFIGURE)' PARTS='$(PARTS)' ADDRESS='$(ADDRESS)' tools/check_release build/release
+
 # luxel.exe by mingw-w64, whatever BUILD is.
 windows:
 	@tools/setup windows
@@ -310,4 +348,4 @@ format:
 
 clean:
 	@rm -rf $(BUILD) build-clang build-warnings build-fuzz build-coverage build-threads build-mutants build-sanitize-gcc \
-	    build-sanitize-clang build-web web/node_modules
+	    build-sanitize-clang build-web build-linux build-static build-wheel web/node_modules

@@ -25,7 +25,7 @@ function binaryen(program, ...values) {
     }
 }
 
-function check(truth, message) {
+export function check(truth, message) {
     if (!truth) throw new Error(message);
 }
 
@@ -97,12 +97,13 @@ function tryScene(core, text, keys) {
 }
 
 /** Tries a core that notes which of its functions are called, and takes the note. */
-async function profileOf(file) {
+async function profileOf(file, { Core, trial }) {
+    const clocks = [Date.now, performance.now];
     let time = 0;
     Date.now = performance.now = () => time++; // nothing may hang on how long it takes, but progress is told
-    const { Core } = await coreModule();
     const core = await Core.start(await compiled(file));
-    tryCore(core);
+    trial(core);
+    [Date.now, performance.now] = clocks;
     const { page_memory, [PROFILE]: write, memory } = core.call;
     const size = write(0, 0);
     const place = page_memory(size);
@@ -128,13 +129,14 @@ function refuseVectors(file) {
     );
 }
 
-async function split(whole, first, second) {
+/** Splits a core by a trial of it: a function that is given a Core of this class. */
+export async function split(whole, first, second, how) {
     const features = FEATURES.map((feature) => `--enable-${feature}`);
     const folder = fs.mkdtempSync(path.join(os.tmpdir(), 'luxel-split-'));
     const [noting, profile] = ['noting.wasm', 'profile'].map((name) => path.join(folder, name));
     try {
         binaryen('wasm-split', '--instrument', `--profile-export=${PROFILE}`, ...features, whole, '-o', noting);
-        fs.writeFileSync(profile, await profileOf(noting));
+        fs.writeFileSync(profile, await profileOf(noting, how));
         const names = ['--import-namespace=first', '--placeholder-namespace=placeholder']; // core.ts gives them
         binaryen('wasm-split', `--profile=${profile}`, ...names, ...features, whole, '-o1', first, '-o2', second);
     } finally {
@@ -147,7 +149,9 @@ async function split(whole, first, second) {
 
 if (process.argv[1] === fileURLToPath(import.meta.url)) {
     try {
-        await split(...process.argv.slice(2));
+        const [whole, first, second] = process.argv.slice(2);
+        const { Core } = await coreModule();
+        await split(whole, first, second, { Core, trial: tryCore });
     } catch (error) {
         console.error(`split.mjs: the core could not be split in two: ${error.message}`);
         process.exitCode = 1;

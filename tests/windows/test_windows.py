@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: MIT
-"""luxel.exe under Wine against the tool for Linux: test_windows.py LUXEL LUXEL.EXE FOLDER (of Wine's own files)."""
+"""luxel.exe, and programs with luxel.dll, under Wine against the tool for Linux: test_windows.py LUXEL LUXEL.EXE FOLDER
+(of Wine's own files) [NAME...] (of tests below)."""
 import array
+import json
 import os
 import pathlib
 import re
@@ -143,10 +145,37 @@ def paths(folder):
     tap.ok(code == 2 and b"needs an extension" in told, "a dot of a folder begins no extension", code, told)
 
 
+def library(folder):
+    """Examples that are linked with luxel.dll by either import library run, and give the tool's numbers."""
+    root = SOURCES.parents[1]
+    built = pathlib.Path(WINDOWS).parent
+    shutil.copy(built / "luxel.dll", folder)
+    value = json.loads(run(NATIVE, folder, "probe", "report", "-p", "0,0", "--json")[1])["points"][0]["value"]
+    examples = {"probe_points": f"{value:.12g}", "render_to_png": "11.7475", "measure_plane": "flux"}
+    for kind in ("luxel.lib", "libluxel.dll.a"):
+        for name, wanted in examples.items():
+            program = folder / f"{name}.exe"
+            linked = subprocess.run(["x86_64-w64-mingw32-gcc-posix", "-std=gnu11", "-Wall", "-Wextra", "-Werror",
+                                     f"-I{root}/include", "-o", program, root / f"examples/{name}.c", built / kind],
+                                    capture_output=True, text=True, check=False)
+            tap.equal((linked.returncode, linked.stderr), (0, ""), f"{name} is linked by {kind}")
+            told = subprocess.run(["wine", program, *(["sphere.png"] if name == "render_to_png" else [])], cwd=folder,
+                                  env={**os.environ, "WINEPREFIX": PREFIX, "WINEDEBUG": "-all"}, timeout=120,
+                                  capture_output=True, text=True, check=False)
+            tap.ok(told.returncode == 0 and wanted in told.stdout, f"{name} runs", told.stdout, told.stderr)
+    shown = subprocess.run(["x86_64-w64-mingw32-objdump", "-p", built / "luxel.dll"], capture_output=True, text=True,
+                           check=True).stdout
+    names = re.findall(r"^\s*\[ *\d+\](?: \+base\[ *\d+\])?\s+(?:[0-9a-f]+ )?(\w+)$", shown, re.MULTILINE)
+    symbols = (root / "tests/abi/luxel_1.symbols").read_text(encoding="utf-8")
+    listed = re.findall(r"^(luxel_\w+) ", symbols, re.MULTILINE)
+    tap.equal(sorted(names), sorted(listed), "functions that luxel.dll shows")
+
+
 INSTRUCTIONS = shared_instructions()
 SOURCES = pathlib.Path(__file__).resolve().parents[2] / "data/scenes"
-for test in (paths, texts, inputs, scenes_and_formats):
-    with tempfile.TemporaryDirectory() as name:
-        tap.run(test, pathlib.Path(name))
+for test in (paths, library, texts, inputs, scenes_and_formats):
+    if not sys.argv[4:] or test.__name__ in sys.argv[4:]:
+        with tempfile.TemporaryDirectory() as name:
+            tap.run(test, pathlib.Path(name))
 print(f"{tap.count - tap.failed} passed, {tap.failed} failed")
 tap.finish()

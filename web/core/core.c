@@ -48,7 +48,10 @@ luxel_settings present_settings(void)
     luxel_settings_init(&settings);
     settings.quantity = core.quantity;
     settings.progress = tell_progress;
-    settings.share_reflected = true;
+    settings.share_reflected = !core.is_package;
+    settings.tolerance = core.tolerance;
+    settings.light_error = core.light_error;
+    settings.reflected_error = core.reflected_error;
     return settings;
 }
 
@@ -80,7 +83,7 @@ const luxel_evaluator *present_evaluator(void)
     return core.evaluator;
 }
 
-static void drop_evaluator(void)
+void drop_evaluator(void)
 {
     luxel_evaluator_free(core.evaluator);
     luxel_evaluator_free(core.lit);

@@ -18,6 +18,10 @@ struct core {
     luxel_quantity quantity;
     luxel_color_view view; /* of pictures in colour */
     bool is_direct; /* only direct light is computed, whatever the scene says */
+    /* The package for npm: what it asks has a solution of reflected light of its own, as the tool's, and these settings
+     * of luxel_settings. */
+    bool is_package;
+    double tolerance, light_error, reflected_error;
 };
 
 extern struct core core;
@@ -30,6 +34,9 @@ const luxel_scene *computed_scene(void);
 
 /* The evaluator of the present scene and quantity, or NULL. */
 const luxel_evaluator *present_evaluator(void);
+
+/* Drops what was made for the scene and the settings that were. */
+void drop_evaluator(void);
 
 /* Drops what another camera saw of the scene that was. */
 void drop_stage(void);

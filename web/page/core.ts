@@ -223,8 +223,8 @@ const BAD_FILE = 8;
 const NO_SUCH_CALL = -52; // ENOSYS
 
 export class Core {
-    private call!: Exports;
-    private memory!: WebAssembly.Memory;
+    protected call!: Exports;
+    protected memory!: WebAssembly.Memory;
     private table!: WebAssembly.Table;
     private words: Record<string, string> = {};
     private places = new Map<string, number>();
@@ -238,8 +238,12 @@ export class Core {
     onProgress: (done: number) => void = () => undefined;
 
     /** Starts the first part; the second one can be given now or later. */
-    static async start(first: WebAssembly.Module, second: WebAssembly.Module | null = null): Promise<Core> {
-        const core = new Core();
+    static async start<T extends Core>(
+        this: new () => T,
+        first: WebAssembly.Module,
+        second: WebAssembly.Module | null = null,
+    ): Promise<T> {
+        const core = new this();
         const imports: WebAssembly.Imports = {};
         for (const { module: from, name, kind } of WebAssembly.Module.imports(first)) {
             if (kind !== 'function') throw new CoreFailure(`the core wants a ${kind}, ${from}.${name}`);
@@ -358,7 +362,7 @@ export class Core {
         return new DataView(this.memory.buffer);
     }
 
-    private text(place: number): string | null {
+    protected text(place: number): string | null {
         if (!place) return null;
         const bytes = new Uint8Array(this.memory.buffer);
         return new TextDecoder().decode(bytes.subarray(place, bytes.indexOf(0, place)));
@@ -379,7 +383,7 @@ export class Core {
         return [place, bytes.length];
     }
 
-    private withTexts<T>(texts: string[], use: (...places: number[]) => T): T {
+    protected withTexts<T>(texts: string[], use: (...places: number[]) => T): T {
         const places = texts.map((text) => this.put(text)[0]);
         try {
             return use(...places);
@@ -388,7 +392,7 @@ export class Core {
         }
     }
 
-    private withNumbers(numbers: number[], use: (place: number) => number): number {
+    protected withNumbers(numbers: number[], use: (place: number) => number): number {
         const place = this.call.page_memory(8 * numbers.length);
         if (!place) throw new CoreFailure('memory is short');
         new Float64Array(this.memory.buffer, place, numbers.length).set(numbers);
@@ -397,7 +401,7 @@ export class Core {
         return answer;
     }
 
-    private json<T>(place: number): T | null {
+    protected json<T>(place: number): T | null {
         const text = this.text(place);
         return text === null ? null : (JSON.parse(text) as T);
     }

@@ -7,7 +7,6 @@
 //     <luxel-scene view="picture" files="lamp.ies"><script type="text/yaml"> … </script></luxel-scene>
 import { packed } from './link';
 
-const home = new URL('index.html', (document.currentScript as HTMLScriptElement | null)?.src ?? location.href).href;
 const WATCHED = ['scene', 'view', 'lang', 'src', 'label'];
 
 /** The text without the indentation that it has in the page around it. */
@@ -21,8 +20,10 @@ function outdented(text: string): string {
     return `${lines.map((line) => line.slice(least)).join('\n')}\n`;
 }
 
-class LuxelScene extends HTMLElement {
+export class LuxelScene extends HTMLElement {
     static observedAttributes = WATCHED;
+    /** Where the page lies: beside this script. */
+    static home = new URL('index.html', (document.currentScript as HTMLScriptElement | null)?.src ?? location.href).href;
     private frame: HTMLIFrameElement | null = null;
     private current = '';
     private isReady = false;
@@ -69,7 +70,7 @@ class LuxelScene extends HTMLElement {
         if (language) parts.push(`lang=${language}`);
         if (written.trim()) parts.unshift((await packed(outdented(written))).slice(1));
         else if (name) parts.unshift(`scene=${encodeURIComponent(name)}`);
-        const address = `${this.getAttribute('src') ?? home}#${parts.join('&')}`;
+        const address = `${this.getAttribute('src') ?? LuxelScene.home}#${parts.join('&')}`;
         const frame = document.createElement('iframe');
         frame.title = this.getAttribute('label') ?? (name ? `Luxel: ${name}` : 'Luxel');
         frame.src = address;

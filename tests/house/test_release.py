@@ -1,0 +1,113 @@
+# SPDX-License-Identifier: MIT
+"""What a release is made by: the version in all places, recipes for other systems, archives of the same bytes, the page
+of changes and the bill of materials.
+
+Argument: the project's folder.
+"""
+import hashlib
+import json
+import os
+import pathlib
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+
+import yaml
+
+from tap import Tap
+
+ROOT = pathlib.Path(sys.argv[1])
+sys.path.insert(0, str(ROOT / "tools"))
+sys.dont_write_bytecode = True
+import deterministic_zip  # noqa: E402
+import release_pages  # noqa: E402
+
+VERSION = re.search(r"^  version: '([\d.]+)'", (ROOT / "meson.build").read_text(encoding="utf-8"), re.M).group(1)
+tap = Tap()
+
+
+def version(root, *arguments):
+    command = [sys.executable, root / "tools/version", *arguments]
+    done = subprocess.run(command, capture_output=True, text=True, check=False)
+    return done.returncode, done.stdout.strip(), done.stderr
+
+
+def versions():
+    """One place decides; another one is told, and all are written."""
+    tap.equal(version(ROOT, "--check"), (0, VERSION, ""), "the version stands everywhere")
+    with tempfile.TemporaryDirectory() as place:
+        copy = pathlib.Path(place)
+        for name in ("meson.build", "include/luxel/version.h", "debian/changelog", "CHANGELOG.md", "tools/version",
+                     "data/desktop/org.luxel.Luxel.metainfo.xml.in"):
+            (copy / name).parent.mkdir(parents=True, exist_ok=True)
+            shutil.copy(ROOT / name, copy / name)
+        header = copy / "include/luxel/version.h"
+        text = header.read_text(encoding="utf-8")
+        header.write_text(re.sub(r"(VERSION_MINOR) \d+", r"\1 77", text), encoding="utf-8")
+        code, _, told = version(copy, "--check")
+        tap.ok(code != 0 and "version.h: 77" in told, "another version is told", told)
+        tap.equal(version(copy, "--set", "3.14.15"), (0, "3.14.15", ""), "a new one is written")
+        tap.equal(version(copy, "--check"), (0, "3.14.15", ""), "to all places")
+        tap.ok("VERSION_PATCH 15" in header.read_text(encoding="utf-8"), "and its numbers")
+        tap.ok(version(copy, "--set", "3.14")[0] != 0, "what is no version is refused")
+
+
+def recipes():
+    """Their versions, and that what the core cannot do without is named."""
+    texts = {name: (ROOT / "packaging" / name).read_text(encoding="utf-8")
+             for name in ("conda/meta.yaml", "homebrew/luxel.rb", "flatpak/org.luxel.Luxel.yml")}
+    tap.ok(f'version: "{VERSION}"' in texts["conda/meta.yaml"], "conda: version")
+    tap.ok(f"luxel-{VERSION}-source" in texts["homebrew/luxel.rb"], "homebrew: version")
+    built = (ROOT / "meson.build").read_text(encoding="utf-8")
+    wanted = re.findall(r"^(?:fyaml|png|zlib) = dependency\('(\w+)'", built, re.M)
+    tap.equal(wanted, ["libfyaml", "libpng", "zlib"], "what meson.build needs")
+    conda = yaml.safe_load(re.sub(r"\{\{[^}]*\}\}", "X", texts["conda/meta.yaml"]))
+    host = {line.split()[0] for line in conda["requirements"]["host"]}
+    tap.ok({*wanted, "openexr", "cairo", "pango", "meson-python"} <= host, "conda: libraries", host)
+    brewed = set(re.findall(r'depends_on "([\w-]+)"$', texts["homebrew/luxel.rb"], re.M))
+    tap.ok({"libfyaml", "libpng", "openexr", "cairo", "pango"} <= brewed, "homebrew: libraries", brewed)
+    flatpak = yaml.safe_load(texts["flatpak/org.luxel.Luxel.yml"])
+    modules = [module["name"] for module in flatpak["modules"]]
+    tap.equal(modules, ["libfyaml", "imath", "openexr", "luxel"], "flatpak: modules")
+    options = (ROOT / "meson_options.txt").read_text(encoding="utf-8")
+    given = {option for text in texts.values() for option in re.findall(r"-D([a-z]\w*)=", text)}
+    tap.ok(given and all(f"option('{name}'" in options for name in given), "options that there are", given)
+
+
+def archives():
+    """The same files give the same bytes, whatever their dates and the order of the folder."""
+    with tempfile.TemporaryDirectory() as place:
+        sums = []
+        for names in ("abc", "cba"):
+            folder = pathlib.Path(place, names)
+            for name in names:
+                (folder / name).mkdir(parents=True)
+                (folder / name / "text").write_text(name, encoding="utf-8")
+                os.utime(folder / name / "text", (ord(names[0]) * 1e7, 0))
+            target = folder.with_suffix(".zip")
+            deterministic_zip.pack(target, deterministic_zip.files_of(folder, "in"))
+            sums.append(hashlib.sha256(target.read_bytes()).hexdigest())
+        tap.equal(sums[0], sums[1], "archives")
+
+
+def pages():
+    page = release_pages.page("# A `b`\n\nText <1>\nand **more**.\n\n- one\n  of two\n- two\n\n## C\n", "1.2.3")
+    body = page[page.index("<h1>"):]
+    tap.equal(body, "<h1>A <code>b</code></h1>\n<p>Text &lt;1&gt; and <b>more</b>.</p>\n<ul>\n<li>one of two</li>\n"
+                    "<li>two</li>\n</ul>\n<h2>C</h2>\n</html>\n", "the page of changes")
+    with tempfile.TemporaryDirectory() as place:
+        pathlib.Path(place, "luxel-1.2.3-linux-x86_64.tar.gz").write_bytes(b"content")
+        release_pages.main(place, "1.2.3", "0")
+        told = json.loads(pathlib.Path(place, "luxel-1.2.3.cdx.json").read_text(encoding="utf-8"))
+        first = told["components"][0]
+        tap.equal((first["name"], first["hashes"][0]["content"]),
+                  ("luxel-1.2.3-linux-x86_64.tar.gz", hashlib.sha256(b"content").hexdigest()), "the bill of materials")
+        names = {part["bom-ref"] for part in told["components"]}
+        tap.ok(all(set(part["dependsOn"]) <= names for part in told["dependencies"]), "names what it lists")
+
+
+for test in (versions, recipes, archives, pages):
+    tap.run(test)
+tap.finish()
