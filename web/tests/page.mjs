@@ -7,7 +7,9 @@ import path from 'node:path';
 import axe from 'axe-core';
 import { controls } from './controls.mjs';
 import { FIREFOX, inFirefox } from './firefox.mjs';
+import { figures } from './figures.mjs';
 import { frames } from './frames.mjs';
+import { grabbing } from './grabbing.mjs';
 import { joining } from './joining.mjs';
 import { lessons } from './lessons.mjs';
 import { loading } from './loading.mjs';
@@ -594,6 +596,8 @@ export async function page(folder, tool) {
     await stage(browser, url, tool);
     await frames(browser, url);
     await controls(browser, url, tool);
+    await grabbing(browser, url, tool);
+    await figures(browser, url);
     await tasks(browser, url, tool);
     await typed(browser, folder, url);
     await versions(browser, url, tool);
