@@ -53,6 +53,7 @@ export function header(model: Model, actions: Actions) {
         files.value = '';
         if (ending) actions.save(ending);
     });
+    files.className = 'files-out';
     const languages = choice(
         t('Language'),
         [

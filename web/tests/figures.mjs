@@ -19,7 +19,7 @@ async function draws(page) {
     await openScene(page, 'three-lights');
     await until(page, 'section.last?.isKnown.every((each) => each) && model.isCurrent(section.last.of)');
     await page.locator('header .rest select').nth(1).selectOption('figure');
-    await drawn(page, 'radiance');
+    await drawn(page, 'W/(sr');
     await shot(page, 'figure-picture');
     const picture = await saved(page, 'SVG');
     equal(picture.name, 'scene-picture.svg', 'the name');
@@ -28,7 +28,7 @@ async function draws(page) {
     const png = await saved(page, 'PNG');
     equal([png.name, png.bytes.subarray(1, 4).toString(), png.bytes.readUInt32BE(16)], ['scene-picture.png', 'PNG', 2160], 'the PNG');
     await choose(page, 'section');
-    await drawn(page, 'radiance');
+    await drawn(page, 'W/(sr');
     const curves = await page.locator('.figures .drawn path').count();
     equal(curves, 4, 'curves: the value and three lamps');
     await shot(page, 'figure-section');

@@ -113,7 +113,7 @@ async function takesSeveral(page) {
     await openScene(page, 'three-lights');
     await until(page, CURRENT);
     await tab(page, 'Light');
-    const rows = page.locator('.form [data-tab=light] .thing summary');
+    const rows = page.locator('.form [data-tab=light] .thing > details > summary');
     await rows.nth(0).click();
     await rows.nth(2).click({ modifiers: ['Control'] });
     await page.locator('.several', { hasText: '1, 3' }).waitFor();
@@ -143,7 +143,7 @@ async function takesSeveral(page) {
     await page.locator('.several', { hasText: '1, 2, 3' }).waitFor();
     await page.keyboard.press('Escape');
     await page.locator('.several').waitFor({ state: 'hidden' });
-    for (let i = 0; i < 4; i++) await inside(page, 'void model.undo()');
+    for (let i = 0; i < 5; i++) await inside(page, "void model.undo()"); // moved, dimmed, copied, switched, removed
     await until(page, `${STILL} && model.scene.lights[0].place.join() === '${before[0].join()}'`);
 }
 
@@ -224,7 +224,7 @@ async function beginsQuickly(browser, url) {
         const page = await context.newPage();
         const before = await timesOf(browser);
         await page.goto(url, { waitUntil: 'commit' });
-        await page.waitForFunction(() => performance.getEntriesByName('first picture').length);
+        await page.waitForFunction(() => performance.getEntriesByName('first picture').length, null, { timeout: 120000 });
         const after = await timesOf(browser);
         times.push(await page.evaluate(() => performance.getEntriesByName('first picture')[0].startTime));
         work.push([...after].reduce((sum, [id, time]) => sum + time - (before.get(id) ?? 0), 0));
