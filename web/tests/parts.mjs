@@ -12,8 +12,8 @@ import { SCENES, tryCore } from '../split.mjs';
 import { PARTS, partsOf } from './core.mjs';
 import { check, equal, test } from './tap.mjs';
 
-const MOST_OF_FIRST = 300e3; // bytes, gzip; docs/WEB.md tells what they are
-const MOST_OF_BOTH = 720e3;
+const MOST_OF_FIRST = 330e3; // bytes, gzip; docs/WEB.md tells what they are
+const MOST_OF_BOTH = 800e3;
 
 export const MESH = `luxel: 1
 screen: {width: 700, height: 700, resolution: [120, 120]}
