@@ -29,6 +29,7 @@ const FLIGHT = 420; // milliseconds
 const CELL = [18, 15]; // pixels that a number of a cell takes, of its width the half
 const HANDLE = 9; // pixels across of a handle's square
 const REACH = 13; // pixels within which a handle is grabbed
+const LOW = 420; // pixels of the stage's height below which a lying one has no room for hints
 const TURN = 0.008; // radians by a pixel of a hand's way
 
 export class SpaceView {
@@ -287,7 +288,8 @@ export class SpaceView {
     }
 
     private drawHint(context: CanvasRenderingContext2D, x: number, y: number) {
-        const { width } = this.view;
+        const { width, height } = this.view;
+        if (height < LOW && width > height) return; // the value needs the room
         context.font = '600 13px system-ui, sans-serif';
         const half = context.measureText(this.hint).width / 2 + 12;
         const [middle, below] = [Math.max(half + 8, Math.min(width - half - 8, x)), y < 110 ? 44 : -44];
