@@ -32,6 +32,6 @@ lights:
   - {type: planar, name: ${window}, rectangle: {center: [-1150, -260, 760], size: [620, 820], aim: [60, 40, 150], up: [0, 0, 1]}, radiance: 2600}
   - {type: point, name: ${bulb}, position: [620, -40, 560], intensity: 26}
   - {type: ambient, name: ${room}, irradiance: 45}
-points: [[-130, 20], [150, -150], [330, 60]]
+points: [[-260, 60], [150, -150], [330, 60]]
 `;
 }

@@ -58,7 +58,7 @@ function bar(scale: Scale, unit: string, { left, top, width, height }: Plot): st
         const y = top + height * (1 - placeInRange(value, scale));
         return svg('line', { x1: left + width, x2: left + width + 5, y1: y, y2: y, stroke: INK }) + words(number(value, 4), left + width + 9, y + 4.5);
     });
-    return [...bands, svg('rect', { x: left, y: top, width, height, fill: 'none', stroke: INK }), ...told, words(unit, left, top - 10)].join('');
+    return [...bands, svg('rect', { x: left, y: top, width, height, fill: 'none', stroke: INK }), ...told, words(unit, left + width + 72, top - 10, end)].join('');
 }
 
 function decades(low: number, high: number): number[] {
@@ -201,8 +201,9 @@ export class Figures {
 
     // The axis of the lamp is down, as luminaires hang.
     private ofPolar({ of, degrees, planes }: Polar, index: number, most: number): string {
-        const circles = steps(0, most * 1.0001, 4).filter((value) => value > 0);
-        const top = Math.max(...circles, most);
+        const [step] = steps(0, most * 1.0001, 4).filter((value) => value > 0);
+        const circles = Array.from({ length: Math.ceil(most / step - 1e-9) }, (_, i) => (i + 1) * step);
+        const top = circles[circles.length - 1];
         const [x, y, radius] = [WIDTH / 2, HEIGHT / 2, HEIGHT / 2 - 62];
         const at = (angle: number, value: number): [number, number] => {
             const turn = (angle * Math.PI) / 180;
