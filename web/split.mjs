@@ -9,10 +9,13 @@ import fs from 'node:fs';
 import os from 'node:os';
 import path from 'node:path';
 import { fileURLToPath } from 'node:url';
-import { compiled, coreModule } from './node_core.mjs';
+import { compiled, coreModule, moduleOf } from './node_core.mjs';
 
 /** The built-in scenes whose first pictures the first part makes. */
 export const SCENES = ['sphere', 'report', 'two-spheres', 'three-lights', 'spot', 'distant', 'ambient'];
+
+// What moves or changes a light that has no position.
+const PLACES = { planar: 'lights[0].rectangle.center=[-1100, -200, 900]', distant: 'lights[0].irradiance=3', ambient: 'lights[0].irradiance=3' };
 
 const PROFILE = 'write_profile';
 const FEATURES = ['simd', 'bulk-memory', 'sign-ext', 'nontrapping-float-to-int', 'mutable-globals'];
@@ -30,7 +33,7 @@ export function check(truth, message) {
 }
 
 /** What a page asks in its first seconds; each answer must be there, or the trial has not called what it should. */
-export function tryCore(core) {
+export function tryCore(core, firstScene) {
     const builtins = core.builtins();
     check(builtins.length && core.version(), 'it tells no scenes');
     core.translate({ point: 'точечный', brightness: 'яркость' });
@@ -40,8 +43,8 @@ export function tryCore(core) {
     const things = ['lights[0]', 'surfaces[0]'];
     const ends = new Set(paths.map((key) => key.slice(key.lastIndexOf('.') + 1)));
     const keys = [...paths, ...things, ...things.flatMap((thing) => [...ends].map((end) => `${thing}.${end}`))];
-    for (const name of SCENES) {
-        const scene = builtins.find((each) => each.name === name);
+    for (const name of ['', ...SCENES]) {
+        const scene = name ? builtins.find((each) => each.name === name) : { text: firstScene };
         check(scene, `it has no scene "${name}"`);
         try {
             tryScene(core, scene.text, keys);
@@ -85,7 +88,7 @@ function tryScene(core, text, keys) {
     check(core.project([0, 0, 100]) && core.unproject(0, 0, 100), 'no place on the screen');
     const copy = '{type: point, position: [100, 200, 1500], intensity: 5}';
     for (const changes of [
-        [{ set: lights[0].place ? 'lights[0].position=[100, 200, 1500]' : 'lights[0].irradiance=3' }],
+        [{ set: PLACES[lights[0].type] ?? 'lights[0].position=[100, 200, 1500]' }],
         [{ set: 'surfaces[0].center=[10, 20, 300]' }],
         [{ list: 'lights', index: 0, insert: copy }, { remove: 'lights[0]' }],
     ]) {
@@ -151,7 +154,8 @@ if (process.argv[1] === fileURLToPath(import.meta.url)) {
     try {
         const [whole, first, second] = process.argv.slice(2);
         const { Core } = await coreModule();
-        await split(whole, first, second, { Core, trial: tryCore });
+        const { firstScene } = await moduleOf('page/first_scene.ts');
+        await split(whole, first, second, { Core, trial: (core) => tryCore(core, firstScene('en')) });
     } catch (error) {
         console.error(`split.mjs: the core could not be split in two: ${error.message}`);
         process.exitCode = 1;

@@ -1,10 +1,24 @@
 // SPDX-License-Identifier: MIT
 // Dragging: things follow the hand, the newest place wins, and one drag is one step of the history, as all of its
 // changes have one mark, those too that come after the hand has let go.
+import type { Change } from './core';
 import type { Model, Thing } from './model';
 import type { Version } from './version';
 
 let drags = 0;
+
+/** What is changed as something is brought to a place. */
+export type Moves = (place: number[]) => Change[];
+
+/** What brings a thing to a place, and others as far with it. */
+export function movesOf(model: Model, thing: Thing, others: Thing[] = []): Moves {
+    const present = (wanted: Thing) => model.things.find(({ key, kind }) => key === wanted.key && kind === wanted.kind) ?? wanted;
+    return (place) => {
+        const by = place.map((c, axis) => Math.round(c - present(thing).at[axis]));
+        const along = others.map(present).flatMap((other) => model.moves(other, other.at.map((c, axis) => c + by[axis])));
+        return [...model.moves(present(thing), place), ...along];
+    };
+}
 
 export class Drag {
     private readonly mark = `drag ${++drags}`;
@@ -15,7 +29,7 @@ export class Drag {
 
     constructor(
         private readonly model: Model,
-        readonly thing: Thing,
+        private readonly moves: Moves,
     ) {
         this.of = model.version;
     }
@@ -32,12 +46,9 @@ export class Drag {
         this.busy = true;
         this.model.drags++;
         while (this.next) {
-            const place = this.next;
+            const changes = this.moves(this.next);
             this.next = null;
-            const present = this.model.things.find(
-                ({ key, kind }) => key === this.thing.key && kind === this.thing.kind,
-            );
-            const went = await this.model.moveThing(present ?? this.thing, place, this.mark, this.of).catch(() => false);
+            const went = changes.length > 0 && (await this.model.change(changes, this.mark, this.of).catch(() => false));
             // What was undone while the last movement was on its way stays undone.
             if (!went && this.isOver) this.next = null;
             if (went && !this.isOver) await this.model.pictured();

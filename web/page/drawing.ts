@@ -16,7 +16,7 @@ const [layer, mask] = [0, 1].map(() => document.createElement('canvas'));
 export class Drawing {
     constructor(
         readonly context: CanvasRenderingContext2D,
-        private readonly stage: Stage,
+        private readonly stage: Pick<Stage, 'hides' | 'depthAt'> | null, // null: nothing hides anything
         readonly view: View,
         private readonly ratio: number,
     ) {}
@@ -26,7 +26,7 @@ export class Drawing {
     }
 
     isHidden(place: number[]): boolean {
-        return this.stage.hides(this.seen(place));
+        return !!this.stage?.hides(this.seen(place));
     }
 
     /** A line through places; where bodies hide it, it is faint. */
@@ -40,7 +40,7 @@ export class Drawing {
             const count = Math.min(200, Math.max(1, Math.ceil(Math.hypot(to[0] - from[0], to[1] - from[1]) / STEP)));
             const at = (share: number) => from.map((each, k) => each + share * (to[k] - each)) as Point;
             for (let k = 0; k < count; k++) {
-                const path = this.stage.hides(at((k + 0.5) / count)) ? hidden : open;
+                const path = this.stage?.hides(at((k + 0.5) / count)) ? hidden : open;
                 const [start, end] = [at(k / count), at((k + 1) / count)];
                 path.moveTo(start[0], start[1]);
                 path.lineTo(end[0], end[1]);
@@ -130,7 +130,7 @@ export class Drawing {
         for (let row = 0; row < rows; row++)
             for (let column = 0; column < columns; column++) {
                 const [x, y] = [x0 + (column + 0.5) * COARSE, y0 + (row + 0.5) * COARSE];
-                const depth = this.stage.depthAt(x, y);
+                const depth = this.stage?.depthAt(x, y) ?? 0;
                 if (depth > 0 && 1 / depth > inverse[0] + gx * (x - a[0]) + gy * (y - a[1]) + 1e-9) {
                     pixels[row * columns + column] = 0xff000000;
                     isAny = true;
@@ -158,6 +158,19 @@ export class Drawing {
         context.arc(x, y, 36, 0, 2 * Math.PI);
         context.fill();
         context.restore();
+    }
+
+    /** A ring around what the hand is on. */
+    ring(x: number, y: number, radius: number) {
+        const { context } = this;
+        for (const [colour, width] of [['rgb(0 0 0 / 45%)', 3.5], ['#fff', 2]] as const) {
+            context.beginPath();
+            context.arc(x, y, radius, 0, 2 * Math.PI);
+            context.strokeStyle = colour;
+            context.lineWidth = width;
+            context.stroke();
+        }
+        context.lineWidth = 1;
     }
 
     /** Words with an edge, so that they are read on anything. */

@@ -92,17 +92,26 @@ export class Form {
     private sharesTimer = 0;
     private refreshTimer = 0;
     private chosen = ''; // the base of the light or body that is chosen
+    private together: number[] = []; // lamps that are chosen together
     /** Chooses a light or a body whose row was pressed. */
     onChoose: (list: string, index: number) => void = () => undefined;
+    /** Takes a lamp in beside those that are chosen, or all from the last chosen one to it. */
+    onChooseMore: (index: number, isRange: boolean) => void = () => undefined;
+    /** Told which row the hand is on; null: on none. */
+    onHover: (list: string | null, index: number) => void = () => undefined;
     /** Aims a light at the probe. */
     onAim: (index: number) => void = () => undefined;
 
+    /** Shows what a light sends into each direction. */
+    onPolar: (index: number) => void = () => undefined;
+
     private of: Of | null = null; // whose values are shown
 
-    /** `chosenLight`: the number of the light that new ones are like. */
+    /** `chosenLight`: the number of the light that new ones are like; `several`: what stands above the lamps. */
     constructor(
         private readonly model: Model,
         private readonly chosenLight: () => number,
+        private readonly several: HTMLElement,
     ) {
         model.follow(this.element, () => this.of);
         model.follow(
@@ -148,6 +157,17 @@ export class Form {
             row.element.classList.toggle('chosen-row', isChosen);
             if (isChosen && isNew) row.open();
         }
+    }
+
+    /** Marks the rows of lamps that are chosen together. */
+    markSeveral(indices: number[]) {
+        this.together = indices;
+        for (const { list, index, element } of this.rows) element.classList.toggle('chosen-too', list === 'lights' && indices.includes(index));
+    }
+
+    /** Marks the row of what the hand is on in the views. */
+    markHovered(list: string | null, index: number) {
+        for (const row of this.rows) row.element.classList.toggle('hovered-row', row.list === list && row.index === index);
     }
 
     /** Shows nothing: another scene was opened. */
@@ -234,12 +254,14 @@ export class Form {
             const isLights = list === 'lights';
             const room = isLights ? light : matter;
             room.append(h('h3', {}, t(isLights ? 'Lamps' : 'Bodies'), this.adder(list)));
+            if (isLights) room.append(this.several);
             types.forEach((type, i) => {
                 const isOpen = i === 0 && types.length < 4;
                 room.append(this.thing(list, i, type, groups.get(`${list}[${i}]`) ?? [], isOpen));
             });
         }
         place.append(h('h3', {}, t('Scene')), ...this.sectionFields(groups.get('scene') ?? []));
+        this.markSeveral(this.together);
         this.markChosen(/^\w+/.exec(this.chosen)?.[0] ?? null, Number(/\d+/.exec(this.chosen)?.[0]));
     }
 
@@ -256,7 +278,7 @@ export class Form {
         const mark = isLights ? chip(index) : h('span', { class: 'dim' }, String(index + 1));
         const summary = h(
             'summary',
-            { onclick: () => this.choosesRow(list, index) },
+            { onclick: (event: MouseEvent) => this.choosesRow(event, list, index) },
             mark,
             name,
             isLights && flux,
@@ -279,7 +301,8 @@ export class Form {
             details.open ? this.opened.add(base) : this.opened.delete(base);
         });
         const eye = isLights && this.switcher(index);
-        const element = h('div', { class: 'thing' }, details, eye);
+        const hover = (isOn: boolean) => this.onHover(isOn ? list : null, index);
+        const element = h('div', { class: 'thing', onpointerenter: () => hover(true), onpointerleave: () => hover(false) }, details, eye);
         this.titles.push(() => {
             const light = isLights ? this.model.scene?.lights[index] : null; // lists may be newer than the scene
             const own = isLights ? light?.name : unquoted(this.values.get(`${base}.name`) ?? '');
@@ -301,8 +324,13 @@ export class Form {
         return element;
     }
 
-    // The press opens the row or closes it by itself.
-    private choosesRow(list: string, index: number) {
+    // The press opens the row or closes it by itself, or takes the lamp in beside others.
+    private choosesRow(event: MouseEvent, list: string, index: number) {
+        const isMore = event.ctrlKey || event.metaKey || event.shiftKey;
+        if (isMore && list === 'lights') {
+            event.preventDefault();
+            return this.onChooseMore(index, event.shiftKey);
+        }
         this.chosen = `${list}[${index}]`;
         this.onChoose(list, index);
     }
@@ -372,7 +400,9 @@ export class Form {
             h('button', { type: 'button', class: 'link', onclick: () => void onclick() }, t(label));
         const solo = list === 'lights' && button('Solo', () => this.model.solo(index));
         const aim = list === 'lights' && button('Aim at the probe', () => this.onAim(index));
+        const polar = list === 'lights' && button('Polar diagram', () => this.onPolar(index));
         this.titles.push(() => {
+            if (polar) polar.hidden = !this.model.scene?.lights[index]?.place;
             if (solo) solo.setAttribute('aria-pressed', String(this.model.isSolo(index)));
             if (aim) aim.hidden = !this.model.aimOf(index);
             if (solo) solo.hidden = (this.model.scene?.lights.length ?? 0) < 2;
@@ -382,7 +412,8 @@ export class Form {
             { class: 'actions' },
             solo,
             aim,
-            button('Duplicate', () => this.model.duplicate(list, index)),
+            polar,
+            button('Duplicate', () => this.model.duplicate(list, [index])),
             button('Remove', () => this.model.change([{ remove: base }])),
         );
     }
@@ -433,7 +464,7 @@ export class Form {
             key.label,
             unit ? h('span', { class: 'unit' }, ` ${unit}`) : null,
         );
-        const { inputs, update } = this.colourInputs(path, key, this.inputs(path, key, name));
+        const { inputs, update } = this.colourInputs(path, key, this.inputs(path, key, name, caption));
         const row = h('div', { class: 'field' }, caption, h('span', { class: 'inputs' }, ...inputs), note);
         this.fields.push({ path, key, update, row, note, trouble: '' });
         return row;
@@ -455,6 +486,7 @@ export class Form {
         path: string,
         key: Key,
         name: string,
+        caption: HTMLElement,
     ): { inputs: HTMLElement[]; update(value: string | null): void } {
         switch (key.type) {
             case YES_OR_NO: {
@@ -474,7 +506,7 @@ export class Form {
                 return this.choiceOrNumbers(path, key, name);
             case NUMBER:
             case WHOLE:
-                return this.numberInputs(path, key, name);
+                return this.numberInputs(path, key, name, caption);
             case NUMBERS:
             case WHOLE_NUMBERS:
                 return this.vectorInputs(path, key);
@@ -533,7 +565,7 @@ export class Form {
         return { inputs: [select, input], update };
     }
 
-    private numberInputs(path: string, key: Key, name: string) {
+    private numberInputs(path: string, key: Key, name: string, caption: HTMLElement) {
         const input = h('input', { type: 'text', inputmode: 'decimal', 'aria-labelledby': name });
         input.addEventListener('change', () => {
             const value = typedNumber(input.value);
@@ -544,7 +576,7 @@ export class Form {
         });
         const commit = (value: string) => this.set(path, value, `step ${path}`);
         input.addEventListener('keydown', (event) => this.step(event, input, commit));
-        this.takeHand(input, commit);
+        this.takeHand(input, (value) => commit(key.type === WHOLE ? String(Math.round(Number(value))) : value), [input, caption]);
         const [low, high] = key.advised ?? [null, null];
         const inputs: HTMLElement[] = [input];
         let slider: HTMLInputElement | null = null;
@@ -603,7 +635,7 @@ export class Form {
                 },
             });
             input.addEventListener('keydown', (event) => this.step(event, input, () => commit(`step ${path}`)));
-            this.takeHand(input, () => commit(`step ${path}`));
+            this.takeHand(input, () => commit(`step ${path}`), [input]);
             return input;
         });
         const update = (text: string | null) => {
@@ -634,17 +666,18 @@ export class Form {
         };
     }
 
-    // A mouse that is pressed on a number and goes aside changes it, with Shift by a tenth; a press alone chooses it.
-    private takeHand(input: HTMLInputElement, commit: (value: string) => Promise<boolean>) {
+    // A mouse that is pressed on a number or on what it is called, and goes aside, changes it, with Shift by a tenth; a press
+    // alone chooses it.
+    private takeHand(input: HTMLInputElement, commit: (value: string) => Promise<boolean>, places: HTMLElement[]) {
         const take = this.newest((value) => {
             input.value = number(Number(value), 10); // the form may have shown the scene's again
             takeIn(input);
             return commit(value);
         });
-        input.classList.add('dragged');
-        input.addEventListener('mousedown', (event) => {
+        const press = (event: MouseEvent) => {
             const from = typedNumber(input.value);
-            if (event.button !== 0 || document.activeElement === input || from === null) return;
+            const isTyping = document.activeElement === input && event.target === input;
+            if (event.button !== 0 || isTyping || from === null) return;
             event.preventDefault(); // the field is not entered yet
             const start = event.clientX;
             const size = from === 0 ? 1 : 10 ** (Math.floor(Math.log10(Math.abs(from))) - 2);
@@ -664,7 +697,11 @@ export class Form {
             };
             window.addEventListener('mousemove', move);
             window.addEventListener('mouseup', end, { once: true });
-        });
+        };
+        for (const place of places) {
+            place.classList.add('dragged');
+            place.addEventListener('mousedown', press);
+        }
     }
 
     // Up and down change a number by a step of its own size.

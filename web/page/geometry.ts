@@ -16,6 +16,7 @@ export interface Thing {
 export interface Shape {
     kind: 'surface' | 'light';
     index: number;
+    base: string; // of the keys of its place and size: "surfaces[0]", "lights[0].disk"
     type: string;
     center: number[];
     radius?: number;
@@ -24,7 +25,10 @@ export interface Shape {
     axis?: number[];
     up?: number[];
     outline?: number[][];
+    turn?: number[]; // of a box, degrees about x, then y, then z
     opening?: number; // of a spot, degrees from its axis
+    inner?: number; // of a spot, degrees within which it is as bright as on its axis
+    isAimed?: boolean; // at a place, so that its axis changes as it is moved
 }
 
 /** Where the screen stands, which an observer with a position carries along. */
@@ -148,7 +152,7 @@ class Measuring {
     private known(index: number, type: string, center: number[]) {
         const base = `surfaces[${index}]`;
         this.things.push({ kind: 'surface', index, key: `${base}.center`, at: center });
-        this.shapes.push({ kind: 'surface', index, type, center, ...this.values.sizes(base) });
+        this.shapes.push({ kind: 'surface', index, base, type, center, ...this.values.sizes(base) });
     }
 
     // The page knows the ball around it.
@@ -158,7 +162,9 @@ class Measuring {
         const center = this.values.numbers(`${base}.center`);
         const at = center ?? this.values.numbers(`${base}.position`) ?? [0, 0, 0];
         this.things.push({ kind: 'surface', index, key: `${base}.${center ? 'center' : 'position'}`, at });
-        if (ball) this.shapes.push({ kind: 'surface', index, type, center: ball.center, radius: ball.reach });
+        if (!ball) return;
+        const box = type === 'box' ? { size: this.values.sizes(base).size, turn: this.values.numbers(`${base}.rotate`) ?? undefined } : {};
+        this.shapes.push({ kind: 'surface', index, base, type, center: ball.center, radius: ball.reach, ...box });
     }
 
     light(index: number) {
@@ -171,15 +177,18 @@ class Measuring {
         if (!light.place) return;
         const aim = this.values.numbers(`${base}.aim`);
         if (aim) this.things.push({ kind: 'aim', index, key: `${base}.aim`, at: aim, from: light.place });
+        const sizes = this.values.sizes(base);
         this.shapes.push({
             kind: 'light',
             index,
+            base,
             type: type ?? light.type,
             center: light.place,
-            ...this.values.sizes(base),
-            axis: light.direction ?? undefined,
-            up: undefined,
+            ...sizes,
+            axis: light.direction ?? sizes.axis,
             opening: this.values.numbers(`${base}.outer`)?.[0],
+            inner: this.values.numbers(`${base}.inner`)?.[0],
+            isAimed: !!aim,
             outline,
         });
     }

@@ -13,6 +13,7 @@ const FILES: [string, string][] = [
     ['.pfm', 'PFM'],
     ['.yaml', 'YAML'],
     ['.html', 'HTML'],
+    ['figure', 'Figure'],
 ];
 
 export interface Actions {
@@ -46,12 +47,13 @@ export function header(model: Model, actions: Actions) {
     );
     const named = FILES.map(([ending, name]): [string, string] => [
         ending,
-        ending === '.html' ? `${t('Report')} (${name})` : name,
+        ending === '.html' ? `${t('Report')} (${name})` : ending === 'figure' ? `${t(name)} (SVG, PNG)…` : name,
     ]);
     const files = choice(t('Download'), [['', `${t('Save')}…`], ...named], '', (ending) => {
         files.value = '';
         if (ending) actions.save(ending);
     });
+    files.className = 'files-out';
     const languages = choice(
         t('Language'),
         [

@@ -15,7 +15,7 @@ const TABS: [Tab, string][] = [
     ['place', 'Place'],
     ['view', 'View'],
     ['text', 'Text'],
-    ['charts', 'Charts'], // on phones
+    ['charts', 'Charts'], // on phones, upright and lying
 ];
 
 export type Chart = 'section' | 'points' | 'histogram' | 'grids' | 'balance';
@@ -31,7 +31,7 @@ const CHARTS: [Chart, string][] = [
 type Sheet = 'half' | 'full' | 'tabs';
 
 // Where the strip has no room below the stage, and stands in the sheet.
-const PHONE = matchMedia('(max-width: 700px)');
+const PHONE = matchMedia('(max-width: 700px), (max-height: 520px)');
 
 const SWIPE = 24; // pixels that move the sheet
 

@@ -9,8 +9,10 @@ import { Compare } from './compare';
 import { Dial } from './dial';
 import { h, isTypedOver, showIn, styleColour } from './dom';
 import { Embedding, wishes } from './embedding';
+import { Figures } from './figures/figures';
 import { Files } from './files';
 import { Form } from './form';
+import { FIRST_NAME, FIRST_TITLE, firstScene } from './first_scene';
 import { Gallery } from './gallery';
 import { GridsPanel } from './grids';
 import { header } from './header';
@@ -25,11 +27,13 @@ import { Messages } from './messages';
 import { Model, type Thing } from './model';
 import { Explanation, lightName, ProbePanel } from './panels';
 import { PictureView } from './picture';
+import { polarOf } from './figures/polar';
 import { PointsPanel } from './points';
 import { Saving } from './saving';
 import { SectionPanel } from './section';
+import { Several } from './several';
 import { Sharing } from './sharing';
-import { SpaceView } from './space';
+import { placeWords, SpaceView } from './space';
 import type { Place } from './space_math';
 import { Statistics } from './statistics';
 import { Task, taskIn } from './task';
@@ -38,8 +42,9 @@ import { Outdated } from './version';
 import { WorkNotice } from './work';
 import { currentLanguage, exactly, number, setLanguage, t, type Language } from './words';
 
-/** The built-in scene that the page begins with, where its link names no other: whole in view, with its lamp. */
-const FIRST_SCENE = 'sphere';
+const HINT = 'Drag a lamp – the light follows';
+const FIRST_PICTURE = 'first picture'; // a mark of the browser's measurements
+const HINTED = 'luxel-hinted'; // of the browser's storage
 
 const NO_VECTORS =
     'This browser cannot run Luxel: it needs WebAssembly with SIMD (Chromium 91, Firefox 89, Safari 16.4 or newer).';
@@ -58,12 +63,15 @@ class Page {
     private readonly model = new Model();
     private readonly compare = new Compare(this.model);
     private readonly section = new SectionPanel(this.model, this.compare);
-    private readonly picture = new PictureView(this.model, this.compare, this.section);
+    private readonly several = new Several(this.model);
+    private readonly picture = new PictureView(this.model, this.compare, this.section, this.several);
     private view!: HTMLSelectElement; // of pictures in colour
     private readonly dial = new Dial(this.picture.scale);
-    private readonly space = new SpaceView(this.model, () => this.picture.shownScale);
-    private readonly form = new Form(this.model, () =>
-        this.space.selected?.kind === 'light' ? this.space.selected.index : 0,
+    private readonly space = new SpaceView(this.model, () => this.picture.shownScale, this.several);
+    private readonly form = new Form(
+        this.model,
+        () => (this.space.selected?.kind === 'light' ? this.space.selected.index : 0),
+        this.several.element,
     );
     private readonly text = new TextEditor(this.model);
     private readonly probe = new ProbePanel(this.model, this.compare);
@@ -76,6 +84,7 @@ class Page {
     );
     private readonly work = new WorkNotice(this.model);
     private readonly looks = new Looks(this.model, this.picture, this.space);
+    private readonly figures = new Figures(this.model, this.picture, this.section);
     private readonly saving = new Saving(this.model, this.picture, (text, milliseconds) => this.say(text, milliseconds));
     private readonly sharing = new Sharing(this.model, this.looks, () => this.stageAsPicture());
     private readonly task = new Task(this.model);
@@ -98,6 +107,7 @@ class Page {
     private builtins: Builtin[] = [];
     private linkTimer = 0;
     private isReadoutOfProbe = true;
+    private isTelling = false; // the readout names a thing or a size rather than a value
     private hasBegun = false; // a scene was opened
 
     async start() {
@@ -107,7 +117,7 @@ class Page {
             return;
         }
         try {
-            this.builtins = await this.model.client.start(currentLanguage());
+            this.offer(await this.model.client.start(currentLanguage()));
         } catch (error) {
             this.fail('Luxel could not be loaded.', String(error));
             return;
@@ -115,6 +125,7 @@ class Page {
         this.listen();
         this.build();
         await this.openFirst();
+        this.hintFirst();
         this.embedding.begin();
         await this.form.reload();
     }
@@ -136,9 +147,9 @@ class Page {
 
     private async openFirst() {
         const named = (wanted: string) => this.builtins.find(({ name }) => name === wanted);
-        let wanted = { name: FIRST_SCENE, text: named(FIRST_SCENE)?.text ?? '' };
+        let wanted: { name: string; text: string } = this.builtins[0];
         try {
-            const linked = await unpacked(location.hash);
+            const linked = await unpacked(this.task.scene || location.hash);
             const builtin = linked?.name ? named(linked.name) : undefined;
             if (linked?.text !== undefined) wanted = { name: 'scene', text: linked.text };
             else if (builtin) wanted = builtin;
@@ -157,10 +168,10 @@ class Page {
 
     // The task that the link sets: of the scene that it opens.
     private showTask() {
-        const { data } = this.task;
-        if (!data) return;
+        const { step } = this.task;
+        if (!step) return;
         this.task.begin();
-        this.picture.asked = data.at;
+        this.picture.asked = step.at;
         this.picture.hidesValues = this.task.hides('values');
         const mark = (place: number[] | null) => {
             this.space.asked = place;
@@ -208,22 +219,60 @@ class Page {
         };
         this.points.place = () => this.picture.probe ?? [0, 0];
         this.probe.onValue = (probe) => {
-            this.space.probe = probe;
+            this.space.probe = this.picture.known = probe;
             this.space.draw();
+            if (this.picture.lit) this.picture.draw();
             if (this.isReadoutOfProbe) this.readout.textContent = this.probe.told;
         };
         this.probe.onLit = (lit, of) => this.form.tellLit(lit?.shares ?? [], of);
+        this.form.onPolar = (index) => this.figures.open(String(index));
         this.form.onAim = (index) => {
             const aim = this.model.aimOf(index);
             const place = this.space.probe;
             if (aim && place && place.surface !== null) void this.model.moveThing(aim, place.position, '');
         };
         this.picture.onHand = (x, y) => {
+            this.isTelling = false;
             this.isReadoutOfProbe = true;
             this.readout.textContent = this.probe.told;
             this.showReadout(x, y);
         };
-        this.space.onPlace = (place, x, y) => void this.pointInSpace(place, x, y);
+        this.space.onPlace = (place, x, y) => {
+            this.isTelling = false;
+            void this.pointInSpace(place, x, y);
+        };
+        this.space.onTell = (text, x, y) => this.tellBeside(text, x, y);
+        this.space.onHover = (thing) => this.hover(thing);
+        this.space.onDrag = () => this.hintDone();
+        this.picture.onMark = (thing, x, y) => {
+            if (thing) this.tellBeside(this.space.nameOf(thing), x, y);
+            this.hover(thing);
+        };
+        this.picture.onDrag = (place, x, y) => {
+            this.hintDone();
+            this.tellBeside(place && placeWords(place), x, y);
+        };
+        this.explanation.onPoint = (vector, place) => {
+            this.space.lit = this.picture.lit = vector;
+            if (vector) this.picture.moveProbe(...place); // the hand may have moved it on its way
+            this.picture.draw();
+            this.space.draw();
+        };
+        this.form.onHover = (list, index) => {
+            const kinds = list === 'lights' ? ['light', 'direction'] : ['surface'];
+            this.space.hovered = list ? (this.model.things.find((each) => kinds.includes(each.kind) && each.index === index) ?? null) : null;
+            this.space.draw();
+        };
+        this.several.onChange = () => {
+            this.form.markSeveral(this.several.all);
+            this.picture.draw();
+            this.space.draw();
+        };
+        this.form.onChooseMore = (index, isRange) => {
+            const { selected } = this.space;
+            if (isRange && selected && selected.kind !== 'surface' && selected.kind !== 'observer') this.several.from(selected.index, index);
+            else this.several.toggle(index, selected);
+        };
         this.layout.onLook = (camera, go) => this.fly(camera, go);
         this.layout.onTab = () => this.text.textChanged();
         this.layout.onCamera = () => this.cameraChanged();
@@ -239,9 +288,12 @@ class Page {
         this.picture.onSelect = select;
         this.space.onSelect = select;
         this.form.onChoose = (list, index) => {
+            this.several.clear();
             const kinds = list === 'lights' ? ['light', 'direction'] : ['surface'];
             select(this.model.things.find((each) => kinds.includes(each.kind) && each.index === index) ?? null);
         };
+        this.sharing.onStep = (step) => this.say(`${t('Set up the scene and the probe, then press Share: step')} ${step}`);
+        this.task.onStep = () => void this.openFirst();
         this.embedding.onText = (text) => this.openText(text);
         this.files.onScene = (text, name) => this.openText(text, name);
         this.files.onTrouble = (text) => this.say(text);
@@ -300,15 +352,22 @@ class Page {
 
     // Keys for what is chosen: D duplicates it, Delete removes it, S has a lamp alone, H switches it.
     private thingKey(key: string) {
+        if (this.several.all.length) return this.keyOfSeveral(key);
         const { selected } = this.space;
         if (!selected || selected.kind === 'observer' || this.model.isFixed(selected)) return;
         const { index } = selected;
         const list = selected.kind === 'surface' ? 'surfaces' : 'lights';
-        if (key === 'd') void this.model.duplicate(list, index);
+        if (key === 'd') void this.model.duplicate(list, [index]);
         else if (key === 'Delete') void this.model.change([{ remove: `${list}[${index}]` }]);
         else if (key === 's' && list === 'lights') void this.model.solo(index);
         else if (key === 'h' && list === 'lights')
             void this.model.change([{ set: `lights[${index}].enabled=${!this.model.scene?.lights[index]?.enabled}` }]);
+    }
+
+    private keyOfSeveral(key: string) {
+        if (key === 'd') void this.several.duplicate();
+        else if (key === 'Delete') void this.several.remove();
+        else if (key === 'h') void this.several.toggleLight();
     }
 
     private switchCamera() {
@@ -326,6 +385,8 @@ class Page {
         this.compare.relabel();
         this.loading.relabel();
         this.task.relabel();
+        this.several.relabel();
+        if (this.space.hint) this.space.hint = t(HINT);
         const { layout } = this;
         const main = layout.build({
             space: this.space.canvas,
@@ -358,6 +419,7 @@ class Page {
             this.explanation.dialog,
             this.gallery.dialog,
             this.sharing.dialog,
+            this.figures.dialog,
         ];
         this.app.replaceChildren(...parts.filter((part) => part !== null));
         this.stale.textContent = t('The scene has errors. What is dimmed is of the last scene without errors.');
@@ -422,7 +484,7 @@ class Page {
         const made = header(this.model, {
             gallery: () => this.gallery.open(this.builtins),
             take: (files) => this.files.take(files),
-            save: (ending) => this.saving.save(ending),
+            save: (ending) => (ending === 'figure' ? this.figures.open() : void this.saving.save(ending)),
             share: () => void this.sharing.open(this.picture.probe ?? [0, 0]),
             changeLanguage: (code) => this.changeLanguage(code),
         });
@@ -440,15 +502,23 @@ class Page {
         return controls.element;
     }
 
+    // The scenes that can be opened by name: the first one, and those of the core.
+    private offer(builtins: Builtin[]) {
+        const language = currentLanguage();
+        this.builtins = [{ name: FIRST_NAME, title: t(FIRST_TITLE), text: firstScene(language) }, ...builtins];
+    }
+
     private async changeLanguage(code: Language) {
+        let builtins: Builtin[] = [];
         try {
-            this.builtins = await this.model.translate(code);
+            builtins = await this.model.translate(code);
         } catch {
             this.say(t('The words of that language could not be loaded. The page keeps its own.'));
             this.build();
             return;
         }
         setLanguage(code);
+        this.offer(builtins);
         try {
             localStorage.setItem('luxel-language', code);
         } catch {
@@ -473,6 +543,7 @@ class Page {
         for (const part of parts) part.clear();
         this.readout.textContent = '';
         this.readout.hidden = true;
+        this.isTelling = false;
         this.stale.hidden = true;
         this.app.classList.remove('is-stale');
         this.app.dataset.stride = '0';
@@ -524,6 +595,41 @@ class Page {
             left: isRight ? 'auto' : `${x + 18}px`,
             right: isRight ? `${width - x + 18}px` : 'auto',
         });
+    }
+
+    private tellBeside(text: string | null, x: number, y: number) {
+        this.isTelling = text !== null;
+        this.isReadoutOfProbe = false;
+        if (text) this.readout.textContent = text;
+        this.readout.hidden = !text;
+        if (text) this.showReadout(x, y);
+    }
+
+    private hover(thing: Thing | null) {
+        const list = !thing || thing.kind === 'observer' ? null : thing.kind === 'surface' ? 'surfaces' : 'lights';
+        this.form.markHovered(list, thing?.index ?? 0);
+    }
+
+    // Who has never dragged anything is told that lamps are dragged.
+    private hintFirst() {
+        try {
+            if (localStorage.getItem(HINTED)) return;
+        } catch {
+            return; // it would come again and again
+        }
+        if (this.embedding.view !== 'all' || this.task.data) return;
+        this.space.hint = t(HINT);
+        this.space.draw();
+    }
+
+    private hintDone() {
+        if (!this.space.hint) return;
+        this.space.hint = '';
+        try {
+            localStorage.setItem(HINTED, '1');
+        } catch {
+            // It has been said once, at least.
+        }
     }
 
     private showHistory() {
@@ -590,6 +696,7 @@ class Page {
     }
 
     private async pictureChanged() {
+        if (this.model.picture && !performance.getEntriesByName(FIRST_PICTURE).length) performance.mark(FIRST_PICTURE);
         this.locked.checked = this.picture.scale.locked;
         await this.picture.pictureChanged();
         const scale = this.picture.shownScale;
@@ -635,10 +742,11 @@ class Page {
         const { client, screen, scene } = this.model;
         const here = await this.space.valueAt(x, y); // the distances of pixels are too coarse to tell places apart by
         if (!here || here.surface === null || !this.model.isCurrent(whole) || !scene) return;
+        if (this.isTelling) return;
         const seen = await client.ask('project', whole, here.position);
         const isBeside = !seen || [0, 1].some((axis) => Math.abs(seen[axis]) > screen[axis] / 2);
         const met = isBeside ? null : await client.ask('probe', whole, seen[0], seen[1]);
-        if (!this.model.isCurrent(whole)) return;
+        if (!this.model.isCurrent(whole) || this.isTelling) return;
         const isMet = met && met.surface !== null;
         const off = isMet ? Math.hypot(...met.position.map((c, axis) => c - here.position[axis])) : Infinity;
         if (seen && off < SAME_PLACE * Math.max(...screen)) {
@@ -692,7 +800,8 @@ class Page {
     /** For the tests: what there is to look at, and a fault in the core. */
     get inside() {
         const { model, picture, space, section, compare, dial, builtins } = this;
-        return { model, picture, space, section, compare, dial, builtins, open: (text: string) => this.openText(text) };
+        const polar = (index: number) => polarOf(model, index);
+        return { model, picture, space, section, compare, dial, builtins, polar, open: (text: string) => this.openText(text) };
     }
 }
 

@@ -356,22 +356,27 @@ export class Model {
         return this.things.find((thing) => thing.kind === 'aim' && thing.index === index);
     }
 
-    /** Adds a copy of a light or a body behind it, a little aside of where that stands. */
-    async duplicate(list: string, index: number) {
+    /** Adds copies of lights or bodies, a little aside of where those stand: of one behind it, of several behind all. */
+    async duplicate(list: string, indices: number[]): Promise<boolean> {
         const { version } = this;
         const whole = this.asWhole();
-        if (!whole || whole.number !== version.number) return;
-        const [text] = await this.client.ask('keys', whole, [`${list}[${index}]`]);
-        if (text === null || this.version !== version) return;
-        const changes: Change[] = [{ list, index: index + 1, insert: text }];
+        if (!whole || whole.number !== version.number) return false;
+        const texts = await this.client.ask('keys', whole, indices.map((index) => `${list}[${index}]`));
+        if (this.version !== version) return false;
         const kind = list === 'lights' ? 'light' : 'surface';
-        const thing = this.things.find((each) => each.kind === kind && each.index === index);
-        if (thing && !thing.key.endsWith('.vertices')) {
-            const aside = Math.max(1, Math.round(0.08 * Math.max(...this.screen)));
+        const count = (list === 'lights' ? this.scene?.lights : this.scene?.surfaces)?.length ?? 0;
+        const aside = Math.max(1, Math.round(0.08 * Math.max(...this.screen)));
+        const changes = indices.flatMap((index, i): Change[] => {
+            const text = texts[i];
+            if (text === null) return [];
+            const to = indices.length === 1 ? index + 1 : count + i;
+            const insert = { list, index: to, insert: text };
+            const thing = this.things.find((each) => each.kind === kind && each.index === index);
+            if (!thing || thing.key.endsWith('.vertices')) return [insert];
             const at = thing.at.map((c, axis) => (axis === 0 ? c + aside : c));
-            changes.push({ set: `${list}[${index + 1}]${thing.key.slice(`${list}[${index}]`.length)}=[${at.join(', ')}]` });
-        }
-        await this.change(changes, '', version);
+            return [insert, { set: `${list}[${to}]${thing.key.slice(`${list}[${index}]`.length)}=[${at.join(', ')}]` }];
+        });
+        return this.change(changes, '', version);
     }
 
     async judge() {
@@ -531,22 +536,26 @@ export class Model {
 
     /** Moves a thing to a place of the scene. */
     moveThing(thing: Thing, to: number[], mark: string, of: Version = this.version) {
-        if (this.isFixed(thing)) return Promise.resolve(false);
-        const whole = to.map((coordinate) => Math.round(coordinate));
-        const written = `[${whole.join(', ')}]`;
-        if (thing.key === 'observer.z') return this.change([{ set: `observer.z=${Math.max(1, whole[2])}` }], mark, of);
-        if (thing.kind === 'direction') {
-            const along = thing.from!.map((coordinate, axis) => Number((coordinate - to[axis]).toPrecision(4)));
-            return this.change([{ set: `${thing.key}=[${along.join(', ')}]` }], mark, of);
-        }
-        if (thing.key.endsWith('.vertices')) return this.moveVertices(thing, whole, mark, of);
-        return this.change([{ set: `${thing.key}=${written}` }], mark, of);
+        return this.isFixed(thing) ? Promise.resolve(false) : this.change(this.moves(thing, to), mark, of);
     }
 
-    private moveVertices(thing: Thing, to: number[], mark: string, of: Version) {
+    /** The changes of the text that bring a thing to a place of the scene. */
+    moves(thing: Thing, to: number[]): Change[] {
+        if (this.isFixed(thing)) return [];
+        const whole = to.map((coordinate) => Math.round(coordinate));
+        if (thing.key === 'observer.z') return [{ set: `observer.z=${Math.max(1, whole[2])}` }];
+        if (thing.kind === 'direction') {
+            const along = thing.from!.map((coordinate, axis) => Number((coordinate - to[axis]).toPrecision(4)));
+            return [{ set: `${thing.key}=[${along.join(', ')}]` }];
+        }
+        if (thing.key.endsWith('.vertices')) return this.movesOfVertices(thing, whole);
+        return [{ set: `${thing.key}=[${whole.join(', ')}]` }];
+    }
+
+    private movesOfVertices(thing: Thing, to: number[]): Change[] {
         const shape = this.shapes.find((each) => each.kind === 'light' && each.index === thing.index);
         const by = to.map((coordinate, axis) => Math.round(coordinate - thing.at[axis]));
         const moved = (shape?.outline ?? []).map((corner) => `[${corner.map((c, axis) => c + by[axis]).join(', ')}]`);
-        return this.change([{ set: `${thing.key}=[${moved.join(', ')}]` }], mark, of);
+        return [{ set: `${thing.key}=[${moved.join(', ')}]` }];
     }
 }

@@ -157,7 +157,11 @@ export class ProbePanel {
 /** The dialog that explains a value: what the core writes as a page of HTML, taken into this one. */
 export class Explanation {
     readonly dialog = h('dialog', { class: 'why' });
+    /** Told the vector that the hand is on in the calculation: "N", "V", or "L" or "H" with the number of its light; null: none. */
+    onPoint: (vector: string | null, place: [number, number]) => void = () => undefined;
     private of: Version | null = null;
+    private place: [number, number] = [0, 0]; // that is explained
+    private pointed: string | null = null;
     private save = h('button', { type: 'button' });
 
     constructor(
@@ -165,6 +169,9 @@ export class Explanation {
         private readonly download: (html: string) => void,
     ) {
         model.follow(this.dialog, () => this.of);
+        this.dialog.addEventListener('keydown', (event) => event.key === 'Escape' && this.close());
+        this.dialog.addEventListener('pointerover', (event) => this.point(vectorOf(event.target)));
+        this.dialog.addEventListener('pointerleave', () => this.point(null));
         model.listen(() => (this.save.disabled = !this.model.isCurrent(this.of)));
     }
 
@@ -176,6 +183,7 @@ export class Explanation {
         if (!source) return;
         const { client, of } = source;
         this.of = of;
+        this.place = [x, y];
         if (this.model.isPartial(of)) return this.fill(h('p', {}, t('The value is explained when reflected light is known.')));
         const told = await client.ask('explain', of, x, y, 3, currentLanguage()).catch(() => null);
         const html = told && localized(told);
@@ -185,23 +193,50 @@ export class Explanation {
         const page = new DOMParser().parseFromString(bare, 'text/html');
         const body = h('div', { class: 'explanation', tabindex: 0, lang: currentLanguage() });
         body.append(...[...page.body.childNodes].map((node) => document.importNode(node, true)));
+        for (const letter of body.querySelectorAll('mi[mathvariant=normal]')) if (vectorOf(letter)) letter.classList.add('vector');
         this.save = h('button', { type: 'button', onclick: () => this.download(html) }, `${t('Download')} (HTML)`);
         this.fill(body, this.save);
     }
 
     private fill(body: HTMLElement, ...buttons: HTMLElement[]) {
-        const close = h('button', { type: 'button', onclick: () => this.dialog.close() }, t('Close'));
+        const close = h('button', { type: 'button', onclick: () => this.close() }, t('Close'));
         this.dialog.setAttribute('aria-label', t('Why this value?'));
         this.dialog.replaceChildren(h('div', { class: 'bar-of-buttons' }, close, ...buttons), body);
-        if (!this.dialog.open) this.dialog.showModal();
+        if (!this.dialog.open) this.dialog.show(); // the views stay in reach
         close.focus();
         this.model.dim();
         this.save.disabled = !this.model.isCurrent(this.of);
     }
 
+    private point(vector: string | null) {
+        if (vector === this.pointed) return;
+        this.pointed = vector;
+        this.onPoint(vector, this.place);
+    }
+
+    close() {
+        this.dialog.close();
+        this.point(null);
+    }
+
     /** Closes it: another scene was opened. */
     clear() {
         this.of = null;
-        this.dialog.close();
+        this.close();
     }
+}
+
+/** The vector that a letter of the calculation stands for; null: for none. */
+function vectorOf(target: EventTarget | null): string | null {
+    const letter = target instanceof Element ? target.closest('mi') : null;
+    const name = letter?.getAttribute('mathvariant') === 'normal' ? letter.textContent : '';
+    if (name === 'N' || name === 'V') return name;
+    if (!letter || (name !== 'L' && name !== 'H')) return null;
+    // That of a light stands below the heading of the light.
+    for (let at: Element | null = letter.closest('.explanation > *'); at; at = at.previousElementSibling) {
+        const found = /^H[23]$/.test(at.tagName) && /lights\[(\d+)\]/.exec(at.textContent ?? '');
+        if (found) return `${name}${Number(found[1]) + 1}`;
+        if (at.tagName === 'H2') break;
+    }
+    return name === 'H' ? 'H' : 'L1';
 }

@@ -1,14 +1,18 @@
 // SPDX-License-Identifier: MIT
 // The picture: samples in the colours of the bar, lamps where they are seen, isophotes, measuring points and the probe.
-import type { Isophote } from './core';
+import type { Isophote, Probe } from './core';
 import type { Scale } from './colours';
 import type { Compare, Shown } from './compare';
 import { fitted, h, numberMark, styleColour } from './dom';
 import { nextOf } from './choosing';
-import { Drag, followPointer, type Action } from './drag';
+import { Drag, followPointer, movesOf, type Action } from './drag';
 import type { Model, Thing } from './model';
 import type { SectionPanel } from './section';
 import { paintSamples, showsColours } from './srgb';
+import { Drawing } from './drawing';
+import type { Several } from './several';
+import { observerView } from './stage';
+import { drawVectors, vectorsAt } from './vectors';
 import { number, t } from './words';
 
 interface Mark {
@@ -27,6 +31,13 @@ export class PictureView {
     probe: [number, number] | null = null;
     /** The place that a task asks about. */
     asked: [number, number] | null = null;
+    /** What is known of the probe, and the vector at it that is pointed at elsewhere, as the space view has it. */
+    known: Probe | null = null;
+    lit: string | null = null;
+    /** Told the lamp or aim that the hand is on, and where; null: on none. */
+    onMark: (thing: Thing | null, x: number, y: number) => void = () => undefined;
+    /** Told that something was dragged to a place. */
+    onDrag: (place: number[] | null, x: number, y: number) => void = () => undefined;
     /** Whether no numbers of values are shown. */
     hidesValues = false;
     onProbe: (x: number, y: number) => void = () => undefined;
@@ -49,15 +60,19 @@ export class PictureView {
         private readonly model: Model,
         private readonly compare: Compare,
         private readonly section: SectionPanel,
+        private readonly several: Several,
     ) {
         new ResizeObserver(() => this.draw()).observe(this.canvas);
         this.canvas.addEventListener('pointermove', (event) => this.hover(event));
-        this.canvas.addEventListener('pointerleave', () => this.onHand(0, null));
+        this.canvas.addEventListener('pointerleave', () => {
+            this.onHand(0, null);
+            this.onMark(null, 0, 0);
+        });
         this.canvas.addEventListener('keydown', (event) => this.key(event));
         this.canvas.addEventListener('wheel', (event) => this.wheel(event), { passive: false });
         followPointer(
             this.canvas,
-            (x, y, event) => (event.button === 2 ? this.beginPan(x, y) : this.begin(x, y)),
+            (x, y, event) => (event.button === 2 ? this.beginPan(x, y) : this.begin(x, y, event.ctrlKey || event.metaKey)),
             (factor, x, y, dx, dy) => this.zoomAt(factor, x, y, dx, dy),
             true,
         );
@@ -135,11 +150,16 @@ export class PictureView {
         this.marks = [];
         this.isophotes = [];
         this.selected = null;
-        this.probe = null;
+        this.probe = this.known = null;
         [this.zoom, this.middle] = [1, [0, 0]];
         this.image.width = this.image.height = 1;
         this.onPaint();
         this.draw();
+    }
+
+    /** The isophotes that are shown. */
+    get linesOfEqualValue(): Isophote[] {
+        return this.showsIsophotes ? this.isophotes : [];
     }
 
     /** The samples in their colours, if they are of the screen that the scene has now. */
@@ -226,6 +246,19 @@ export class PictureView {
         this.drawPoints(context, width, height);
         this.drawMarks(context, width, height);
         this.drawProbe(context, width, height);
+        this.drawVectors(context, width, height);
+    }
+
+    // The vectors at the probe while one is pointed at.
+    private drawVectors(context: CanvasRenderingContext2D, width: number, height: number) {
+        const { known, lit } = this;
+        if (!lit || !known || known.surface === null) return;
+        const { factor } = this.frame(width, height);
+        const [x, y] = this.toCanvas(0, 0, width, height);
+        const view = observerView(this.model, factor, [x - width / 2, height / 2 - y], width, height);
+        if (!view) return;
+        const length = Math.min(80, 0.17 * Math.min(width, height)) / factor;
+        drawVectors(new Drawing(context, null, view, 1), vectorsAt(this.model, known, lit), known.position, length, lit);
     }
 
     private drawIsophotes(context: CanvasRenderingContext2D, width: number, height: number) {
@@ -347,7 +380,7 @@ export class PictureView {
     private drawMarks(context: CanvasRenderingContext2D, width: number, height: number) {
         for (const mark of this.marks) {
             const [x, y] = this.markPlace(mark, width, height);
-            const chosen = this.selected?.key === mark.thing.key;
+            const chosen = this.selected?.key === mark.thing.key || (mark.thing.kind === 'light' && this.several.has(mark.thing.index));
             if (mark.thing.kind === 'light') numberMark(context, x, y, mark.thing.index, chosen);
             else {
                 context.lineWidth = chosen ? 3 : 2;
@@ -400,8 +433,12 @@ export class PictureView {
         return { move, end: () => undefined };
     }
 
-    private begin(x: number, y: number): Action {
+    private begin(x: number, y: number, isMore: boolean): Action {
         const mark = this.markAt(x, y);
+        if (mark && isMore) {
+            this.several.toggle(mark.thing.index, this.selected);
+            return { move: () => undefined, end: () => undefined };
+        }
         const held = mark ? -1 : this.endAt(x, y);
         if (held >= 0) {
             const move = (nx: number, ny: number) => this.section.moveEnd(held, ...this.toScreen(nx, ny));
@@ -415,7 +452,8 @@ export class PictureView {
             move(x, y);
             return { move, end: () => undefined };
         }
-        const drag = new Drag(this.model, mark.thing);
+        if (!this.several.has(mark.thing.index)) this.several.clear();
+        const drag = new Drag(this.model, movesOf(this.model, mark.thing, this.several.besides(mark.thing)));
         this.isDragging = true;
         this.onSelect(mark.thing);
         // A lamp keeps its height above the screen.  From its place on the edge it goes by as much as the hand does.
@@ -426,11 +464,14 @@ export class PictureView {
             const whole = this.model.asWhole();
             if (whole?.scene !== drag.scene) return;
             const place = await this.model.client.ask('unproject', whole, mx + ox, my + oy, mark.seen[2]);
-            if (place) void drag.to(place);
+            if (!place || !this.isDragging) return;
+            void drag.to(place);
+            this.onDrag(place, x, y);
         };
         const end = () => {
             this.isDragging = false;
             drag.end();
+            this.onDrag(null, 0, 0);
         };
         return { move, end };
     }
@@ -439,9 +480,11 @@ export class PictureView {
         if (event.pointerType !== 'mouse' || event.buttons !== 0 || this.isDragging) return;
         const { left, top } = this.canvas.getBoundingClientRect();
         const [x, y] = [event.clientX - left, event.clientY - top];
-        this.canvas.style.cursor = this.markAt(x, y) || this.endAt(x, y) >= 0 ? 'grab' : 'crosshair';
+        const mark = this.markAt(x, y);
+        this.canvas.style.cursor = mark || this.endAt(x, y) >= 0 ? 'grab' : 'crosshair';
         this.moveProbe(...this.toScreen(x, y));
         this.onHand(x, y);
+        this.onMark(mark?.thing ?? null, x, y);
     }
 
     moveProbe(x: number, y: number) {

@@ -1,16 +1,20 @@
 // SPDX-License-Identifier: MIT
 // The dialog that shares a scene: a picture of the stage, a link that opens it as it is shown, and a task made of it: a
-// question about a place, with parts of the page hidden.
+// question about a place, with parts of the page hidden, or several such steps.
 import { h } from './dom';
 import { download, packed } from './link';
 import type { Looks } from './looks';
 import type { Model } from './model';
-import { HIDEABLE, NAMES, told, type Hideable } from './task';
+import { HIDEABLE, NAMES, told, type Hideable, type TaskStep } from './task';
 import { number, t, typedNumber } from './words';
 
 export class Sharing {
     readonly dialog = h('dialog', { class: 'sharing' });
+    /** Told the number of the step of a task that is to be set up next. */
+    onStep: (step: number) => void = () => undefined;
     private link = '';
+    private steps: TaskStep[] = []; // those before the one that is being made
+    private beginning = ''; // of the link, up to the first step
     private readonly field = h('input', { type: 'text', readonly: true, class: 'address' });
     private readonly said = h('p', { class: 'dim', role: 'status' });
 
@@ -22,7 +26,8 @@ export class Sharing {
     ) {}
 
     async open(probe: [number, number]) {
-        const scene = location.href.split('#')[0] + (await packed(this.model.text)) + this.looks.told();
+        const fragment = await packed(this.model.text);
+        const scene = location.href.split('#')[0] + fragment + this.looks.told();
         history.replaceState(null, '', scene);
         const close = h('button', { type: 'button', onclick: () => this.dialog.close() }, t('Close'));
         this.field.setAttribute('aria-label', t('Link'));
@@ -36,7 +41,7 @@ export class Sharing {
             ...this.pictured(),
             h('div', { class: 'row' }, this.field, copy, this.system()),
             this.said,
-            this.task(scene, probe),
+            this.task(scene, fragment, probe),
         );
         this.dialog.showModal();
         copy.focus();
@@ -91,7 +96,7 @@ export class Sharing {
         return h('button', { type: 'button', onclick: send }, t('Send…'));
     }
 
-    private task(scene: string, probe: [number, number]): HTMLElement {
+    private task(scene: string, fragment: string, probe: [number, number]): HTMLElement {
         const ask = h('textarea', { rows: 2, maxlength: 2000, 'aria-label': t('Question'), placeholder: t('Empty: what the value at P is') });
         const places = probe.map((c, axis) =>
             h('input', { type: 'text', inputmode: 'decimal', value: number(c, 5), 'aria-label': `P, ${'xy'[axis]}, ${t('mm')}` }),
@@ -100,25 +105,45 @@ export class Sharing {
             what,
             h('input', { type: 'checkbox', checked: what === 'values' || what === 'text' }),
         ]);
+        const more = h('button', { type: 'button', class: 'link' }, t('Add another step'));
+        const again = h('button', { type: 'button', class: 'link', hidden: !this.steps.length }, t('Begin anew'));
         const element = h(
             'details',
-            { class: 'make-task' },
+            { class: 'make-task', open: this.steps.length > 0 },
             h('summary', {}, t('Make a task')),
             h('p', { class: 'dim' }, t('The link then asks a question and judges the answer; what is hidden is only out of sight.')),
             h('label', { class: 'wide' }, t('Question'), ask),
             h('div', { class: 'row' }, h('span', {}, t('Place P')), ...places, h('span', { class: 'dim' }, t('mm'))),
             h('fieldset', { class: 'row' }, h('legend', {}, t('Hidden')), ...boxes.map(([what, box]) => h('label', {}, box, t(NAMES[what])))),
+            h('div', { class: 'row' }, this.steps.length > 0 && h('span', {}, `${t('Steps before this one')}: ${this.steps.length}`), more, again),
         );
-        const update = () => {
+        const present = (): TaskStep | null => {
             const at = places.map((input) => typedNumber(input.value));
             places.forEach((input, axis) => input.setAttribute('aria-invalid', String(at[axis] === null)));
             const [x, y] = at;
-            if (!element.open) this.show(scene);
-            else if (x !== null && y !== null)
-                this.show(scene + told({ at: [x, y], ask: ask.value, hidden: boxes.filter(([, box]) => box.checked).map(([what]) => what) }));
+            return x === null || y === null ? null : { scene: fragment, at: [x, y], ask: ask.value };
         };
+        const update = () => {
+            const step = present();
+            const hidden = boxes.filter(([, box]) => box.checked).map(([what]) => what);
+            if (!element.open) this.show(scene);
+            else if (step) this.show((this.steps.length ? this.beginning : scene) + told({ steps: [...this.steps, step], hidden }));
+        };
+        more.addEventListener('click', () => {
+            const step = present();
+            if (!step) return;
+            if (!this.steps.length) this.beginning = scene;
+            this.steps.push(step);
+            this.dialog.close(); // the next step is set up on the page
+            this.onStep(this.steps.length + 1);
+        });
+        again.addEventListener('click', () => {
+            this.steps = [];
+            void this.open(probe);
+        });
         element.addEventListener('toggle', update);
         element.addEventListener('input', update);
+        update();
         return element;
     }
 }

@@ -4,13 +4,16 @@
 import type { Probe } from './core';
 import { faded, fitted, h, lightColour, numberMark, sizeOf, styleColour } from './dom';
 import { nextOf } from './choosing';
-import { Drag, followPointer, type Action } from './drag';
+import { Drag, followPointer, movesOf, type Action } from './drag';
 import type { Model, Shape, Thing } from './model';
 import { Drawing } from './drawing';
-import { cameraOf, seenBy, Stage, type View } from './stage';
+import { handleAt, handlesOf, type Handle } from './handles';
+import type { Several } from './several';
+import { cameraOf, observerView, seenBy, Stage, type View } from './stage';
 import { add, along, basis, circle, cross, edgesOf, unit, type Place } from './space_math';
 import type { Scale } from './colours';
-import { t } from './words';
+import { drawVectors, vectorsAt } from './vectors';
+import { number, t } from './words';
 
 export type Side = 'orbit' | 'plan' | 'elevation';
 
@@ -24,8 +27,10 @@ const NAMED = 8; // lights that are called by their names
 const ROOM = 18; // pixels between the edge and a lamp that is beyond it
 const FLIGHT = 420; // milliseconds
 const CELL = [18, 15]; // pixels that a number of a cell takes, of its width the half
+const HANDLE = 9; // pixels across of a handle's square
+const REACH = 13; // pixels within which a handle is grabbed
+const LOW = 420; // pixels of the stage's height below which a lying one has no room for hints
 const TURN = 0.008; // radians by a pixel of a hand's way
-const FAR_OFF = 8; // of the camera of an observer who looks along parallel lines, in sizes of the screen
 
 export class SpaceView {
     readonly canvas = h('canvas', { tabindex: 0, class: 'space', role: 'application' });
@@ -39,6 +44,18 @@ export class SpaceView {
     onSide: (side: Side) => void = () => undefined;
     /** Told a place on a body that the hand points at, and where that is on the canvas; null: on no body. */
     onPlace: (place: Place | null, x: number, y: number) => void = () => undefined;
+    /** Tells something beside the hand; null: nothing more. */
+    onTell: (text: string | null, x: number, y: number) => void = () => undefined;
+    /** Told the thing that the hand is on; null: on none. */
+    onHover: (thing: Thing | null) => void = () => undefined;
+    /** Told that a thing or a handle was taken. */
+    onDrag: () => void = () => undefined;
+    /** What is said beside the first lamp; empty: nothing. */
+    hint = '';
+    /** The thing that the hand is on, here or in a list. */
+    hovered: Thing | null = null;
+    /** The vector that is pointed at elsewhere: "N", "V", or "L" or "H" with the number of its light. */
+    lit: string | null = null;
     side: Side = 'orbit';
     readonly stage: Stage;
     private turn = TURNED; // about the axis that is up, radians
@@ -53,10 +70,13 @@ export class SpaceView {
     private isOwn = false; // somebody has turned, moved or zoomed the view
     private isDrawn = true;
 
-    /** `scale` tells what the colours of values mean. */
+    private isHeld = false; // something is being dragged
+
+    /** `scale` tells what the colours of values mean; `several`, which lamps are chosen together. */
     constructor(
         private readonly model: Model,
         scale: () => Scale,
+        private readonly several: Several,
     ) {
         this.stage = new Stage(model, scale, () => this.draw());
         new ResizeObserver(() => this.resized()).observe(this.canvas);
@@ -69,7 +89,10 @@ export class SpaceView {
         );
         this.canvas.addEventListener('keydown', (event) => this.key(event));
         this.canvas.addEventListener('pointermove', (event) => this.hover(event));
-        this.canvas.addEventListener('pointerleave', () => this.onPlace(null, 0, 0));
+        this.canvas.addEventListener('pointerleave', () => {
+            this.hoverOn(null);
+            this.onPlace(null, 0, 0);
+        });
         this.canvas.addEventListener('wheel', (event) => this.wheel(event), { passive: false });
     }
 
@@ -115,7 +138,8 @@ export class SpaceView {
         this.flight = null;
         this.stage.clear();
         this.probe = null;
-        this.selected = null;
+        this.selected = this.hovered = null;
+        this.isHeld = false;
         this.cells = [];
         this.draw();
     }
@@ -259,6 +283,60 @@ export class SpaceView {
         for (const thing of this.model.things) if (thing.kind !== 'light') this.drawThing(drawing, thing);
         const lamps = this.model.things.filter(({ kind }) => kind === 'light');
         for (const lamp of lamps) this.drawLamp(drawing, lamp, lamps.length <= NAMED);
+        this.drawHandles(drawing);
+        if (this.hint && lamps.length) this.drawHint(context, ...this.markPlace(lamps[0]));
+    }
+
+    private drawHint(context: CanvasRenderingContext2D, x: number, y: number) {
+        const { width, height } = this.view;
+        if (height < LOW && width > height) return; // the value needs the room
+        context.font = '600 13px system-ui, sans-serif';
+        const half = context.measureText(this.hint).width / 2 + 12;
+        const [middle, below] = [Math.max(half + 8, Math.min(width - half - 8, x)), y < 110 ? 44 : -44];
+        context.beginPath();
+        context.roundRect(middle - half, y + below - 15, 2 * half, 30, 10);
+        context.fillStyle = styleColour('--paper');
+        context.fill();
+        context.strokeStyle = styleColour('--line');
+        context.stroke();
+        context.textAlign = 'center';
+        context.textBaseline = 'middle';
+        context.fillStyle = styleColour('--text');
+        context.fillText(this.hint, middle, y + below + 0.5);
+    }
+
+    // The handles of what is chosen.
+    private handles(view: View): Handle[] {
+        const { selected } = this;
+        if (!selected || selected.kind === 'observer' || this.model.isFixed(selected) || this.several.has(selected.index)) return [];
+        const kind = selected.kind === 'surface' ? 'surface' : 'light';
+        const shape = this.model.shapes.find((each) => each.kind === kind && each.index === selected.index);
+        return shape ? handlesOf(shape, view, this.coneLength(shape)) : [];
+    }
+
+    private drawHandles(drawing: Drawing) {
+        const { context } = drawing;
+        for (const { at } of this.handles(drawing.view)) {
+            const [x, y, depth] = drawing.seen(at);
+            if (depth <= 0) continue;
+            context.beginPath();
+            context.rect(x - HANDLE / 2, y - HANDLE / 2, HANDLE, HANDLE);
+            context.fillStyle = '#fff';
+            context.fill();
+            context.lineWidth = 1.5;
+            context.strokeStyle = '#202226';
+            context.stroke();
+        }
+        context.lineWidth = 1;
+    }
+
+    private handleAt(x: number, y: number): Handle | null {
+        const found = this.handles(this.view).map((handle) => {
+            const [hx, hy] = this.seen(handle.at);
+            return { handle, off: Math.hypot(hx - x, hy - y) };
+        });
+        const best = found.sort((a, b) => a.off - b.off)[0];
+        return best && best.off <= REACH ? best.handle : null;
     }
 
     // Their picture, or, until it has come and where there is none, what is known of them at once, as lines.
@@ -305,7 +383,7 @@ export class SpaceView {
         else if (shape.type === 'cylinder')
             for (const off of [-height / 2, height / 2]) drawing.line(circle(add(center, n, off), u, v, radius), true);
         else if ((shape.type === 'box' || shape.type === 'room') && size)
-            for (const edge of edgesOf(center, size)) drawing.line(edge);
+            for (const edge of edgesOf(center, size, shape.turn)) drawing.line(edge);
         else if (radius) drawing.line(circle(center, this.view.right, this.view.up, radius), true);
     }
 
@@ -334,13 +412,17 @@ export class SpaceView {
         if (shape.opening && shape.axis) this.drawCone(drawing, shape, colour, isFilled);
     }
 
-    private drawCone(drawing: Drawing, shape: Shape, colour: string, isFilled: boolean) {
-        const { center, opening = 0, index } = shape;
-        const { context } = drawing;
+    private coneLength({ center, index }: Shape): number {
         const aim = this.model.things.find((thing) => thing.kind === 'aim' && thing.index === index)?.at;
+        return aim ? Math.hypot(...aim.map((c, i) => c - center[i])) : 0.6 * this.reach;
+    }
+
+    private drawCone(drawing: Drawing, shape: Shape, colour: string, isFilled: boolean) {
+        const { center, opening = 0 } = shape;
+        const { context } = drawing;
         const axis = unit(shape.axis!);
         const [u, v] = basis(axis);
-        const length = aim ? Math.hypot(...aim.map((c, i) => c - center[i])) : 0.6 * this.reach;
+        const length = this.coneLength(shape);
         const rim = circle(add(center, axis, length), u, v, length * Math.tan((Math.min(opening, 75) * Math.PI) / 180));
         context.lineWidth = 1;
         const [tip, ends] = [drawing.seen(center), rim.map((place) => drawing.seen(place))];
@@ -372,35 +454,15 @@ export class SpaceView {
         if (isAside) for (const i of [left, right]) drawing.line([center, rim[i]]);
     }
 
-    // The vectors of the formula at the probe: the normal N, V to the observer, L to each lamp and H between the two.
+    // The vectors of the formula at the probe, and its mark.
     private drawProbe(drawing: Drawing) {
         const { probe } = this;
-        const { observer, scene } = this.model;
-        if (!probe || probe.surface === null || !observer || !scene) return;
+        if (!probe || probe.surface === null || !this.model.scene) return;
         const { context } = drawing;
         const place = probe.position;
-        const towards = (to: number[]) => unit(to.map((c, axis) => c - place[axis]));
-        const view = observer.perspective ? towards(observer.position) : this.model.whole!.frame.axis;
         const most = Math.min(70, 0.17 * Math.min(drawing.view.width, drawing.view.height));
         const length = (most * drawing.seen(place)[2]) / (drawing.view.factor * drawing.view.distance);
-        const arrow = (name: string, direction: number[], colour: string, share: number) => {
-            const [x, y, pixels] = drawing.arrow(place, add(place, direction, share * length), colour);
-            if (pixels >= 24) drawing.words(name, x, y, colour);
-        };
-        context.font = 'italic 700 15px Georgia, "DejaVu Serif", serif';
-        context.textAlign = 'center';
-        context.textBaseline = 'middle';
-        const lit = scene.lights.flatMap((light, i) => {
-            if (!light.enabled || !(light.place || light.direction)) return [];
-            const to = light.type === 'distant' ? light.direction!.map((c) => -c) : light.place && towards(light.place);
-            const isBefore = to && to[0] * probe.normal[0] + to[1] * probe.normal[1] + to[2] * probe.normal[2] > 0;
-            return isBefore ? [{ i, to, share: probe.shares[i] ?? 0 }] : [];
-        });
-        const first = lit.reduce<(typeof lit)[number] | null>((best, each) => (best && best.share >= each.share ? best : each), null);
-        for (const { i, to } of lit.slice(0, 4)) arrow(`L${'₁₂₃₄₅₆₇₈₉'[i] ?? ''}`, to, lightColour(i), 1.25);
-        if (first) arrow('H', unit(first.to.map((c, axis) => c + view[axis])), '#ffd98a', 1.05);
-        arrow('V', view, '#c9ced6', 0.9);
-        arrow('N', probe.normal, '#ffffff', 1.1);
+        drawVectors(drawing, vectorsAt(this.model, probe, this.lit), place, length, this.lit);
         const [x, y] = drawing.seen(place);
         for (const [radius, colour, width] of [[8, '#202226', 3.5], [8, '#fff', 2], [2.5, '#fff', 2]] as const) {
             context.beginPath();
@@ -451,7 +513,7 @@ export class SpaceView {
     private drawLamp(drawing: Drawing, thing: Thing, isNamed: boolean) {
         const { context, view } = drawing;
         const light = this.model.scene!.lights[thing.index];
-        const chosen = this.selected?.key === thing.key;
+        const chosen = this.selected?.key === thing.key || this.several.has(thing.index);
         const [x, y] = this.markPlace(thing);
         const colour = lightColour(thing.index);
         const hidden = drawing.isHidden(thing.at);
@@ -459,6 +521,7 @@ export class SpaceView {
         if (chosen) this.drawPlumb(drawing, thing.at, colour);
         context.globalAlpha = hidden && !chosen ? 0.45 : light?.enabled ? 1 : 0.55;
         numberMark(context, x, y, thing.index, chosen);
+        if (this.hovered?.key === thing.key && this.hovered.kind === thing.kind) drawing.ring(x, y, chosen ? 20 : 15);
         if (isNamed) {
             context.font = '600 12px system-ui, sans-serif';
             const name = light?.name ?? light?.label ?? '';
@@ -542,19 +605,54 @@ export class SpaceView {
     }
 
     private begin(x: number, y: number, event: PointerEvent): Action {
-        const thing = event.shiftKey || event.button === 2 ? null : this.thingAt(x, y);
+        const isTaking = !event.shiftKey && event.button !== 2;
+        const handle = isTaking ? this.handleAt(x, y) : null;
+        if (handle) return this.beginHandle(handle, x, y);
+        const thing = isTaking ? this.thingAt(x, y) : null;
+        if (thing && (event.ctrlKey || event.metaKey) && thing.kind !== 'surface' && thing.kind !== 'observer') {
+            this.several.toggle(thing.index, this.selected);
+            return { move: () => undefined, end: () => undefined };
+        }
         if (!thing && event.button === 2) return this.beginPan(x, y);
         if (!thing) return event.pointerType === 'touch' && this.placeAt(x, y) ? this.beginPointing(x, y) : this.beginOrbit(x, y);
+        if (!(thing.kind === 'light' && this.several.has(thing.index))) this.several.clear();
         this.select(thing);
-        const drag = new Drag(this.model, thing);
+        const drag = new Drag(this.model, movesOf(this.model, thing, this.several.besides(thing)));
         const { view } = this;
+        this.isHeld = true;
         const [, , depth] = seenBy(view, thing.at);
         // From its place at the edge it goes by as much as the hand does.
         const factor = (view.factor * view.distance) / Math.max(depth, 0.02 * view.distance);
         // What is grabbed moves in the plane of the view.
-        const move = (nx: number, ny: number) =>
-            void drag.to(thing.at.map((c, axis) => c + ((nx - x) * view.right[axis] - (ny - y) * view.up[axis]) / factor));
-        return { move, end: () => drag.end() };
+        const move = (nx: number, ny: number) => {
+            const to = thing.at.map((c, axis) => c + ((nx - x) * view.right[axis] - (ny - y) * view.up[axis]) / factor);
+            void drag.to(to);
+            this.onDrag();
+            if (thing.kind !== 'direction') this.onTell(placeWords(to), nx, ny);
+        };
+        return { move, end: () => this.letGo(drag) };
+    }
+
+    private letGo(drag: Drag) {
+        drag.end();
+        this.isHeld = false;
+        this.onTell(null, 0, 0);
+    }
+
+    // What is told beside the hand while it changes a size is the size.
+    private beginHandle(handle: Handle, x: number, y: number): Action {
+        const { view } = this;
+        const start = handleAt(handle, view, x, y);
+        const off = handle.at.map((c, axis) => c - start[axis]); // the hand took it a little aside
+        const drag = new Drag(this.model, (place) => handle.moved(place).changes);
+        this.isHeld = true;
+        const move = (nx: number, ny: number) => {
+            const to = handleAt(handle, view, nx, ny).map((c, axis) => c + off[axis]);
+            void drag.to(to);
+            this.onDrag();
+            this.onTell(handle.moved(to).told, nx, ny);
+        };
+        return { move, end: () => this.letGo(drag) };
     }
 
     private beginPan(x: number, y: number): Action {
@@ -573,7 +671,7 @@ export class SpaceView {
             if (place) this.onPlace(place, nx, ny);
         };
         move(x, y);
-        return { move, end: (moved) => void (moved || this.select(null)) };
+        return { move, end: (moved) => void (moved || this.press(x, y)) };
     }
 
     private beginOrbit(x: number, y: number): Action {
@@ -594,11 +692,21 @@ export class SpaceView {
         this.draw();
     }
 
-    // A press on a body tells its place; on nothing it selects nothing.
+    // A press on a body tells its place and chooses the body, on nothing it selects nothing.
     private press(x: number, y: number) {
         const place = this.placeAt(x, y);
         if (place) this.onPlace(place, x, y);
+        this.several.clear();
         this.select(null);
+        if (place) void this.chooseBody(x, y).catch(() => undefined);
+    }
+
+    private async chooseBody(x: number, y: number) {
+        const before = this.model.version;
+        const probe = await this.valueAt(x, y);
+        if (!probe || this.model.version !== before || this.selected) return;
+        const body = this.model.things.find(({ kind, index }) => kind === 'surface' && index === probe.surface);
+        if (body && !this.model.isFixed(body)) this.select(body);
     }
 
     /** The place of the body that is seen at a point of the canvas; null: there is none. */
@@ -623,18 +731,27 @@ export class SpaceView {
     }
 
     private hover(event: PointerEvent) {
-        if (event.pointerType !== 'mouse' || event.buttons !== 0) return;
+        if (event.pointerType !== 'mouse' || event.buttons !== 0 || this.isHeld) return;
         const { left, top } = this.canvas.getBoundingClientRect();
         const [x, y] = [event.clientX - left, event.clientY - top];
-        const thing = this.thingAt(x, y);
-        const place = thing ? null : this.placeAt(x, y);
-        this.canvas.style.cursor = thing ? 'grab' : place ? 'crosshair' : 'default';
-        const name = thing ? this.nameOf(thing) : '';
-        if (this.canvas.title !== name) this.canvas.title = name;
+        const handle = this.handleAt(x, y);
+        const thing = handle ? null : this.thingAt(x, y);
+        const place = thing || handle ? null : this.placeAt(x, y);
+        this.canvas.style.cursor = thing || handle ? 'grab' : place ? 'crosshair' : 'default';
+        this.hoverOn(thing);
         this.onPlace(place, x, y);
+        if (thing || handle) this.onTell(handle ? handle.name : this.nameOf(thing!), x, y);
     }
 
-    private nameOf({ kind, index }: Thing): string {
+    private hoverOn(thing: Thing | null) {
+        if (this.hovered?.key === thing?.key && this.hovered?.kind === thing?.kind) return;
+        this.hovered = thing;
+        this.onHover(thing);
+        this.draw();
+    }
+
+    /** What a thing is called. */
+    nameOf({ kind, index }: Thing): string {
         const light = this.model.scene?.lights[index];
         if (kind === 'observer') return t('observer');
         if (kind === 'surface') return `${t('body')} ${index + 1}`;
@@ -700,7 +817,10 @@ export class SpaceView {
         else if (event.key === '0' || event.key === 'f' || event.key === 'F') this.fit();
         else if (event.key === 'Home') this.lookFromFront();
         else if (event.key === ' ') this.selectNext(event.shiftKey ? -1 : 1);
-        else if (event.key === 'Escape') this.select(null);
+        else if (event.key === 'Escape') {
+            this.several.clear();
+            this.select(null);
+        } else if (event.key.toLowerCase() === 'a' && (event.ctrlKey || event.metaKey)) this.several.everything();
         else if (steps[event.key] && this.selected) this.nudge(steps[event.key], event.shiftKey ? 100 : 10);
         else return;
         event.preventDefault();
@@ -713,17 +833,8 @@ export class SpaceView {
 
     /** The camera of the observer, whose screen has so many pixels for a mm, its middle so many beside that of the canvas. */
     observerView(factor: number, aside: number): View | null {
-        const { whole } = this.model;
-        if (!whole) return null;
         const { width, height } = sizeOf(this.canvas);
-        const { corners, middle } = whole.frame;
-        const back = unit(whole.frame.axis);
-        const [right, up] = [1, 3].map((i) => unit(corners[i].map((c, axis) => c - corners[0][axis])));
-        const { observer } = whole;
-        const far = Math.hypot(...observer.position.map((c, axis) => c - middle[axis]));
-        const distance = observer.perspective ? far : FAR_OFF * Math.max(...whole.screen, far);
-        const target = add(middle, right, -aside / factor);
-        return { eye: add(target, back, distance), target, right, up, back, distance, factor, width, height };
+        return observerView(this.model, factor, [aside, 0], width, height);
     }
 
     /** Flies to a camera, or from it back to the view's own; then `arrived` is called. */
@@ -755,12 +866,15 @@ export class SpaceView {
             ({ key, kind }) => key === this.selected?.key && kind === this.selected.kind,
         );
         if (!thing) return;
-        await this.model.moveThing(
-            thing,
-            thing.at.map((c, axis) => c + step[axis] * size),
-            `keys ${thing.key}`,
-        );
+        const to = thing.at.map((c, axis) => c + step[axis] * size);
+        const changes = movesOf(this.model, thing, this.several.besides(thing))(to);
+        if (changes.length) await this.model.change(changes, `keys ${thing.key}`);
     }
+}
+
+/** A place in whole mm. */
+export function placeWords(place: number[]): string {
+    return `(${place.map((c) => number(Math.round(c), 6)).join('; ')}) ${t('mm')}`;
 }
 
 /** The corners of a rectangle. */

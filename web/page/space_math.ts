@@ -38,9 +38,25 @@ export function circle(center: number[], u: number[], v: number[], radius: numbe
     });
 }
 
-/** The twelve edges of a box along the axes. */
-export function edgesOf(center: number[], size: number[]): [Place, Place][] {
-    const corner = (bits: number) => center.map((c, axis) => c + (bits & (1 << axis) ? 0.5 : -0.5) * size[axis]) as Place;
+export function dot(a: number[], b: number[]): number {
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+/** The axes of a body that is turned by degrees about x, then about y, then about z. */
+export function turnedAxes(degrees: number[] = [0, 0, 0]): Place[] {
+    const [[sx, cx], [sy, cy], [sz, cz]] = degrees.map((each) => [Math.sin((each * Math.PI) / 180), Math.cos((each * Math.PI) / 180)]);
+    return [
+        [cy * cz, cy * sz, -sy],
+        [sx * sy * cz - cx * sz, sx * sy * sz + cx * cz, sx * cy],
+        [cx * sy * cz + sx * sz, cx * sy * sz - sx * cz, cx * cy],
+    ];
+}
+
+/** The twelve edges of a box, turned by degrees. */
+export function edgesOf(center: number[], size: number[], turn?: number[]): [Place, Place][] {
+    const axes = turnedAxes(turn);
+    const half = (bits: number, axis: number) => (bits & (1 << axis) ? 0.5 : -0.5) * size[axis];
+    const corner = (bits: number) => axes.reduce<Place>((place, along, axis) => add(place, along, half(bits, axis)), center as Place);
     const ends = [0, 1, 2, 3, 4, 5, 6, 7].flatMap((bits) => [1, 2, 4].map((axis) => [bits, bits | axis]));
     return ends.filter(([from, to]) => from !== to).map(([from, to]) => [corner(from), corner(to)]);
 }

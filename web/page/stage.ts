@@ -5,8 +5,9 @@
 import type { Client } from './client';
 import type { Scale } from './colours';
 import type { Samples } from './core';
+import { Edges, type Distances } from './edges';
 import type { Model } from './model';
-import type { Place } from './space_math';
+import { along, unit, add, type Place } from './space_math';
 import { paintSamples } from './srgb';
 import type { Of } from './version';
 
@@ -41,8 +42,15 @@ const MOST_PIXELS = 2.2e6;
 const PER_PIXEL = 1.5e-4; // milliseconds, of a scene of which nothing is known yet
 const LATE = 250; // milliseconds after which what is shown is of a view that is gone
 
+const FAR_OFF = 8; // of the camera of an observer who looks along parallel lines, in sizes of the screen
+
 const keyOf = (of: Of | null, view: View) =>
     [of?.number, of?.direct, ...view.eye, ...view.target, ...view.up, view.factor, view.width, view.height].join();
+
+/** A scene's text but its lights: whether bodies are the same; where it is written in unusual ways it says no. */
+function withoutLights(text: string): string {
+    return text.replace(/^lights:.*\n(?:[ \t#-].*\n|\n)*/m, '');
+}
 
 /** The numbers of a camera as the core takes them, and how many pixels it has. */
 export function cameraOf(view: View, stride: number): { camera: number[]; columns: number; rows: number } {
@@ -51,6 +59,21 @@ export function cameraOf(view: View, stride: number): { camera: number[]; column
     const pixel = view.width / view.factor / columns;
     const rows = even(view.height / view.factor / pixel);
     return { camera: [...view.eye, ...view.target, ...view.up, columns * pixel, rows * pixel], columns, rows };
+}
+
+/**
+ * The camera of the observer in a canvas, whose screen has so many pixels for a mm, its middle so many beside and above that of
+ * the canvas; null: there is no scene yet.
+ */
+export function observerView({ whole, observer }: Model, factor: number, aside: number[], width: number, height: number): View | null {
+    if (!whole || !observer) return null;
+    const { corners, middle, axis } = whole.frame;
+    const back = unit(axis);
+    const [right, up] = [1, 3].map((i) => unit(corners[i].map((c, k) => c - corners[0][k])));
+    const far = Math.hypot(...observer.position.map((c, k) => c - middle[k]));
+    const distance = observer.perspective ? far : FAR_OFF * Math.max(...whole.screen, far);
+    const target = along(middle, right, -aside[0] / factor, up, -aside[1] / factor);
+    return { eye: add(target, back, distance), target, right, up, back, distance, factor, width, height };
 }
 
 /** Where a place is seen, in pixels of the page, and how far it is along the line of view. */
@@ -74,6 +97,8 @@ export class Stage {
     private awaitedSince = 0; // when another view than the one shown was wanted; 0: it is shown
     private failed = ''; // the view of which the core made none
     private painted: unknown[] = [];
+    private finest: (Distances & { key: string }) | null = null; // of the bodies in one view
+    private edges: Edges | null = null; // by which a coarse picture takes those distances' edges
 
     constructor(
         private readonly model: Model,
@@ -87,6 +112,7 @@ export class Stage {
         this.wanted = null;
         this.failed = '';
         this.painted = [];
+        this.finest = this.edges = null;
         this.perPixel = PER_PIXEL;
         this.awaitedSince = 0;
     }
@@ -177,7 +203,17 @@ export class Stage {
         this.perPixel = Math.max(1e-6, found.milliseconds / (columns * rows));
         this.awaitedSince = 0;
         this.made = { of, view, stride, columns, rows, values: found.values, mask: found.mask, rgb: found.rgb, depth: found.depth };
+        this.keepFinest(this.made);
         this.onMade();
+    }
+
+    // Distances of a view stay those of the bodies while light alone changes.
+    private keepFinest({ of, view, columns, rows, depth }: Made) {
+        const key = keyOf(null, view) + withoutLights(of.text);
+        if (this.finest?.key !== key || this.finest.columns <= columns / 2) this.finest = { key, columns: columns / 2, rows: rows / 2, depth };
+        const isFiner = this.finest.columns > columns;
+        if (!isFiner) this.edges = null;
+        else if (!this.edges?.fits(this.finest, columns, rows)) this.edges = new Edges(this.finest, { columns, rows });
     }
 
     /** The picture in the colours of the scale. */
@@ -188,10 +224,11 @@ export class Stage {
         const wanted = [made, map, low, high, logarithmic];
         if (wanted.some((each, i) => each !== this.painted[i])) {
             this.painted = wanted;
-            this.image.width = made.columns;
-            this.image.height = made.rows;
-            const pixels = paintSamples(made, this.scale(), false);
-            this.image.getContext('2d')!.putImageData(new ImageData(pixels, made.columns, made.rows), 0, 0);
+            const { columns, rows } = this.edges ?? made;
+            const pixels = paintSamples(this.edges ? this.edges.apply(made) : made, this.scale(), false);
+            this.image.width = columns;
+            this.image.height = rows;
+            this.image.getContext('2d')!.putImageData(new ImageData(pixels, columns, rows), 0, 0);
         }
         return this.image;
     }
@@ -200,16 +237,16 @@ export class Stage {
     depthAt(x: number, y: number): number {
         const { made } = this;
         if (!made) return 0;
-        const [columns, rows] = [made.columns / 2, made.rows / 2];
+        const { columns, rows, depth } = this.edges && this.finest ? this.finest : { columns: made.columns / 2, rows: made.rows / 2, depth: made.depth };
         const column = Math.floor((x / made.view.width) * columns);
-        const row = Math.floor((y - made.view.height / 2) / (2 * this.pixel()) + rows / 2);
+        const row = Math.floor(((y - made.view.height / 2) * columns) / made.view.width + rows / 2);
         if (column < 0 || row < 0 || column >= columns || row >= rows) return 0;
-        return made.depth[row * columns + column];
+        return depth[row * columns + column];
     }
 
-    /** The size of its pixels in pixels of the page. */
+    /** The size of the picture's pixels in pixels of the page. */
     pixel(): number {
-        return this.made ? this.made.view.width / this.made.columns : 1;
+        return this.made ? this.made.view.width / (this.edges ?? this.made).columns : 1;
     }
 
     /** Whether a body hides a place, which is seen at a point and so far. */

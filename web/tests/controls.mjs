@@ -59,7 +59,7 @@ async function duplicates(page) {
     equal(after[3], before[2], 'the light behind it');
     await page.keyboard.press('Control+z');
     await until(page, 'model.isSettled && model.scene.lights.length === 3');
-    await inside(page, "void model.duplicate('surfaces', 0)");
+    await inside(page, "void model.duplicate('surfaces', [0])");
     await until(page, 'model.isSettled && model.scene.surfaces.length === 2');
     await inside(page, "space.select(model.things.find(({ kind, index }) => kind === 'surface' && index === 1))");
     await page.locator('canvas.space').focus();

@@ -11,6 +11,8 @@ const SIMPLE = [
 ];
 const MOST_OF_FRAME = 16; // milliseconds of the main thread
 const MOST_OF_PICTURE = 33; // milliseconds of a frame and the workers' picture
+const MOST_OF_MANY = 32; // milliseconds of a frame with 300 lamps
+const LONGEST = 300; // milliseconds by the clock of a task, three times what an idle machine takes
 const STEPS = 40;
 const TRIES = 3; // of which the best counts: caches and the other half of a core are not ours
 
@@ -41,13 +43,15 @@ async function processOf(browser, page) {
     return grown.sort(([, a], [, b]) => b - a)[0][0];
 }
 
-async function dragged(page, process) {
+/** What a frame and a picture cost while a lamp is dragged, or, with Shift, the view is turned. */
+async function dragged(page, process, isTurning = false) {
     const [x, y] = await inside(
         page,
         "(() => { const thing = ['light', 'direction', 'aim'].map((kind) => model.things.find((each) => each.kind === kind)).find(Boolean); return thing ? (thing.kind === 'light' ? space.markPlace(thing) : space.seen(thing.at)) : [200, 120]; })()",
     );
     const box = await boxOf(page.locator('canvas.space'));
     const move = (i) => page.mouse.move(box.x + x + 8 + 1.5 * Math.min(i, STEPS - i), box.y + y + 8);
+    if (isTurning) await page.keyboard.down('Shift');
     await page.mouse.move(box.x + x, box.y + y);
     await page.mouse.down();
     await move(0);
@@ -71,10 +75,27 @@ async function dragged(page, process) {
     }
     const after = timeOf(process);
     await page.mouse.up();
+    if (isTurning) await page.keyboard.up('Shift');
     const { frames, pictures } = await page.evaluate(() => window.counted);
     const spent = (name) => (after[name] ?? 0) - (before[name] ?? 0);
     const frame = spent('main') / Math.max(frames, 1);
     return { frame, picture: frame + Math.max(0, spent('DedicatedWorker')) / Math.max(pictures, 1), pictures };
+}
+
+/** A frame while the camera goes around a scene. */
+async function turns(browser, page) {
+    const process = await processOf(browser, page);
+    const told = [];
+    for (const scene of ['three-lights', 'desk', 'room', 'pot', 'office']) {
+        await openScene(page, scene);
+        await until(page, 'space.stage.made && model.isCurrent(space.stage.made.of)');
+        let best = Infinity;
+        for (let i = 0; i < TRIES && best > MOST_OF_FRAME; i++) best = Math.min(best, (await dragged(page, process, true)).frame);
+        told.push(`${scene} ${best.toFixed(0)}`);
+        if (best > MOST_OF_FRAME) told.push('!');
+    }
+    check(!told.includes('!'), told.join(', '));
+    return `milliseconds of main thread: ${told.join(', ')}`;
 }
 
 async function isQuick(browser, page) {
@@ -105,15 +126,27 @@ async function bearsLamps(page) {
     await page.waitForTimeout(500);
     const process = await processOf(page.context().browser(), page);
     const text0 = await inside(page, 'model.text');
-    const { frame } = await dragged(page, process);
+    await page.evaluate(() => {
+        window.longest = 0;
+        new PerformanceObserver((list) => list.getEntries().forEach(({ duration }) => (window.longest = Math.max(window.longest, duration)))).observe({ type: 'longtask' });
+    });
+    let [frame, longest] = [Infinity, Infinity];
+    for (let i = 0; i < TRIES && !(frame <= MOST_OF_MANY && longest <= LONGEST); i++) {
+        await page.evaluate(() => (window.longest = 0));
+        frame = Math.min(frame, (await dragged(page, process)).frame);
+        longest = Math.min(longest, await page.evaluate(() => window.longest));
+    }
     await until(page, `model.isSettled && model.text !== ${JSON.stringify(text0)}`);
-    return `${frame.toFixed(0)} ms of the main thread for a frame of 300 lamps`;
+    const told = `${frame.toFixed(0)} ms of the main thread for a frame of 300 lamps, the longest task ${longest.toFixed(0)} ms`;
+    check(frame <= MOST_OF_MANY && longest <= LONGEST, told);
+    return told;
 }
 
 export async function frames(browser, url) {
     const page = await opened(browser, url, { viewport: { width: 1280, height: 720 } });
     if (!Object.keys(timeOf('self')).length) return console.log('this system does not tell the time of threads: frames are not counted');
     await test('frames and pictures keep up with the hand', () => isQuick(browser, page));
+    await test('frames keep up with a camera that is turned', () => turns(browser, page));
     await test('300 lamps', () => bearsLamps(page));
     await page.context().close();
 }

@@ -5,14 +5,14 @@ import path from 'node:path';
 import { chromium } from 'playwright-core';
 
 const CHROMIUM = process.env.LUXEL_CHROMIUM ?? '/usr/bin/chromium';
-const PATIENCE = 60000; // milliseconds that a busy machine may need
+const PATIENCE = Number(process.env.LUXEL_PATIENCE ?? 60000); // milliseconds that a busy machine may need
 const SHOTS = process.env.LUXEL_SCREENSHOTS; // a folder for pictures of the page, to be looked at
 
 export function started() {
     return chromium.launch({ executablePath: CHROMIUM, args: ['--no-sandbox', '--disable-gpu'] });
 }
 
-/** A page with a whole picture, made by the first part of the core. */
+/** A page with a whole picture, made by the first part of the core; without a link it shows the sphere. */
 export async function begun(browser, url, options = {}) {
     const context = await browser.newContext({ viewport: { width: 1400, height: 900 }, locale: 'en-GB', ...options });
     const page = await context.newPage();
@@ -20,7 +20,7 @@ export async function begun(browser, url, options = {}) {
     page.on('pageerror', (error) => page.faults.push(String(error)));
     page.on('console', (message) => message.type() === 'error' && page.faults.push(message.text()));
     page.setDefaultTimeout(PATIENCE);
-    await page.goto(url);
+    await page.goto(url.includes('#') ? url : `${url}#scene=sphere`);
     await ready(page);
     return page;
 }

@@ -8,7 +8,9 @@ import axe from 'axe-core';
 import { colours } from './colour.mjs';
 import { controls } from './controls.mjs';
 import { FIREFOX, inFirefox } from './firefox.mjs';
+import { figures } from './figures.mjs';
 import { frames } from './frames.mjs';
+import { grabbing } from './grabbing.mjs';
 import { joining } from './joining.mjs';
 import { lessons } from './lessons.mjs';
 import { loading } from './loading.mjs';
@@ -596,6 +598,8 @@ export async function page(folder, tool) {
     await frames(browser, url);
     await controls(browser, url, tool);
     await colours(browser, url, tool);
+    await grabbing(browser, url, tool);
+    await figures(browser, url);
     await tasks(browser, url, tool);
     await typed(browser, folder, url);
     await versions(browser, url, tool);

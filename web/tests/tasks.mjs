@@ -132,6 +132,40 @@ async function isWritten(browser, url, tool) {
     await page.context().close();
 }
 
+/** Several steps in one link: each has its scene and its question, and answers are judged about it. */
+async function hasSteps(page, browser, tool) {
+    await openScene(page, 'three-lights');
+    await inside(page, `void picture.moveProbe(${AT})`);
+    await page.getByRole('button', { name: 'Share' }).click();
+    await page.getByText('Make a task').click();
+    await page.getByLabel('Question').fill('First?');
+    await page.getByRole('button', { name: 'Add another step' }).click();
+    await openScene(page, 'sphere');
+    await inside(page, 'void picture.moveProbe(10, 20)');
+    await page.getByRole('button', { name: 'Share' }).click();
+    await page.getByText('Steps before this one: 1').waitFor();
+    await page.getByLabel('Question').fill('Second?');
+    const link = await linkIn(page);
+    await page.getByRole('button', { name: 'Begin anew' }).click();
+    await page.getByRole('button', { name: 'Close' }).click();
+    const other = await opened(browser, link);
+    const question = other.locator('.task .question');
+    equal([await question.textContent(), await other.locator('.task .tag').textContent()], ['First?', 'Task 1 / 2'], 'the first step');
+    check((await answer(other, byTool(tool, 'three-lights').toPrecision(4))).isRight, 'the value of the first step');
+    await shot(other, 'task-steps');
+    await other.getByRole('button', { name: 'Next' }).click();
+    await question.getByText('Second?').waitFor();
+    await until(other, "model.isSettled && model.scene.lights.length === 1 && picture.asked.join() === '10,20'");
+    const told = execFileSync(tool, ['probe', 'sphere', '-p', '10,20', '--json'], { stdio: ['ignore', 'pipe', 'pipe'] });
+    check((await answer(other, JSON.parse(told.toString()).points[0].value.toPrecision(4))).isRight, 'the value of the second step');
+    check(await other.getByRole('button', { name: 'Next' }).isDisabled(), 'there is a step behind the last');
+    await other.getByRole('button', { name: 'Back' }).click();
+    await question.getByText('First?').waitFor();
+    await until(other, 'model.isSettled && model.scene.lights.length === 3');
+    equal(other.faults, [], 'faults');
+    await other.context().close();
+}
+
 async function judgesReflected(browser, url, tool) {
     const page = await opened(browser, `${url}#scene=tin&task=${AT}`);
     const { isRight } = await answer(page, byTool(tool, 'tin').toPrecision(4));
@@ -155,6 +189,7 @@ export async function tasks(browser, url, tool) {
     await test('the page has a card for links', () => hasCard(page, url));
     await test('a task asks, hides and judges', () => asks(page, browser, tool));
     await test('a task by a link that was written', () => isWritten(browser, url, tool));
+    await test('a small lesson of several steps', () => hasSteps(page, browser, tool));
     await test('a task of a mesh or reflected light', () => judgesReflected(browser, url, tool));
     await test('no fault was reported of tasks', () => equal(page.faults, [], 'faults'));
     await page.context().close();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The curves of a lesson's figure: values over a length or over what is slid, with the figure's own point on them.
 import { h } from '../dom';
+import { steps } from '../figures/svg';
 import { number } from '../words';
 
 /** Places on the axis and the values there; null: there is none. */
@@ -23,16 +24,6 @@ function draw(name: string, attributes: Record<string, string | number>, text = 
     for (const [key, value] of Object.entries(attributes)) made.setAttribute(key, String(value));
     if (text) made.textContent = text;
     return made;
-}
-
-/** Round steps of an axis, some four of them. */
-function steps(low: number, high: number): number[] {
-    const rough = (high - low) / 4 || 1;
-    const power = 10 ** Math.floor(Math.log10(rough));
-    const step = [1, 2, 2.5, 5, 10].map((each) => each * power).find((each) => each >= rough * 0.999)!;
-    const first = Math.ceil(low / step - 1e-9);
-    const count = Math.floor(high / step + 1e-9) - first + 1;
-    return Array.from({ length: Math.max(0, count) }, (_, i) => Number(((first + i) * step).toPrecision(12)));
 }
 
 export class Chart {
