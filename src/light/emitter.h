@@ -72,7 +72,7 @@ struct lx_emitter {
     struct lx_dome *dome;     /* a dome; the list is one of its users */
     const struct lx_glass_pane *panes; /* of glass, that its light may come through */
     size_t pane_count;
-    const struct lx_glass_pane *through; /* the one of them that all of it comes through; NULL: it may come beside them */
+    const struct lx_glass_pane *through; /* the one of them that all of it comes through; NULL: who knows */
 };
 
 /* Irradiance or intensity with its bound. */

@@ -16,7 +16,8 @@
 
 enum { LX_CHANNELS = 3 };
 
-/* Behind the channels of materials, from 1: what they scatter, and their highlights, by the greatest of each; and both. */
+/* Behind the channels of materials, from 1: what they scatter, and their highlights, by the greatest of each; and
+ * both. */
 enum { LX_CHANNEL_DIFFUSE = LX_CHANNELS + 1, LX_CHANNEL_HIGHLIGHT, LX_CHANNEL_WHOLE };
 /* Pictures of these are as exact as those of channels with a maximum smaller by this factor have to be. */
 enum { LX_LOBES_TO_CHANNEL = 4 };

@@ -33,7 +33,7 @@ double lx_pane_transmittance(const struct lx_glass_pane *pane, double cosine);
 #define LX_PANE_ROUNDING 1e-14
 
 /* What panes leave of light that comes to a place by a way, from its end or, `endless`, from beyond all.  It comes
- * `through` one of them, whatever rounding makes of its rim, and no other of that room; NULL: who knows through which. */
+ * `through` one of them, whatever rounding makes of its rim, and no other of that room; NULL: who knows. */
 double lx_panes_pass(const struct lx_glass_pane *panes, size_t count, const struct lx_glass_pane *through,
                      const double place_mm[3], const double way[3], bool endless);
 

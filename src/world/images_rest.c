@@ -28,8 +28,8 @@ static double greatest_intensity(const struct lx_emitter *emitter)
                                       lx_emitter_kind(emitter)->section_mm2(emitter) * 1e-6;
 }
 
-/* What share of its greatest intensity a light sends to a place at most, along a unit vector towards its middle; no part
- * of it is nearer than `nearest`. */
+/* What share of its greatest intensity a light sends to a place at most, along a unit vector towards its middle; no
+ * part of it is nearer than `nearest`. */
 static double greatest_share(const struct lx_emitter *emitter, const double place[3], const double towards[3],
                              double nearest)
 {

@@ -55,8 +55,8 @@ struct lx_mirrors {
      * planes at right angles to them there are; 0 pairs where that is not all that there is. */
     unsigned pair_count, other_planes;
     double pair_gaps_mm[3], pair_axes[3][3], pair_size_mm;
-    /* Of two pairs: the axis at right angles to both, how far images are at least that are known by bounds alone, and the
-     * sum of 1/d^3 over them, but for what single planes make of each. */
+    /* Two pairs: the axis at right angles to both, how far images are at least that are known by bounds alone, and
+     * the sum of 1/d^3 over them, but for what single planes make of each. */
     double third_axis[3], nearest_mm, cubes_per_mm3;
 };
 

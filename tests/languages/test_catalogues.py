@@ -63,7 +63,8 @@ def sources(tap):
             elif element.get("name", element.tag) in SHOWN and re.search("[a-z]{2}", element.text or ""):
                 tap.equal(element.text, "Luxel", "%s: what is not translated is a name" % path.name)
 
-    messages = "".join(path.read_text(encoding="utf-8") for path in sorted((ROOT / "src" / "base").glob("messages*.def")))
+    files = sorted((ROOT / "src" / "base").glob("messages*.def"))
+    messages = "".join(path.read_text(encoding="utf-8") for path in files)
     parts = LITERAL.replace("(", "(?:", 1)
     for name, literals in re.findall(r'LX_MESSAGE\((\w+),\s*"[^"]*",\s*((?:%s\s*)+)\)' % parts, messages):
         text = "".join(re.findall(LITERAL, literals)).replace('\\"', '"').replace("\\\\", "\\")

@@ -80,8 +80,8 @@ def check(luxel, witness, kinds):
                        'exact %.12g, found %.12g +- %.2g' % (exact, value, bound))
                 agreeing += abs(printed - exact) < AGREES
                 count += 1
-        tap.ok(agreeing >= (.85 if case.is_small else .05) * count, '%s, %s m: %d of %d printed numbers agree' % (case.test, case.title, agreeing,
-                                                                                     count))
+        tap.ok(agreeing >= (.85 if case.is_small else .05) * count,
+               '%s, %s m: %d of %d printed numbers agree' % (case.test, case.title, agreeing, count))
     tap.finish()
 
 

@@ -198,8 +198,8 @@ class Scene:
 
     def witness(self, program, panels=16):
         lines = self.lines + [self.source] + [words('place', place, normal) for place, normal in self.places]
-        done = subprocess.run([program, str(panels)], input='\n'.join(lines) + '\n', capture_output=True, encoding='utf-8',
-                              check=True, timeout=600)
+        done = subprocess.run([program, str(panels)], input='\n'.join(lines) + '\n', capture_output=True,
+                              encoding='utf-8', check=True, timeout=600)
         return [tuple(map(float, line.split())) for line in done.stdout.splitlines()]
 
     def luxel(self, program, folder, options=()):

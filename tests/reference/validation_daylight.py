@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
 """Daylight in docs/VALIDATION.md: printed numbers of CIE 171, tests 5.9 to 5.12, that are off, beside exact values.
 
-The exact values are those of the witness (sky_witness.c); cie_daylight.py prints all numbers in three columns, and holds
-luxel to the witness in a test.
+The exact values are those of the witness (sky_witness.c); cie_daylight.py prints all numbers in three columns, and
+holds luxel to the witness in a test.
 """
 from cie_daylight import CASES
 from validation_page import figures, off_exact, off_printed
@@ -29,12 +29,13 @@ def daylight(page):
         'glass 5.12). The glass is n = 1.526, 0.96 of the light is left at right angles. Percent of the horizontal '
         'illuminance under the open sky. `tests/reference/cie_daylight.py LUXEL WITNESS --print` prints all 1824 '
         'numbers in three columns: printed, exact and Luxel.',
-        'The printed numbers of small openings are right to their digits: of 1 m × 1 m in the roof all but row A to F of '
-        'sky 3, which stands in reverse order, and three that are off by 0.02; of 2 m × 1 m in the wall to 0.034, but '
-        'for place H of sky 15 behind glass. Those of large openings are not: beside an opening of 4 m × 4 m or '
-        '4 m × 3 m they are off by up to 2.1 and 1.2 points, in the uniform sky (5) as well, of which Lambert\'s formula '
-        'gives the exact value; place G of sky 13 in 5.9, 4 m × 4 m, has a wrong digit, and the floor of sky 14 in 5.11, '
-        '4 m × 3 m, is a copy of that of sky 15. Some of these numbers, and the worst:')
+        'The printed numbers of small openings are right to their digits: of 1 m × 1 m in the roof all but '
+        'row A to F of sky 3, which stands in reverse order, and three that are off by 0.02; of 2 m × 1 m '
+        'in the wall to 0.034, but for place H of sky 15 behind glass. Those of large openings are not: '
+        'beside an opening of 4 m × 4 m or 4 m × 3 m they are off by up to 2.1 and 1.2 points, in the '
+        'uniform sky (5) as well, of which Lambert\'s formula gives the exact value; place G of sky 13 in '
+        '5.9, 4 m × 4 m, has a wrong digit, and the floor of sky 14 in 5.11, 4 m × 3 m, is a copy of that '
+        'of sky 15. Some of these numbers, and the worst:')
     rows = []
     for number, kind, exact in ERRATA:
         case = CASES[number]

@@ -270,10 +270,9 @@ static bool lay_polygon(struct lx_dome_view *view, size_t count, const double pl
 static bool set_view(const lx_wide3 *corners, size_t count, lx_wide3 inwards, lx_bounded radiance,
                      const struct lx_sky *sky, const double place_mm[3], struct lx_dome_view *view)
 {
-    *view = (struct lx_dome_view){.emitter = {.type = LX_FACETS, .radiance = radiance, .attenuation = LX_INVERSE_SQUARE},
-                                  .facets = {.face_count = 1},
-                                  .face = {.normal = inwards}};
-    view->emitter.sky = sky;
+    *view = (struct lx_dome_view){.facets = {.face_count = 1}, .face = {.normal = inwards}};
+    view->emitter =
+        (struct lx_emitter){.type = LX_FACETS, .radiance = radiance, .attenuation = LX_INVERSE_SQUARE, .sky = sky};
     view->emitter.facets = &view->facets;
     view->facets.faces = &view->face;
     view->facets.corners_mm = view->corners_mm;
@@ -300,7 +299,7 @@ size_t lx_dome_see_through(const struct lx_dome *dome, const lx_wide3 rim[4], lx
     const lx_wide height = lx_wide3_dot(outwards, rim[0]);
     const lx_wide3 up = lx_wide3_of(dome->sky.up), down = lx_wide3_mul(up, lx_wide_of(-1));
     const lx_wide3 inwards = lx_wide3_mul(outwards, lx_wide_of(-1)), sun = lx_wide3_of(dome->sky.sun);
-    const bool is_even = dome->sky.kind == LX_SKY_UNIFORM;
+    const struct lx_sky *sky = dome->sky.kind == LX_SKY_UNIFORM ? NULL : &dome->sky;
     lx_wide3 above[LX_MOST_VIEW_CORNERS], below[LX_MOST_VIEW_CORNERS];
     size_t seen = 0;
     if (!(height.high > 0))
@@ -321,10 +320,10 @@ size_t lx_dome_see_through(const struct lx_dome *dome, const lx_wide3 rim[4], lx
     for (size_t i = 0; i < above_count && has_sun; i++) {
         const lx_wide far = lx_wide_div(lx_wide_of(away_mm), lx_wide3_dot(outwards, sun));
         const lx_wide3 triangle[LX_DOME_CORNERS] = {lx_wide3_mul(sun, far), above[i], above[(i + 1) % above_count]};
-        seen += set_view(triangle, LX_DOME_CORNERS, inwards, dome->zenith, &dome->sky, place_mm, &views[seen]);
+        seen += set_view(triangle, LX_DOME_CORNERS, inwards, dome->zenith, sky, place_mm, &views[seen]);
     }
     if (dome->zenith.value > 0 && !has_sun)
-        seen += set_view(above, above_count, inwards, dome->zenith, is_even ? NULL : &dome->sky, place_mm, &views[seen]);
+        seen += set_view(above, above_count, inwards, dome->zenith, sky, place_mm, &views[seen]);
     for (int k = 0; k < 3; k++)
         size += fabs(place_mm[k]);
     for (size_t i = 0; i < seen; i++)

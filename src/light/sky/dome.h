@@ -32,7 +32,7 @@ struct lx_dome {
     struct lx_kept kept; /* several emitters may use it */
     struct lx_sky sky;
     double up[3];
-    lx_bounded facing; /* the irradiance of a plane across `up` or, of the sun, its direction */
+    lx_bounded facing;         /* the irradiance of a plane across `up` or, of the sun, its direction */
     lx_bounded zenith, ground; /* of a sky, its radiance there, and that of the ground */
     struct lx_dome_patch patches[LX_MOST_DOME_PATCHES];
     size_t patch_count;

@@ -75,8 +75,8 @@ static struct lx_point_value value_at(struct lx_problem *problem, double tau)
     }
     if (problem->emitter->pane_count > 0) {
         const struct lx_emitter *emitter = problem->emitter;
-        weight *= lx_panes_pass(emitter->panes, emitter->pane_count, emitter->through, problem->place_mm, towards,
-                                true);
+        weight *=
+            lx_panes_pass(emitter->panes, emitter->pane_count, emitter->through, problem->place_mm, towards, true);
         error += LX_PANE_ROUNDING;
     }
     double opening = 1, opening_error = 0;
