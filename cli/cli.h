@@ -81,8 +81,8 @@ struct command {
 extern const struct command command_render, command_probe, command_grid, command_check, command_scene, command_set,
     command_schema, command_help, command_figure, command_report, command_stats, command_profile, command_compare,
     command_isophotes, command_explain, command_advise, command_variant, command_grade, command_photometry,
-    command_sweep, command_glare, command_derive, command_room, command_fit,
-    command_exchange, command_daylight, command_arrange;
+    command_sweep, command_glare, command_derive, command_room, command_fit, command_exchange, command_daylight,
+    command_arrange;
 
 enum { COMMAND_COUNT = 27 };
 

@@ -189,12 +189,13 @@ luxel_status lx_goals_set(const luxel_scene *scene, const luxel_arranging *arran
 static double reserve_of(const struct lx_goal *goal, const double *values)
 {
     double sum = 0, least = HUGE_VAL, greatest = 0;
-    size_t count = 0;
+    size_t count = 0, bright = 0;
     for (size_t i = 0; i < goal->count; i++) {
         const double value = values[goal->first + i];
         if (isnan(value)) /* a cell inside a body */
             continue;
         count++;
+        bright += value >= goal->above;
         sum += value;
         least = fmin(least, value);
         greatest = fmax(greatest, value);
@@ -207,6 +208,7 @@ static double reserve_of(const struct lx_goal *goal, const double *values)
     case LX_LIMIT_MINIMUM: return least / goal->wanted;
     case LX_LIMIT_MAXIMUM: return goal->wanted / greatest;
     case LX_LIMIT_UNIFORMITY: return least / average / goal->wanted;
+    case LX_LIMIT_SHARE: return 100 * (double)bright / (double)count / goal->wanted;
     case LX_LIMIT_RATIO: break;
     }
     return least / greatest * (goal->wanted > 1 ? goal->wanted : 1 / goal->wanted);

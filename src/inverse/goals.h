@@ -11,7 +11,7 @@
 struct lx_goal {
     size_t first, count; /* the grid's cells among those of all grids that have limits */
     enum lx_grid_limit which;
-    double wanted;
+    double wanted, above; /* above: of a share, what its cells are to have */
 };
 
 /*

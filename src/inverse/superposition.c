@@ -335,7 +335,8 @@ static luxel_status list_goals(struct lx_superposition *superposition)
             const double wanted = lx_grid_limit(&grid->limits, (enum lx_grid_limit)k, &name);
             if (!isnan(wanted))
                 superposition->goals[superposition->goal_count++] =
-                    (struct lx_goal){superposition->cells, count, (enum lx_grid_limit)k, wanted};
+                    (struct lx_goal){superposition->cells, count, (enum lx_grid_limit)k, wanted,
+                                     k == LX_LIMIT_SHARE ? grid->limits.share.above : 0};
         }
         superposition->cells += has_limits(grid) ? count : 0;
     }

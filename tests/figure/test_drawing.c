@@ -412,11 +412,10 @@ static void test_histogram(void **state)
     luxel_drawing_style style;
     luxel_drawing_style_init(&style, true);
     for (int i = 0; i < 2; i++) {
-        const luxel_histogram histogram = {
-            .scale = i ? LUXEL_HISTOGRAM_LOGARITHMIC : LUXEL_HISTOGRAM_LINEAR,
-            .bins = 4,
-            .edges = rising[i],
-            .counts = counts};
+        const luxel_histogram histogram = {.scale = i ? LUXEL_HISTOGRAM_LOGARITHMIC : LUXEL_HISTOGRAM_LINEAR,
+                                           .bins = 4,
+                                           .edges = rising[i],
+                                           .counts = counts};
         const luxel_color_bar colors = {
             .palette = "turbo", .low = rising[i][0], .high = rising[i][4], .logarithmic = i == 1};
         struct found bins[4];
@@ -462,8 +461,8 @@ static void test_refusals(void **state)
     assert_int_equal(luxel_color_bar_room(&style, &usual_bar, -1, false, &room), LUXEL_ERROR_ARGUMENT);
     assert_int_equal(luxel_color_bar_room(&style, &usual_bar, 10, false, NULL), LUXEL_ERROR_ARGUMENT);
     const luxel_color_bar bad_bars[] = {{.palette = "jet", .high = 1},   {.low = 1, .high = 1},
-                                  {.low = (double)NAN, .high = 1}, {.high = HUGE_VAL},
-                                  {.low = -1e308, .high = 1e308},  {.high = 1, .logarithmic = true}};
+                                        {.low = (double)NAN, .high = 1}, {.high = HUGE_VAL},
+                                        {.low = -1e308, .high = 1e308},  {.high = 1, .logarithmic = true}};
     for (size_t i = 0; i < sizeof bad_bars / sizeof bad_bars[0]; i++)
         assert_int_equal(luxel_draw_color_bar(cairo, &style, &bad_bars[i], 200, 100), LUXEL_ERROR_ARGUMENT);
     for (int i = 0; i < 3; i++) {
@@ -480,11 +479,10 @@ static void test_refusals(void **state)
     assert_int_equal(luxel_draw_profile(cairo, &style, &made.profile, &how, 200, 100), LUXEL_ERROR_ARGUMENT);
     const double *const edges[] = {flat, infinite, negative};
     for (int i = 0; i < 3; i++) {
-        const luxel_histogram histogram = {
-            .scale = i == 2 ? LUXEL_HISTOGRAM_LOGARITHMIC : LUXEL_HISTOGRAM_LINEAR,
-            .bins = 1,
-            .edges = edges[i],
-            .counts = counts};
+        const luxel_histogram histogram = {.scale = i == 2 ? LUXEL_HISTOGRAM_LOGARITHMIC : LUXEL_HISTOGRAM_LINEAR,
+                                           .bins = 1,
+                                           .edges = edges[i],
+                                           .counts = counts};
         assert_int_equal(luxel_draw_histogram(cairo, &style, &histogram, NULL, NULL, NULL, 200, 100),
                          LUXEL_ERROR_ARGUMENT);
     }

@@ -68,7 +68,7 @@ static void test_refusals(void **state)
     expect_error(luxel_probe_screen(scene, &settings, 0, 0, diagnostics, &probe), LUXEL_ERROR_ARGUMENT, diagnostics,
                  "setting-out-of-range");
     luxel_settings_init(&settings);
-    settings.reserved[2] = &settings;
+    settings.reserved[1] = &settings;
     expect_error(luxel_render(scene, &settings, diagnostics, &field), LUXEL_ERROR_ARGUMENT, diagnostics,
                  "reserved-not-null");
     luxel_settings_init(&settings);
