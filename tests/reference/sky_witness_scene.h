@@ -1,0 +1,212 @@
+/* SPDX-License-Identifier: MIT */
+/* What the witness of daylight (sky_witness.c) has in its scene: bodies, holes, sources, and what rays meet of them. */
+#ifndef LX_SKY_WITNESS_SCENE_H
+#define LX_SKY_WITNESS_SCENE_H
+
+#include <math.h>
+#include <stdbool.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { MOST = 4000, MOST_MARKS = 20000 };
+static const double PI = 3.14159265358979323846, HERE_MM = 1e-7;
+
+typedef struct {
+    double x, y, z;
+} vector;
+
+static vector add(vector a, vector b, double by)
+{
+    return (vector){a.x + by * b.x, a.y + by * b.y, a.z + by * b.z};
+}
+
+static double dot(vector a, vector b)
+{
+    return a.x * b.x + a.y * b.y + a.z * b.z;
+}
+
+static vector cross(vector a, vector b)
+{
+    return (vector){a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+
+static vector times(vector a, double by)
+{
+    return (vector){by * a.x, by * a.y, by * a.z};
+}
+
+static vector unit(vector a)
+{
+    return times(a, 1 / sqrt(dot(a, a)));
+}
+
+static void across(vector n, vector *a, vector *b)
+{
+    const vector other = fabs(n.x) < 0.6 ? (vector){1, 0, 0} : (vector){0, 1, 0};
+    *a = unit(cross(n, other));
+    *b = cross(n, *a);
+}
+
+/* ---- what there is ---- */
+
+enum kind { QUAD, TRI, DISK, BALL, TUBE, WALL, HOLE };
+
+/* C is a corner of a tri, U and V lead to the others. */
+struct body {
+    enum kind kind;
+    vector c, u, v;
+    double half, radius, index, left;
+};
+
+enum source_kind { SKY, OVERCAST, SUN, PLATE, GLOBE, POINT, DISTANT };
+
+struct source {
+    enum source_kind kind;
+    double a, b, c, d, e, off, scale, ground; /* of skies */
+    vector up, sun;
+    vector at, u, v;
+    double radius, value;
+};
+
+static struct body bodies[MOST];
+static int body_count;
+static struct source source;
+static vector place, normal;
+
+/* ---- rays ---- */
+
+/* How far a plane is, and where it is met as shares of U and V; 0: it is not. */
+static double meet_plane(vector c, vector u, vector v, vector way, double *s, double *t)
+{
+    const vector n = cross(u, v), from = add(c, place, -1);
+    const double change = dot(n, way), size = sqrt(dot(n, n));
+    if (fabs(change) < 1e-15 * size)
+        return 0;
+    const double away = dot(n, from) / change;
+    const vector at = add(times(way, away), from, -1);
+    *s = dot(cross(at, v), n) / (size * size);
+    *t = dot(cross(u, at), n) / (size * size);
+    return away;
+}
+
+/* What is left of light from a way, from no farther than `far` mm. */
+static double left_of(vector way, double far)
+{
+    double left = 1;
+    bool in_hole = false;
+    for (int i = body_count - 1; i >= 0 && left > 0; i--) {
+        const struct body *body = &bodies[i];
+        const vector from = add(place, body->c, -1);
+        double s = 0, t = 0, away = 0;
+        bool hides = false;
+        switch (body->kind) {
+        case QUAD:
+        case WALL:
+            away = meet_plane(body->c, body->u, body->v, way, &s, &t);
+            hides = away > HERE_MM && away < far && fabs(s) <= 1 && fabs(t) <= 1 && !in_hole;
+            in_hole = false;
+            break;
+        case HOLE:
+            away = meet_plane(body->c, body->u, body->v, way, &s, &t);
+            if (fabs(s) > 1 || fabs(t) > 1)
+                break;
+            in_hole = true;
+            if (away > HERE_MM && away < far && body->index > 0) {
+                const vector n = unit(cross(body->u, body->v));
+                const double theta = acos(fmin(fabs(dot(n, way)), 1)), sine = sin(theta) / body->index;
+                const double within = asin(sine), a = pow(body->left, 1 / cos(within));
+                double both = 0;
+                for (int k = 0; k < 2; k++) {
+                    double r = (body->index - 1) / (body->index + 1);
+                    if (theta > 1e-6)
+                        r = k ? tan(theta - within) / tan(theta + within) : sin(theta - within) / sin(theta + within);
+                    r *= r;
+                    both += (1 - r) * (1 - r) * a / (1 - r * r * a * a) / 2;
+                }
+                left *= both;
+            }
+            break;
+        case TRI:
+            away = meet_plane(body->c, body->u, body->v, way, &s, &t);
+            hides = away > HERE_MM && away < far && s >= 0 && t >= 0 && s + t <= 1;
+            break;
+        case DISK: {
+            away = meet_plane(body->c, body->u, body->v, way, &s, &t);
+            hides = away > HERE_MM && away < far && s * s + t * t <= 1;
+            break;
+        }
+        case BALL: {
+            const double b = dot(from, way);
+            double c = dot(from, from) - body->radius * body->radius;
+            if (fabs(c) < 1e-9 * body->radius * body->radius)
+                c = 0;
+            const double root = b * b - c;
+            if (root <= 0)
+                break;
+            const double first = -b - sqrt(root), second = -b + sqrt(root);
+            hides = (first > HERE_MM && first < far) || (second > HERE_MM && second < far);
+            break;
+        }
+        case TUBE: {
+            const vector axis = body->u;
+            const vector p = add(from, axis, -dot(from, axis)), w = add(way, axis, -dot(way, axis));
+            const double a = dot(w, w), b = dot(p, w);
+            double c = dot(p, p) - body->radius * body->radius;
+            if (fabs(c) < 1e-9 * body->radius * body->radius)
+                c = 0;
+            if (!(b * b > a * c) || a < 1e-30)
+                break;
+            for (int k = -1; k <= 1; k += 2) {
+                const double share = (-b + k * sqrt(b * b - a * c)) / a;
+                if (share > HERE_MM && share < far && fabs(dot(from, axis) + share * dot(way, axis)) <= body->half)
+                    hides = true;
+            }
+            break;
+        }
+        }
+        if (hides)
+            left = 0;
+    }
+    return left;
+}
+
+/* ---- sources ---- */
+
+static double luminance(vector way)
+{
+    const double cosine = dot(way, source.up);
+    if (cosine <= 0)
+        return source.ground;
+    if (source.kind == OVERCAST)
+        return source.scale * (1 + 2 * cosine) / 3;
+    const vector side = cross(way, source.sun);
+    const double chi = atan2(sqrt(dot(side, side)), dot(way, source.sun)), near = cos(chi);
+    const double round = 1 + source.c * (exp(source.d * chi) - source.off) + source.e * near * near;
+    return source.scale * (1 + source.a * exp(source.b / cosine)) * round;
+}
+
+/* The radiance that comes by a way. */
+static double radiance(vector way)
+{
+    double s, t, away;
+    switch (source.kind) {
+    case SKY:
+    case OVERCAST: return luminance(way) * left_of(way, INFINITY);
+    case SUN: return source.value * left_of(way, INFINITY);
+    case PLATE:
+        away = meet_plane(source.at, source.u, source.v, way, &s, &t);
+        if (!(away > HERE_MM) || fabs(s) > 1 || fabs(t) > 1 || dot(cross(source.u, source.v), way) > 0)
+            return 0;
+        return source.value * left_of(way, away);
+    default: {
+        const vector from = add(place, source.at, -1);
+        const double b = dot(from, way), root = b * b - dot(from, from) + source.radius * source.radius;
+        if (root <= 0 || -b - sqrt(root) <= 0)
+            return 0;
+        return source.value * left_of(way, -b - sqrt(root));
+    }
+    }
+}
+
+#endif
