@@ -11,7 +11,7 @@ import sys
 ALIASES = {
     "_Field": '_Field = TypeVar("_Field", bound="FieldHandle")',
     "_Settings": "_Settings = Tuple[int, int, int, Optional[str], float, float, float, int, bool, bool,\n"
-                 "                  Optional[bytes], Optional[Callable[[float], Any]]]",
+                 "                  Optional[bytes], float, Optional[Callable[[float], Any]]]",
 }
 TYPING = ("Any", "Callable", "List", "Optional", "Tuple", "Type", "TypeVar", "Union")
 TEXT = r'"(?:[^"\\]|\\.)*"'

@@ -99,6 +99,7 @@ def measured(values: Any, *, noise: Union[float, str] = 0.0, saturated: float = 
     if real("saturated", saturated) > 0:
         given = numpy.minimum(given, saturated)
     if real("quantum", quantum) > 0:
-        given = (numpy.floor if truncated else numpy.rint)(given / quantum) * quantum
+        levels = numpy.floor(given / quantum) if truncated else numpy.rint(given / quantum)
+        given = levels * quantum
     read: "Floats" = given
     return read

@@ -2,6 +2,7 @@
 """Values of a scene as a function of PyTorch, which is not needed for anything else."""
 from __future__ import annotations
 
+import importlib
 from typing import TYPE_CHECKING, Any, Callable, Iterable, Optional, Union
 
 from ._jacobian import columns_of, names_of, places_of
@@ -20,20 +21,20 @@ def torch_function(self: "Scene", keys: Union[str, Iterable[str]], points: Any =
     of a hard shadow, 0 counts, and where there is no value it is NaN.  ImportError: there is no torch.
     """
     import numpy
-    import torch  # type: ignore[import-not-found,unused-ignore]
+    torch: Any = importlib.import_module("torch")
 
     names, places = names_of(keys), places_of(self, points, elements, grid, False)
     columns = columns_of(self._handle, names)
     wanted = "irradiance" if grid is not None else quantity
 
-    class Values(torch.autograd.Function):  # type: ignore[misc,unused-ignore]
+    class Values(torch.autograd.Function):  # type: ignore[misc,no-any-unimported,unused-ignore]
         @staticmethod
         def forward(context: Any, numbers: Any) -> Any:
             array = numpy.asarray(numbers.detach().cpu().numpy(), dtype=numpy.float64)
             if array.shape != (len(columns),):
                 raise ValueError("a tensor of %d numbers is expected: %s" % (len(columns), ", ".join(columns)))
             scene = self.changed(dict(zip(columns, array.tolist())))
-            seen = {"points": places} if places.shape[1] == 2 else {"elements": places}
+            seen: Any = {"points": places} if places.shape[1] == 2 else {"elements": places}
             told = scene.jacobian(names, full=True, quantity=wanted, threads=threads, **seen)
             context.slopes = numpy.nan_to_num(told.derivatives, nan=0.0)
             return torch.as_tensor(told.values, dtype=numbers.dtype, device=numbers.device)

@@ -55,6 +55,8 @@ static const struct {
     {"lambert", LX_N("Lambert")},
     {"oren-nayar", LX_N("Oren–Nayar")},
     {"eon", LX_N("EON")},
+    {"cie", LX_N("CIE")},
+    {"perez", LX_N("Perez")},
     {"plain", LX_N("plain")},
     {"gated", LX_N("gated")},
     {"radiometric", LX_N("radiometric")},

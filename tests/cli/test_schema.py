@@ -221,10 +221,15 @@ def random_scenes(tap, tool):
                     "diameter": 1, "up": [0, 0, 1], "north": [0, 1, 0]},
                    {"type": "sun", "irradiance": 9, "altitude": 40, "azimuth": 200},
                    {"type": "sky", "kind": 12, "sun": {"altitude": 40, "azimuth": 200}, "zenith": 9, "ground": 0.2},
+                   {"type": "sky", "model": "perez", "direct": 500, "diffuse": 120, "extraterrestrial": 1361,
+                    "sun": {"altitude": 40, "azimuth": 200}},
                    {"type": "sky", "kind": 12, "horizontal": 9,
                     "sun": {"date": "2026-06-21T12:00Z", "latitude": 50, "longitude": 8}}],
-        "grids": [{"center": [0, 0, 0], "size": [900, 600], "spacing": "en12464", "measure": "spherical"}],
-        "surfaces": [{"type": "room", "center": [0, 0, 1000], "size": [2000, 2000, 2000], "up": "z", "openings": [
+        "grids": [{"center": [0, 0, 0], "size": [900, 600], "spacing": "en12464", "measure": "spherical"},
+                  {"surface": "hall", "side": "floor", "border": 100, "n": [3, 2],
+                   "limits": {"share": {"above": 3, "percent": 95}}}],
+        "observers": [{"eye": [0, 0, 900], "size": [300, 300], "n": [2, 2]}],
+        "surfaces": [{"type": "room", "name": "hall", "center": [0, 0, 1000], "size": [2000, 2000, 2000], "up": "z", "openings": [
                       {"wall": "left", "center": [0, 9], "size": [500, 400], "glass": {"n": 1.5, "transmittance": 1}}],
                       "materials": {
             name: wall for name in ("left", "right", "floor", "ceiling", "back", "front")}},

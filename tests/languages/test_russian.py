@@ -32,7 +32,7 @@ NAMES = set("""luxel YAML JSON Schema UTF png pfm npy exr csv PNG NPY PFM EXR CS
     too_few_digits error explanations submissions key fill rim k_d sky moon bulb spotlight round lamp lantern globe
     disk-lamp box-lamp ball-lamp tube lampshade tin sundial integrating-sphere room office pot all-sources min_reached
     polar cartesian cone LORL DFF TILT NONE INCLUDE IESNA MORE TEST TESTLAB ISSUEDATE MANUFAC Lampe AG LED
-    LDT ies ldt lamp
+    LDT ies ldt lamp TM BUG
     warm-and-cold warm cold sRGB rgb channels color grey Duv xy cct
     arrange average minimum ratio array
     repeated first_line missing_points submissions asked answered tsv relative accepted pixel""".split())
