@@ -22,8 +22,9 @@
 
 static volatile sig_atomic_t is_shown;
 
-/* When refining ends: at a time, or by Ctrl-C where it is not to end the tool at once. */
-static double end_s = HUGE_VAL;
+/* When refining ends, and that of the part that is being done: at a time, or by Ctrl-C where it is not to end the tool
+ * at once. */
+static double end_s = HUGE_VAL, part_end_s = HUGE_VAL;
 static volatile sig_atomic_t keeps_what_is_known, is_refining, is_wished;
 /* The greatest bound that was reached where it ended so; 0: it did not. */
 static double ended_with;
@@ -53,6 +54,7 @@ void progress_wait(double seconds, bool keeps)
     const double for_good_s = 1e9; /* an end that never comes, which asks for something to keep soon */
 
     end_s = seconds > 0.0 ? clock_seconds() + seconds : keeps ? clock_seconds() + for_good_s : HUGE_VAL;
+    part_end_s = end_s;
     keeps_what_is_known = keeps;
 }
 
@@ -60,7 +62,11 @@ double progress_share(size_t parts)
 {
     const double least_s = 1e-3;
 
-    return isfinite(end_s) ? fmax((end_s - clock_seconds()) / (double)parts, least_s) : 0.0;
+    if (!isfinite(end_s))
+        return 0.0;
+    const double now = clock_seconds(), share = fmax((end_s - now) / (double)parts, least_s);
+    part_end_s = now + share;
+    return share;
 }
 
 bool progress_tell_end(bool quiet)
@@ -160,7 +166,7 @@ bool progress_report(double done, void *data)
 bool progress_is_enough(double bound, void *data)
 {
     struct progress *progress = data;
-    const bool is_enough = is_wished || clock_seconds() >= end_s;
+    const bool is_enough = is_wished || clock_seconds() >= part_end_s;
 
     is_refining = 1;
     if (is_enough)

@@ -17,7 +17,7 @@ class LayoutLimit(NamedTuple):
     """A limit of a grid or an observer, and what a layout makes of it."""
 
     is_observer: bool  #: else a grid
-    index: int  #: of it in the scene's list
+    number: int  #: of it in the scene's list
     limit: Limit
 
 

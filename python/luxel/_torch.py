@@ -27,7 +27,7 @@ def torch_function(self: "Scene", keys: Union[str, Iterable[str]], points: Any =
     columns = columns_of(self._handle, names)
     wanted = "irradiance" if grid is not None else quantity
 
-    class Values(torch.autograd.Function):  # type: ignore[misc,no-any-unimported,unused-ignore]
+    class Values(torch.autograd.Function):  # type: ignore[misc]
         @staticmethod
         def forward(context: Any, numbers: Any) -> Any:
             array = numpy.asarray(numbers.detach().cpu().numpy(), dtype=numpy.float64)

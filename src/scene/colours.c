@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "../base/memory.h"
+#include "../surface/surface.h"
 #include "lit.h"
 #include "materials.h"
 #include "object.h"
@@ -239,6 +240,11 @@ bool lx_is_sum_of_lobes(const struct lx_scene_parameters *scene, luxel_quantity 
     while (lx_next_material(scene, &at))
         if (at.material->mirror || (lx_has_color(at.material) && LX_LAMBERT + at.material->diffuse_model == LX_EON))
             return false;
+    for (size_t i = 0; i < scene->surfaces.count; i++) {
+        const struct lx_surface_kind *kind = (const struct lx_surface_kind *)scene->surfaces.items[i].variant;
+        if (kind->is_mirror && kind->is_mirror(scene->surfaces.items[i].parameters))
+            return false;
+    }
     return true;
 }
 

@@ -291,6 +291,17 @@ def what_a_mirror_shows(tap, tool):
            (met, sight))
 
 
+def colours_in_a_mirror(tap, tool):
+    """What a mirror shows has the colours of what it shows, in pictures as in probes: here the back of the ball."""
+    tool.run("render", "mirror", "-o", "mirror.csv")
+    rows = [line.split(",") for line in tool.read("mirror.csv").decode().splitlines()[1:]]
+    for at in ("-273.75,176.25", "-251.25,176.25", "168.75,-153.75"):
+        point = tool.run("probe", "mirror", "-p", at, "--json").json()["points"][0]
+        shown = [[float(word) for word in row[2:5]] for row in rows if ",".join(row[:2]) == at]
+        tap.ok(len(shown) == 1 and all(abs(a - b) <= 1e-5 * max(point["rgb"]["value"])
+                                       for a, b in zip(shown[0], point["rgb"]["value"])), "at " + at, point["rgb"], shown)
+
+
 def pictures(tap, tool):
     name = room_with_mirror(tool)
     for threads in ("1", "3"):
@@ -394,5 +405,6 @@ def what_is_refused(tap, tool):
 
 if __name__ == "__main__":
     run_tests(Tap(), lamps_of_all_kinds, a_lamp_before_a_mirror, facing_mirrors, two_pairs, a_corner,
+              colours_in_a_mirror,
               what_stands_before_it, bodies_and_meshes, what_a_mirror_shows, pictures, pictures_tell_the_rest,
               sights_without_end, commands, what_is_refused)
