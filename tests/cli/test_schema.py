@@ -229,7 +229,8 @@ def random_scenes(tap, tool):
                   {"surface": "hall", "side": "floor", "border": 100, "n": [3, 2],
                    "limits": {"share": {"above": 3, "percent": 95}}}],
         "observers": [{"eye": [0, 0, 900], "size": [300, 300], "n": [2, 2]}],
-        "surfaces": [{"type": "room", "name": "hall", "center": [0, 0, 1000], "size": [2000, 2000, 2000], "up": "z", "openings": [
+        "surfaces": [{"type": "room", "name": "hall", "center": [0, 0, 1000], "size": [2000, 2000, 2000], "up": "z",
+                      "openings": [
                       {"wall": "left", "center": [0, 9], "size": [500, 400], "glass": {"n": 1.5, "transmittance": 1}}],
                       "materials": {
             name: wall for name in ("left", "right", "floor", "ceiling", "back", "front")}},

@@ -334,7 +334,7 @@ static double ask(double *error)
         return fmax(cosine, 0) * source.value / (away * away * 1e-6) * left_of(times(way, 1 / away), away);
     }
     if (source.kind == DISTANT)
-        return fmax(dot(source.sun, normal), 0) * source.value * left_of(source.sun, INFINITY);
+        return fmax(dot(source.sun, normal), 0) * source.value * left_of(source.sun, HUGE_VAL);
     pole = source.kind == SKY || source.kind == SUN ? source.sun : normal;
     across(pole, &first_side, &second_side);
     farthest = source.kind == SUN ? source.radius : PI;

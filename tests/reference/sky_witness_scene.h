@@ -192,8 +192,8 @@ static double radiance(vector way)
     double s, t, away;
     switch (source.kind) {
     case SKY:
-    case OVERCAST: return luminance(way) * left_of(way, INFINITY);
-    case SUN: return source.value * left_of(way, INFINITY);
+    case OVERCAST: return luminance(way) * left_of(way, HUGE_VAL);
+    case SUN: return source.value * left_of(way, HUGE_VAL);
     case PLATE:
         away = meet_plane(source.at, source.u, source.v, way, &s, &t);
         if (!(away > HERE_MM) || fabs(s) > 1 || fabs(t) > 1 || dot(cross(source.u, source.v), way) > 0)

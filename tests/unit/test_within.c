@@ -174,7 +174,7 @@ static void it_is_not_kept(void **state)
 static void wrong_times_are_refused(void **state)
 {
     (void)state;
-    const double wrong[] = {-1, NAN, HUGE_VAL};
+    const double wrong[] = {-1, nan(""), HUGE_VAL};
     luxel_scene *scene;
     assert_int_equal(load(text, NULL, &scene), LUXEL_OK);
     for (size_t i = 0; i < sizeof wrong / sizeof *wrong; i++) {
