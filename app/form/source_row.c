@@ -164,7 +164,7 @@ static void app_source_row_init(AppSourceRow *self)
     gtk_widget_add_css_class(self->solo, "small");
     gtk_widget_set_tooltip_text(
         self->gives, _("Φ: the flux of the source in all\nE: the irradiance or illuminance at the place where Why? "
-                       "is kept, or else where the centre of the first surface is seen; 0 also in shadow"));
+                       "is kept,\nor else where the centre of the first surface is seen; 0 also in shadow"));
 }
 
 GtkWidget *app_source_row_new(gsize light)
