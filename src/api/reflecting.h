@@ -47,7 +47,8 @@ static inline bool lx_reflected_serves(const struct lx_session *session, const s
 {
     const struct lx_radiosity *reflected = session->world.reflected;
     return reflected && (session->settings.share_reflected || lx_reflected_is_reached(reflected, request) ||
-                         lx_reflected_is_cut(reflected, request->within, request->is_enough));
+                         (lx_reflected_is_cut(reflected, request->within, request->is_enough) &&
+                          lx_reflected_is_for(reflected, request)));
 }
 
 /* The key of a solution for any places, and the one that was left in a slot and was made with such, for a plane or not,

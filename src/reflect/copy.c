@@ -71,6 +71,8 @@ struct lx_radiosity *lx_reflected_copy(const struct lx_radiosity *reflected)
     copied->near = copy_items(reflected->near, reflected->near_count, sizeof *copied->near, &failed);
     copied->near_capacity = copied->near_count;
     copied->faces = copy_items(reflected->faces, reflected->face_count, sizeof *copied->faces, &failed);
+    copied->left_out =
+        copy_items(reflected->left_out, reflected->left_out_count, sizeof *copied->left_out, &failed);
     copied->boxes.items =
         copy_items(reflected->boxes.items, reflected->boxes.count, sizeof *copied->boxes.items, &failed);
     copied->boxes.capacity = copied->boxes.count;

@@ -16,6 +16,9 @@ double lx_kernel_of_nodes(const struct lx_receiver *receiver, const struct lx_ti
 double lx_greatest_kernel(const struct lx_receiver *receiver, const struct lx_matte_face *face,
                           const struct lx_tile_cell *cell);
 
+/* Whether a receiver has a flat face, or some of it, before it and is before that. */
+bool lx_looks_at(const struct lx_receiver *receiver, const struct lx_matte_face *flat);
+
 /* The irradiance that the doubt of a window's direct light may be where the kernel is no greater than this and the
  * window takes so much of the view; what the last samples differ by is left out, and is in the other one. */
 double lx_doubt_at(const struct lx_doubt *doubt, double kernel, double view);

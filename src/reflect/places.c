@@ -7,6 +7,7 @@
 #include "../base/memory.h"
 #include "between.h"
 #include "close.h"
+#include "doubt.h"
 #include "links.h"
 #include "refine.h"
 #include "reflected.h"
@@ -49,6 +50,22 @@ static int weigh_place(const struct lx_radiosity *reflected, const struct lx_rec
     lx_links_clear(&links);
     lx_occluder_cones_clear(&cones);
     return failed ? -1 : 0;
+}
+
+bool lx_reflected_is_whole(const struct lx_radiosity *reflected, const struct lx_receiver *receiver)
+{
+    bool is_whole = true;
+    for (size_t f = 0; f < reflected->left_out_count && is_whole; f++)
+        is_whole = !lx_looks_at(receiver, &reflected->left_out[f]);
+    return is_whole;
+}
+
+bool lx_reflected_is_for(const struct lx_radiosity *reflected, const struct lx_reflected_request *request)
+{
+    bool is_for = reflected->left_out_count == 0 || request->place_count > 0;
+    for (size_t p = 0; p < request->place_count && is_for; p++)
+        is_for = lx_reflected_is_whole(reflected, &request->places[p].receiver);
+    return is_for;
 }
 
 double lx_places_error(const struct lx_radiosity *reflected, const struct lx_reflected_request *request, double most)

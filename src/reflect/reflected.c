@@ -60,6 +60,7 @@ static void free_solution(struct lx_kept *kept)
     lx_parts_clear(reflected);
     free(reflected->on);
     free(reflected->faces);
+    free(reflected->left_out);
     lx_closed_boxes_clear(&reflected->boxes);
     lx_beams_clear(&reflected->sampling.beams);
     lx_outlines_clear(&reflected->sampling.outlines);
@@ -282,6 +283,8 @@ lx_bounded lx_reflected_at(const struct lx_radiosity *reflected, const struct lx
 {
     const struct lx_light light = {reflected->sent, reflected->sent_slack};
     struct lx_links links = {0};
+    if (!lx_reflected_is_whole(reflected, receiver))
+        return (lx_bounded){0, HUGE_VAL};
     lx_links_find(reflected, prepared, &reflected->fine, receiver, cones, &links);
     const struct lx_arrival fine = lx_links_sum(reflected, &links, &light);
     links.count = 0;
@@ -308,7 +311,8 @@ double lx_reflected_error(const struct lx_radiosity *reflected, const struct lx_
 
 bool lx_reflected_is_reached(const struct lx_radiosity *reflected, const struct lx_reflected_request *request)
 {
-    return lx_reflected_error(reflected, request, request->error) <= request->error;
+    return lx_reflected_is_for(reflected, request) &&
+           lx_reflected_error(reflected, request, request->error) <= request->error;
 }
 
 /* Cuts the tiles that matter; false: none, or *failed. */
@@ -517,7 +521,7 @@ luxel_status lx_reflected_begin(const struct lx_reflected_request *request, stru
     reflected->key.on = reflected->on;
     if (reflected->on)
         memcpy(reflected->on, request->prepared->on, reflected->light_count * sizeof *reflected->on);
-    if (!reflected->on || lx_tiling_make(reflected))
+    if (!reflected->on || lx_tiling_make(reflected, request))
         return LUXEL_ERROR_MEMORY;
     reflected->most_tiles = MOST_TILES + MOST_PAIRS / (reflected->face_count + 1);
     set_fineness(reflected);

@@ -50,6 +50,10 @@ size_t lx_receivers_of(const struct lx_prepared *prepared, const struct lx_eleme
 double lx_reflected_error(const struct lx_radiosity *reflected, const struct lx_reflected_request *request,
                           double most);
 
+/* Whether a solution has all faces that reflect light to what a request asks: not where it was made for other places
+ * and left out what these do not see. */
+bool lx_reflected_is_for(const struct lx_radiosity *reflected, const struct lx_reflected_request *request);
+
 /* Whether the errors at places, which are in the request, are small enough. */
 bool lx_reflected_is_reached(const struct lx_radiosity *reflected, const struct lx_reflected_request *request);
 

@@ -41,6 +41,8 @@ struct lx_radiosity {
     double size_mm;   /* of the scene */
     struct lx_matte_face *faces;
     size_t face_count;
+    struct lx_matte_face *left_out; /* those that no other one sees, nor a place that was asked */
+    size_t left_out_count;
     bool has_round_faces; /* balls or tubes */
     struct lx_closed_boxes boxes;
     struct lx_tile *tiles; /* face by face */
@@ -76,13 +78,16 @@ luxel_status lx_reflected_begin(const struct lx_reflected_request *request, stru
 /* A copy of what a solution under way has found, for whoever asks at places; NULL: memory ran out. */
 struct lx_radiosity *lx_reflected_copy(const struct lx_radiosity *reflected);
 
-/* Faces and tiles of the scene at first, without light; 0, or -1 when memory ran out. */
-int lx_tiling_make(struct lx_radiosity *reflected);
+/* Faces and tiles of the scene at first, without light, as far as a request has to do with them; 0, or -1 when memory
+ * ran out. */
+int lx_tiling_make(struct lx_radiosity *reflected, const struct lx_reflected_request *request);
 /* Faces that have light or see another stay. */
 int lx_tiling_drop(struct lx_radiosity *reflected, const bool *is_lit);
 /* Whether one face may send light to the other. */
 bool lx_faces_meet(const struct lx_matte_face *a, const struct lx_matte_face *b);
 
+/* Whether none of the faces that were left out reflects light to a receiver. */
+bool lx_reflected_is_whole(const struct lx_radiosity *reflected, const struct lx_receiver *receiver);
 /* For places: the greatest bound of their errors, as requests ask for it; where one is above `most`, any such. */
 double lx_places_error(const struct lx_radiosity *reflected, const struct lx_reflected_request *request, double most);
 /* Which tiles are to be cut for them; 1: some, 0: none, -1: memory ran out. */

@@ -11,6 +11,7 @@
 #include "../surface/mesh_faces.h"
 #include "between.h"
 #include "box.h"
+#include "doubt.h"
 #include "group.h"
 #include "overlap.h"
 #include "solution.h"
@@ -290,7 +291,38 @@ bool lx_faces_meet(const struct lx_matte_face *a, const struct lx_matte_face *b)
     return !(b->is_flat && highest_over(b, a) <= least * (a->radius_mm + b->radius_mm));
 }
 
-int lx_tiling_make(struct lx_radiosity *reflected)
+/*
+ * Leaves out what nothing sees: a flat face that meets no other one, as the outside of a room, and has no place before
+ * it that is asked.  Nothing is reflected to it, and nobody receives its light.  Where no places are asked all stay:
+ * means are of all sides, and whoever has a picture may ask at any place later.
+ */
+static int leave_out(struct lx_radiosity *reflected, const struct lx_reflected_request *request)
+{
+    const size_t count = reflected->face_count;
+    if (request->place_count == 0)
+        return 0;
+    bool *stays = lx_new_array(count, sizeof *stays);
+    reflected->left_out = lx_new_array(count, sizeof *reflected->left_out);
+    int failed = stays && reflected->left_out ? 0 : -1;
+    for (size_t f = 0; f < count && !failed; f++) {
+        const struct lx_matte_face *face = &reflected->faces[f];
+        stays[f] = !face->is_flat;
+        for (size_t g = 0; g < count && !stays[f]; g++)
+            stays[f] = g != f && lx_faces_meet(face, &reflected->faces[g]);
+        for (size_t p = 0; p < request->place_count && !stays[f]; p++)
+            stays[f] = lx_looks_at(&request->places[p].receiver, face);
+        if (!stays[f])
+            reflected->left_out[reflected->left_out_count++] = *face;
+    }
+    if (!failed && reflected->left_out_count > 0) {
+        failed = lx_groups_drop(reflected, stays);
+        lx_overlap_find(reflected);
+    }
+    free(stays);
+    return failed;
+}
+
+int lx_tiling_make(struct lx_radiosity *reflected, const struct lx_reflected_request *request)
 {
     const size_t surfaces = reflected->prepared->surface_count;
     size_t most = surfaces * LX_MOST_SHEETS;
@@ -319,7 +351,7 @@ int lx_tiling_make(struct lx_radiosity *reflected)
     for (size_t f = 0; f < reflected->face_count; f++)
         if (cut_face(reflected, (uint32_t)f, sqrt(area)))
             return -1;
-    return lx_groups_number(reflected);
+    return lx_groups_number(reflected) || leave_out(reflected, request) ? -1 : 0;
 }
 
 /* Whether a face is of the inner side of a closed mesh. */

@@ -194,11 +194,14 @@ static struct lx_lighting light_by_extended(const struct lx_prepared *prepared, 
     return lighting;
 }
 
-/* The panes that its light may come through, where what stands in the way counts. */
+/* The panes that its light may come through, where what stands in the way counts; of a room that is left out, none. */
 static void set_panes(const struct lx_prepared *prepared, struct lx_emitter *emitter)
 {
+    bool counts = false;
+    for (size_t i = 0; i < prepared->pane_count && !counts && prepared->is_glazed; i++)
+        counts = prepared->panes[i].surface + 1 != prepared->left_out;
     emitter->panes = prepared->panes;
-    emitter->pane_count = prepared->is_glazed && prepared->shadows_extended ? prepared->pane_count : 0;
+    emitter->pane_count = counts && prepared->shadows_extended ? prepared->pane_count : 0;
 }
 
 /* Farther away than all that may stand in the way, as a power of two, for which directions stay what they are. */
@@ -240,6 +243,26 @@ static bool is_in_room(const struct lx_glass_pane *opening, const double place_m
             return false;
     }
     return true;
+}
+
+/* The room on the outside of which a place lies and looks away, so that nothing of its walls stands before it; SIZE_MAX:
+ * there is none. */
+static size_t find_room_behind(const struct lx_prepared *prepared, const double place_mm[3], const double normal[3])
+{
+    size_t room = SIZE_MAX;
+    for (size_t i = 0; i < prepared->pane_count && room == SIZE_MAX; i++) {
+        const struct lx_glass_pane *opening = &prepared->panes[i];
+        for (int k = 0; k < 3; k++) {
+            const double *axis = opening->room_axes[k], half = opening->room_half_mm[k];
+            double from[3];
+            for (int j = 0; j < 3; j++)
+                from[j] = place_mm[j] - opening->room_center_mm[j];
+            const double away = lx_dot(from, axis);
+            if (fabs(away) >= half * (1 - 1e-12) && copysign(1, away) * lx_dot(normal, axis) > 1 - 1e-12)
+                room = opening->surface;
+        }
+    }
+    return room;
 }
 
 /* Whether a place is in an opening, and looks outside as well. */
@@ -336,12 +359,14 @@ static struct lx_lighting light_by_dome(const struct lx_prepared *prepared, cons
     const size_t room = prepared->shadows_extended && !looks_below ? find_room(prepared, place, normal) : SIZE_MAX;
     if (room < SIZE_MAX && !lx_is_sun(dome))
         return light_through(&shared, element, dome, room, away_mm);
+    if (!looks_below)
+        shared.left_out = find_room_behind(prepared, place, normal) + 1;
     for (size_t i = 0; i < dome->patch_count; i++) {
         struct lx_dome_view view;
         lx_dome_see(dome, i, place, away_mm, &view);
         if (!looks_below && is_below(&view, place, normal))
             continue;
-        set_panes(prepared, &view.emitter);
+        set_panes(&shared, &view.emitter);
         const struct lx_lighting part = light_by_extended(&shared, element, &view.emitter, sum.irradiance.value);
         add_lighting(&sum, &part);
     }

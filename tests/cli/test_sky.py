@@ -295,6 +295,34 @@ def daylight(tap, tool):
     tap.equal(tool.run("daylight", "room.yaml", "--outdoor", "0").code, 2, "no outdoor light")
 
 
+def outside(tap, tool):
+    """A window before an even sky and ground is a panel, whatever the outside of the room has."""
+    room = ROOM.replace("{model: lambert}", "{model: lambert, diffuse: .5, over_pi: true}") % \
+        "{wall: ceiling, size: [2000, 1000]}"
+    sky = SCENE % (room, "{type: sky, kind: 5, zenith: 1000, ground: 1}") + "reflections: all\n"
+    panel = SCENE % (room, "{type: planar, rectangle: {center: [2000, 2000, 3000], size: [2000, 1000], "
+                     "axis: [0, 0, -1]}, radiance: 1000}") + "reflections: all\n"
+    told = []
+    for number, scene in enumerate((sky, panel)):
+        tool.write("like.yaml", scene)
+        result = tool.run("probe", "like.yaml", "--quantity", "irradiance", "--reflected-error", ".1", "--json",
+                          "--at", "2000,2000,850,0,0,1", "--at", "10,1000,1200,1,0,0", timeout=200)
+        told.append([(point["value"], point["error"]) for point in result.json()["points"]])
+    for by_sky, by_panel in zip(*told):
+        tap.ok(abs(by_sky[0] - by_panel[0]) <= by_sky[1] + by_panel[1], "the panel", (by_sky, by_panel))
+        tap.ok(by_sky[1] <= 2 * by_panel[1], "as exact as that", (by_sky, by_panel))
+    # the outside of the room reflects to whoever stands before it, asked for alone or not
+    tool.write("like.yaml", sky)
+    before = "2000,-500,1000,0,1,0"
+    seen = []
+    for others in ((), ("--at", "2000,2000,850,0,0,1")):
+        point = tool.run("probe", "like.yaml", "--quantity", "irradiance", "--reflected-error", ".1", "--json",
+                         "--at", before, *others, timeout=200).json()["points"][0]
+        seen.append((point["value"], point["error"]))
+        tap.ok(point["reflected"]["value"] > 100, "the outside reflects", point)
+    tap.ok(abs(seen[0][0] - seen[1][0]) <= seen[0][1] + seen[1][1], "alone or not", seen)
+
+
 PEREZ, SUN = "{type: sky, model: perez, extraterrestrial: 1367, %s", "sun: {altitude: 40, azimuth: 120}}"
 
 
@@ -365,4 +393,4 @@ def pictures(tap, tool):
 
 
 if __name__ == "__main__":
-    run_tests(Tap(), open_skies, suns, roofs, obstacles, windows, at_windows, weather, daylight, wrong, pictures)
+    run_tests(Tap(), open_skies, suns, roofs, obstacles, windows, at_windows, weather, daylight, outside, wrong, pictures)
