@@ -178,7 +178,8 @@ bool lx_figure_is_slow(const struct lx_figure *figure)
         const struct lx_item *light = &figure->scene->lights.items[i];
         const struct lx_light_common *common = light->common;
         const struct lx_table *table = light->variant->table;
-        bool extended = strcmp(light->variant->name, "planar") == 0 || strcmp(light->variant->name, "volume") == 0 ||
+        const char *name = light->variant->name;
+        bool extended = strcmp(name, "planar") == 0 || strcmp(name, "volume") == 0 || strcmp(name, "sky") == 0 ||
                         (lx_find_parameter(table, "opening") && lx_is_given(table, light->parameters, "opening"));
         if (common->enabled && extended)
             return true;
