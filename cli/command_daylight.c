@@ -15,6 +15,7 @@
 #include "outputs.h"
 #include "places.h"
 #include "standard_output.h"
+#include "sun.h"
 #include "text.h"
 #include "work.h"
 
@@ -284,27 +285,16 @@ static void write_table(struct csv *csv, const void *data)
 
 /* ---- the command ---- */
 
-static int find(const struct options *options, const struct loaded *loaded)
+static int find_factors(const struct options *options, const struct loaded *loaded, const struct places *places)
 {
-    struct places places = {.list = NULL};
     struct work work;
     luxel_daylight *found = NULL;
-    int code = EXIT_DONE;
 
-    if (options->place_count > 0)
-        code = places_collect(options, loaded->scene, loaded->diagnostics, &places);
-    if (code == EXIT_DONE && options->place_count == 0 && luxel_scene_grid_count(loaded->scene) == 0) {
-        message_error(_("%s has no measuring grids"), loaded->name);
-        message_hint(_("give it some by its key grids, or name elements with --at X,Y,Z,NX,NY,NZ or --points FILE"));
-        code = EXIT_USAGE;
-    }
-    if (code == EXIT_DONE) {
-        work_begin(&work, options);
-        const luxel_status status = luxel_find_daylight(loaded->scene, &work.settings, places.list, places.count,
-                                                        options->outdoor, loaded->diagnostics, &found);
+    work_begin(&work, options);
+    const luxel_status status = luxel_find_daylight(loaded->scene, &work.settings, places->list, places->count,
+                                                    options->outdoor, loaded->diagnostics, &found);
+    int code = work_end(&work, status, loaded->diagnostics);
 
-        code = work_end(&work, status, loaded->diagnostics);
-    }
     if (code == EXIT_DONE) {
         code = csv_write(options, write_table, found);
         if (options->json)
@@ -317,14 +307,35 @@ static int find(const struct options *options, const struct loaded *loaded)
         }
     }
     luxel_daylight_free(found);
+    return code;
+}
+
+static int find(const struct options *options, const struct loaded *loaded)
+{
+    struct places places = {.list = NULL};
+    int code = EXIT_DONE;
+
+    if (options->sun.patches)
+        return sun_print_patches(options, loaded);
+    if (options->place_count > 0)
+        code = places_collect(options, loaded->scene, loaded->diagnostics, &places);
+    if (code == EXIT_DONE && options->place_count == 0 && luxel_scene_grid_count(loaded->scene) == 0) {
+        message_error(_("%s has no measuring grids"), loaded->name);
+        message_hint(_("give it some by its key grids, or name elements with --at X,Y,Z,NX,NY,NZ or --points FILE"));
+        code = EXIT_USAGE;
+    }
+    if (code == EXIT_DONE)
+        code = options->sun.day ? sun_print_hours(options, loaded, &places) : find_factors(options, loaded, &places);
     places_clear(&places);
     return code;
 }
 
 static int run(const struct options *options)
 {
-    const int code = outputs_check(options, outputs_check_csv);
+    int code = sun_check_options(options);
 
+    if (code == EXIT_DONE)
+        code = outputs_check(options, outputs_check_csv);
     return code == EXIT_DONE ? load_and(options, find) : code;
 }
 
@@ -334,17 +345,24 @@ const struct command command_daylight = {
     .operand = N_("SCENE"),
     .endings = ".csv",
     .default_format = "csv",
-    .summary = N_("daylight factors of measuring grids and elements"),
+    .summary = N_("daylight factors, hours of sun and patches of sun"),
     .description = N_(
         "Prints what share of the light that a horizontal plane has under the open sky reaches the cells of the "
         "scene's measuring grids, and free elements, in percent with bounds: the daylight factor, of which parts come "
         "from the sky, from the ground, and from surfaces that reflect (the scene's key reflections). The sun and "
         "lamps do not count. For each grid it prints the mean, the median, the share of its cells from which no sky is "
         "seen and, by EN 17037, of those that reach 100, 300, 500 and 750 lx. -o writes a table of all cells and "
-        "elements."),
+        "elements. With --sun-hours it prints instead when, on a day, the sun's middle shines on the front of each of "
+        "them, past all surfaces and through openings with glass or none, how long together, and what of EN 17037 that "
+        "keeps: 1.5 h of sun, medium 3 h, high 4 h. With --sun-patches it prints on which parts of rectangles, boxes "
+        "and rooms the scene's sun shines, by whose openings, as polygons with their areas, less the shadows of all "
+        "that "
+        "is flat; what else may take some of a patch is named."),
     .examples = "luxel daylight room.yaml\n"
                 "luxel daylight room.yaml --outdoor 13900 --json\n"
                 "luxel daylight room.yaml -o factors.csv\n"
-                "luxel daylight room.yaml --at 0,0,850,0,0,1",
+                "luxel daylight room.yaml --at 0,0,850,0,0,1\n"
+                "luxel daylight room.yaml --sun-hours 2026-03-21+01:00 --location 52.5,13.4 --at 1990,0,1200,1,0,0\n"
+                "luxel daylight room.yaml --sun-patches --json",
     .run = run,
 };

@@ -13,10 +13,12 @@ const struct command command_figure = {
                       "values, axes in mm, labelled isophotes, the outlines of the surfaces, the points and the true "
                       "maximum, and below it, if wanted, the plots of two sections.  "
                       "With --grid it draws a measuring plane instead: its irradiance in false colour with isolux "
-                      "lines, the values at its points and where lights stand before it."),
+                      "lines, the values at its points and where lights stand before it; with --daylight its "
+                      "daylight factors in percent instead."),
     .examples = "luxel figure -o figure.pdf\n"
                 "luxel figure my.yaml -o figure.svg --palette cividis --levels 5 --section=maximum\n"
                 "luxel figure office --grid floor -o floor.pdf\n"
+                "luxel figure room.yaml --grid desk --daylight -o factors.svg\n"
                 "luxel figure my.yaml -o slide.png --dark --width 300 --title 'Two lamps'",
     .run = drawing_figure,
 };

@@ -90,9 +90,10 @@ static const struct entry entries[] = {
         "luxel "
         "photometry prints the table of ratings that catalogues quote."),
      "luxel glare office --eye 0,1200,5300,0,0,-1|luxel help glare|luxel help photometry"},
-    {"daylight|daylight factor|sky|skylight|sunlight|кео|естественное освещение|коэффициент естественной освещённости",
+    {"daylight|daylight factor|sky|skylight|sunlight|sun hours|hours of sun|exposure to sunlight|sun patch|"
+     "кео|естественное освещение|коэффициент естественной освещённости|инсоляция|солнечные часы",
      N_("Daylight comes from lights of the types sky and sun, through the openings of rooms. luxel daylight gives "
-        "daylight factors."),
+        "daylight factors, with --sun-hours the hours of sun on a day, with --sun-patches what the sun shines on."),
      "luxel help sky|luxel help sun|luxel help openings|luxel help daylight"},
     {"en12464|en 12464|en 12464-1|en12464-1|workplane|work plane|working plane|task area|measuring grid|"
      "calculation grid|рабочая плоскость|расчётная плоскость|расчётная сетка",

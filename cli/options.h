@@ -51,7 +51,7 @@ struct option_analysis {
 struct option_drawing {
     const char *palette, *label, *title, *author, *group, *date, *section, *grid;
     const char *institution, *faculty, *course, *teacher, *place, *aim;
-    bool palettes, contours, bands, lines, plain, no_extrema, no_points, stacked, dark;
+    bool palettes, contours, bands, lines, plain, no_extrema, no_points, stacked, dark, daylight;
     double width_mm, dots_per_inch; /* 0: the default */
     unsigned digits;                /* of the values of a report; 0: the default */
     size_t purpose;                 /* of luxel report, a luxel_report_purpose */
@@ -66,6 +66,13 @@ struct option_fit {
     double noise, relative_noise, saturated;
     luxel_loss loss;
     bool is_relative;
+};
+
+/* Options of luxel daylight about the sun. */
+struct option_sun {
+    const char *day; /* NULL: no hours are asked for */
+    bool patches, has_location;
+    double location[2], least_altitude_deg;
 };
 
 /* Options of luxel arrange. */
@@ -121,6 +128,7 @@ struct options {
     unsigned bits;                     /* of a .png's grey levels; 0: none were given */
     uint64_t given[OPTIONS_MOST / 64]; /* one bit for each row of the table */
     struct option_arrange arrange;
+    struct option_sun sun;
 };
 
 /* What an option's argument may be, for those who complete it. */

@@ -15,6 +15,7 @@
 #include "photometry_room.h"
 #include "readings.h"
 #include "room_options.h"
+#include "sun.h"
 #include "sweep_options.h"
 #include "text.h"
 
@@ -87,13 +88,6 @@ static bool take_up(struct options *options, const char *argument)
 {
     return argument_numbers("--up", "X,Y,Z", argument, options->up, 3) &&
            is_direction(argument, options->up, _("--up %s: the direction must not be zero"));
-}
-
-static bool take_outdoor(struct options *options, const char *argument)
-{
-    if (argument_number("--outdoor", argument, &options->outdoor) && !(options->outdoor > 0.0))
-        message_error(_("--outdoor must be above 0, not \"%s\""), argument);
-    return options->outdoor > 0.0;
 }
 
 static bool take_material(struct options *options, const char *argument)
@@ -303,12 +297,6 @@ static bool take_students(struct options *options, const char *argument)
     return true;
 }
 
-static bool take_format(struct options *options, const char *argument)
-{
-    options->format_word = argument;
-    return true;
-}
-
 bool options_take_document_format(struct options *options)
 {
     return argument_word("--format", options->format_word, option_formats, &options->format);
@@ -391,8 +379,16 @@ static const struct option_row rows[] = {
      .help = N_("take this point of the screen, in mm, instead of the scene's own points; may be repeated")},
     {"at", 0, N_("X,Y,Z,NX,NY,NZ"), ELEMENTS, TAKES(take_element),
      .help = N_("probe a free surface element: its position in mm and its normal; may be repeated")},
-    {"outdoor", 0, N_("LX"), COMMAND_DAYLIGHT, TAKES(take_outdoor),
+    {"outdoor", 0, N_("LX"), COMMAND_DAYLIGHT, TAKES(sun_take_outdoor),
      .help = N_("lx under the open sky for EN 17037, 13900 in Berlin; the default is what the scene's sky gives")},
+    {"sun-hours", 0, N_("DATE"), COMMAND_DAYLIGHT, KEEPS(sun.day),
+     .help = N_("find the hours of sun on a day instead, such as 2026-03-21 by UTC or 2026-03-21+01:00")},
+    {"sun-patches", 0, NULL, COMMAND_DAYLIGHT, SETS(sun.patches),
+     .help = N_("find the patches of sun on rectangles, boxes and rooms instead, by the scene's own sun")},
+    {"location", 0, N_("LATITUDE,LONGITUDE"), COMMAND_DAYLIGHT, TAKES(sun_take_location),
+     .help = N_("of the hours of sun, in degrees to north and east; else that of the scene's sun or sky")},
+    {"least-altitude", 0, N_("DEGREES"), COMMAND_DAYLIGHT, TAKES(sun_take_least_altitude),
+     .help = N_("of the hours of sun: lower the sun does not count; the default is 0, the horizon")},
     {"free", 0, N_("KEY"), COMMAND_DERIVE | COMMAND_FIT, TAKES(take_free),
      .help = N_("a key of the scene to derive by, or to find, such as lights[0].position; may be repeated")},
     {"picture", 0, N_("FILE"), COMMAND_FIT, KEEPS(fit.picture), .value = VALUE_FILE,
@@ -496,6 +492,8 @@ static const struct option_row rows[] = {
     {"grid", 0, N_("NAME"), COMMAND_FIGURE, KEEPS(drawing.grid), .value = VALUE_GRIDS,
      .help = N_("draw the plane of a measuring grid, by its name or number, from 1 on: its irradiance with the values "
                 "at its points, where lights stand before it, average, minimum, maximum and U0")},
+    {"daylight", 0, NULL, COMMAND_FIGURE, SETS(drawing.daylight),
+     .help = N_("of a measuring grid: its daylight factors in percent instead of the irradiance")},
     {"section", 0, N_("PLACE"), COMMAND_FIGURE, TAKES(take_section), .value = VALUE_OPTIONAL, .words = section_words,
      .help = N_("plot the horizontal and the vertical section below, through the center (the default), the maximum or "
                 "a point: --section=X,Y")},
@@ -535,7 +533,7 @@ static const struct option_row rows[] = {
      .help = N_("the town, at the foot of the title page")},
     {"aim", 0, N_("TEXT"), COMMAND_REPORT, KEEPS(drawing.aim),
      .help = N_("the aim of the work, instead of one made from what is computed")},
-    {"format", 0, N_("NAME"), WRITING & ~COMMAND_SET, TAKES(take_format), WORDS(format_words),
+    {"format", 0, N_("NAME"), WRITING & ~COMMAND_SET, KEEPS(format_word), WORDS(format_words),
      .help = N_("the format of -o -, standard output: an extension without its dot, such as png; luxel explain prints "
                 "as text (default), markdown, latex or html")},
     {"csv", 0, N_("VARIANT"), TABLES, TAKES(take_csv), .value = VALUE_OPTIONAL, .words = csv_words,

@@ -130,6 +130,7 @@ static bool take_settings(const struct options *options, const luxel_language *l
     figure->points = !drawing->no_points;
     figure->stacked = drawing->stacked;
     figure->dark = drawing->dark;
+    figure->daylight = drawing->daylight;
     figure->view = (luxel_color_view)analysis->view;
     if (analysis->wanted_levels > 0)
         figure->levels = analysis->wanted_levels;
@@ -222,6 +223,11 @@ int drawing_figure(const struct options *options)
     if (options->output_count == 0) {
         message_error(_("luxel figure needs a file to write to"));
         message_hint(_("add -o FILE.png, -o FILE.svg or -o FILE.pdf"));
+        return EXIT_USAGE;
+    }
+    if (options->drawing.daylight && !options->drawing.grid) {
+        message_error(_("--daylight is of a measuring grid"));
+        message_hint(_("name one by --grid NAME"));
         return EXIT_USAGE;
     }
     if (options->drawing.grid && !suits_grid(options))

@@ -68,7 +68,8 @@ typedef struct luxel_figure_settings {
     const luxel_language *language; /* NULL: English */
     size_t grid;           /* 0: the picture; else the plane of the scene's grid of this number, from 1 on; see below */
     luxel_color_view view; /* of a picture in colour; luminance.  Others have no sections, and lines of pixels alone */
-    void *reserved[3];     /* for later versions: NULL */
+    size_t daylight;       /* not 0: the figure of a grid shows daylight factors in percent (daylight.h); 0 */
+    void *reserved[2];     /* for later versions: NULL */
 } luxel_figure_settings;
 
 /* Sets every member to its default, given above. */

@@ -70,6 +70,7 @@
 #include <luxel/statistics.h>
 #include <luxel/status.h>
 #include <luxel/study.h>
+#include <luxel/sunlight.h>
 #include <luxel/table.h>
 #include <luxel/text.h>
 #include <luxel/utilization.h>

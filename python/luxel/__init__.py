@@ -15,7 +15,7 @@ thread computes with it goes on there as it was.
 from ._arrange import Arrangement, Layout, LayoutLimit
 from ._balance import Amount, Balance, LitSide
 from ._camera import Camera, measured
-from ._daylight import Daylight, DaylightFactor, DaylightGrid
+from ._daylight import Daylight, DaylightFactor, DaylightGrid, SunGrid, SunHours, SunPatch, Sunlight
 from ._document import Document
 from ._errors import (Diagnostic, LuxelError, LuxelFileError, LuxelKeyError, LuxelMemoryError, LuxelNotFoundError,
                       LuxelValueError, LuxelWarning)
@@ -47,6 +47,7 @@ __all__ = [
     "Light", "Limit", "LitSide", "LuxelError", "LuxelFileError", "LuxelKeyError", "LuxelMemoryError",
     "LuxelNotFoundError", "LuxelValueError", "LuxelWarning", "Mesh", "Observer", "Opening", "Peak", "Photometry",
     "PhotometryFigures", "Probe", "Probes", "Profile", "Room", "RoomArray", "STATES", "Scene", "Share", "Statistics",
-    "Study", "Summary", "UgrReflectances", "UgrRoom", "UgrTable", "builtin_scenes", "compare", "instruction_sets",
-    "measured", "palettes", "read", "room", "schema", "set_language", "variant", "__version__",
+    "Study", "Summary", "SunGrid", "SunHours", "SunPatch", "Sunlight", "UgrReflectances", "UgrRoom",
+    "UgrTable", "builtin_scenes", "compare", "instruction_sets", "measured", "palettes", "read",
+    "room", "schema", "set_language", "variant", "__version__",
 ]

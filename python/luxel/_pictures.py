@@ -93,7 +93,8 @@ class Figure(Drawing):
 def look(palette: Optional[str], low: Optional[float], high: Optional[float], logarithmic: bool, bands: str,
          levels: Union[int, Sequence[float]], extrema: bool, points: bool,
          section: Union[None, str, Tuple[float, float]], stacked: bool, title: Optional[str], label: Optional[str],
-         width_mm: float, dots_per_inch: float, dark: bool, small_print: bool, grid: int) -> Tuple[Any, ...]:
+         width_mm: float, dots_per_inch: float, dark: bool, small_print: bool, grid: int,
+         daylight: bool) -> Tuple[Any, ...]:
     """What a figure shows, as luxel._figure takes it."""
     nan = float("nan")
     place = (0.0, 0.0)
@@ -104,4 +105,4 @@ def look(palette: Optional[str], low: Optional[float], high: Optional[float], lo
     wanted, chosen = (levels, None) if isinstance(levels, int) else (8, [float(level) for level in levels])
     return (palette, nan if low is None else low, nan if high is None else high, logarithmic,
             choice("bands", bands, BANDS), wanted, chosen, extrema, points, kind, place, stacked, title, label,
-            width_mm, dots_per_inch, dark, small_print, grid)
+            width_mm, dots_per_inch, dark, small_print, grid, daylight)

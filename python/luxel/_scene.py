@@ -539,20 +539,20 @@ class Scene(Rated, _exchange.Exchanging, _daylight.Daylit):
             raise ValueError("grid: %r: 0 to %d (%s)" % (grid, len(names) - 1, ", ".join(names)))
         return grid
 
-    def figure(self, *, grid: Union[None, str, int] = None, palette: Optional[str] = None, low: Optional[float] = None,
-               high: Optional[float] = None, logarithmic: bool = False, bands: str = "contours",
-               levels: Union[int, Sequence[float]] = 8, extrema: bool = True, points: bool = True,
-               section: Union[None, str, Pair] = None, stacked: bool = False, title: Optional[str] = None,
-               label: Optional[str] = None, width_mm: float = 160.0, dots_per_inch: float = 200.0,
-               dark: bool = False, small_print: bool = True, quantity: Optional[str] = None,
-               precision: Optional[str] = None, threads: int = 0, lights: Optional[Lights] = None,
-               progress: Optional[Progress] = None) -> Figure:
+    def figure(self, *, grid: Union[None, str, int] = None, daylight: bool = False, palette: Optional[str] = None,
+               low: Optional[float] = None, high: Optional[float] = None, logarithmic: bool = False,
+               bands: str = "contours", levels: Union[int, Sequence[float]] = 8, extrema: bool = True,
+               points: bool = True, section: Union[None, str, Pair] = None, stacked: bool = False,
+               title: Optional[str] = None, label: Optional[str] = None, width_mm: float = 160.0,
+               dots_per_inch: float = 200.0, dark: bool = False, small_print: bool = True,
+               quantity: Optional[str] = None, precision: Optional[str] = None, threads: int = 0,
+               lights: Optional[Lights] = None, progress: Optional[Progress] = None) -> Figure:
         """A figure in false colour with a bar, axes in mm, isophotes and marks, drawn when it is shown or saved.
 
         `bands`: "smooth", "bands", "contours" or "lines".  `section`: None, "center", "maximum" or a point.
         `grid`: the plane of a measuring grid instead of the picture, by its name or index, from 0 on
         as of `grids` and `grid()`: its irradiance with the values of its points, the lights over it, average, minimum,
-        maximum and U0; it has no sections.
+        maximum and U0, or with `daylight` its daylight factors in percent; it has no sections.
         ImportError when it is drawn where Luxel was built without figures.
         """
         number = 0 if grid is None else 1 + self._grid_index(grid)  # as `luxel figure --grid` counts
@@ -562,7 +562,8 @@ class Scene(Rated, _exchange.Exchanging, _daylight.Daylit):
             raise ValueError("quantity: %r: a measuring grid has the irradiance" % quantity)
         how = settings(self._carried, quantity, precision, threads, progress=progress, lights=self._group(lights))
         return Figure(self.copy(), how, look(palette, low, high, logarithmic, bands, levels, extrema, points, section,
-                                             stacked, title, label, width_mm, dots_per_inch, dark, small_print, number))
+                                             stacked, title, label, width_mm, dots_per_inch, dark, small_print, number,
+                                             daylight))
 
     def report(self, path: Path, *, title: Optional[str] = None, author: Optional[str] = None,
                group: Optional[str] = None, date: Optional[str] = None, palette: Optional[str] = None,

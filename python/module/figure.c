@@ -54,16 +54,16 @@ static bool levels_of(PyObject *list, double levels[MOST_LEVELS], luxel_figure_s
 
 static bool figure_of(PyObject *tuple, double levels[MOST_LEVELS], luxel_figure_settings *figure)
 {
-    int logarithmic, bands, extrema, points, section, stacked, dark, small_print;
+    int logarithmic, bands, extrema, points, section, stacked, dark, small_print, shows_daylight;
     Py_ssize_t wanted, grid;
     PyObject *list;
 
     luxel_figure_settings_init(figure);
     if (!is_tuple(tuple) ||
-        !PyArg_ParseTuple(tuple, "zddpinOppi(dd)pzzddppn", &figure->palette, &figure->low, &figure->high, &logarithmic,
+        !PyArg_ParseTuple(tuple, "zddpinOppi(dd)pzzddppnp", &figure->palette, &figure->low, &figure->high, &logarithmic,
                           &bands, &wanted, &list, &extrema, &points, &section, &figure->section_mm[0],
                           &figure->section_mm[1], &stacked, &figure->title, &figure->label, &figure->width_mm,
-                          &figure->dots_per_inch, &dark, &small_print, &grid))
+                          &figure->dots_per_inch, &dark, &small_print, &grid, &shows_daylight))
         return false;
     figure->logarithmic = logarithmic != 0;
     figure->bands = (luxel_figure_bands)bands;
@@ -75,6 +75,7 @@ static bool figure_of(PyObject *tuple, double levels[MOST_LEVELS], luxel_figure_
     figure->dark = dark != 0;
     figure->small_print = small_print != 0;
     figure->grid = (size_t)grid;
+    figure->daylight = shows_daylight != 0;
     return levels_of(list, levels, figure);
 }
 

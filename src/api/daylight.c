@@ -19,6 +19,7 @@
 #include "../light/sky/dome.h"
 #include "../scene/object.h"
 #include "../scene/scene.h"
+#include "daylight.h"
 #include "refuse.h"
 
 static const double levels[LUXEL_DAYLIGHT_LEVELS] = {100, 300, 500, 750};
@@ -81,6 +82,55 @@ static luxel_status find_skies(const struct lx_scene_parameters *scene, struct a
     lx_report(asked->diagnostics, LUXEL_SEVERITY_ERROR, NULL, LX_MSG_NO_SKY, NULL);
     lx_hint(asked->diagnostics, LX_MSG_HINT_NO_SKY, NULL);
     return LUXEL_ERROR_SCENE;
+}
+
+/* Multiplies all that tells how strong a sky is. */
+static luxel_status strengthen(luxel_scene *scene, size_t light, double factor, luxel_diagnostics *diagnostics)
+{
+    static const char *const keys[] = {"zenith", "horizontal", "diffuse", "direct", "extraterrestrial"};
+    const struct lx_item *sky = &scene->parameters.lights.items[light];
+    const struct lx_table *table = sky->variant->table;
+    char changes[LX_COUNT(keys)][96];
+    size_t count = 0;
+    luxel_status status = LUXEL_OK;
+    for (size_t i = 0; i < LX_COUNT(keys); i++) {
+        const struct lx_parameter *key = lx_find_parameter(table, keys[i]);
+        const double *value = (const double *)((const char *)sky->parameters + key->offset);
+        if (lx_is_given(table, sky->parameters, keys[i]) ||
+            (i + 1 == LX_COUNT(keys) && lx_is_given(table, sky->parameters, "diffuse")))
+            snprintf(changes[count++], sizeof changes[0], "lights[%zu].%s=%.17g", light, keys[i], factor * *value);
+    }
+    for (size_t i = 0; i < count && status == LUXEL_OK; i++)
+        status = luxel_scene_set(scene, changes[i], diagnostics);
+    return status;
+}
+
+luxel_status lx_daylit_scene(const luxel_scene *scene, luxel_diagnostics *diagnostics, luxel_scene **daylit)
+{
+    struct asked asked = {.diagnostics = diagnostics};
+    luxel_status status = find_skies(&scene->parameters, &asked);
+    luxel_scene *made = status == LUXEL_OK ? luxel_scene_copy(scene) : NULL;
+    status = status == LUXEL_OK && !made ? LUXEL_ERROR_MEMORY : status;
+    for (size_t i = 0, sky = 0; i < scene->parameters.lights.count && status == LUXEL_OK; i++) {
+        char off[64];
+        snprintf(off, sizeof off, "lights[%zu].enabled=false", i);
+        if (sky < asked.sky_count && asked.skies[sky] == i) {
+            status = strengthen(made, i, 100 / asked.horizontal.value, diagnostics);
+            sky++;
+        } else {
+            status = luxel_scene_set(made, off, diagnostics);
+        }
+    }
+    if (status == LUXEL_OK)
+        status = luxel_scene_commit(made, diagnostics);
+    free(asked.skies);
+    if (status == LUXEL_ERROR_MEMORY)
+        lx_out_of_memory(diagnostics);
+    if (status == LUXEL_OK)
+        *daylit = made;
+    else
+        luxel_scene_free(made);
+    return status;
 }
 
 /* A copy with changes, which the caller frees. */

@@ -6,6 +6,7 @@
 
 #include <luxel/colour.h>
 
+#include "../api/daylight.h"
 #include "../base/diagnostics.h"
 #include "../base/memory.h"
 #include "../base/phrase.h"
@@ -64,6 +65,7 @@ void lx_figure_free(struct lx_figure *figure)
     luxel_isophotes_free(figure->isophotes);
     luxel_field_free(figure->view);
     lx_rendered_clear(&figure->own);
+    luxel_scene_free(figure->daylit);
     luxel_scene_free(figure->copy);
     free(figure);
 }
@@ -90,6 +92,8 @@ static luxel_status check_settings(const luxel_figure_settings *settings, luxel_
         return lx_setting_out_of_range(diagnostics, "width_mm", settings->width_mm, LX_N("40 to 1000 mm"));
     if (!(settings->dots_per_inch >= 30 && settings->dots_per_inch <= 2400))
         return lx_setting_out_of_range(diagnostics, "dots_per_inch", settings->dots_per_inch, LX_N("30 to 2400"));
+    if (settings->daylight && settings->grid == 0)
+        return lx_setting_out_of_range(diagnostics, "grid", 0, LX_N("the number of a grid, for daylight factors"));
     if (settings->levels < 1 || settings->levels > 50)
         return lx_setting_out_of_range(diagnostics, "levels", (double)settings->levels, LX_N("1 to 50"));
     if (settings->level_list_count > LX_MOST_LEVELS)
@@ -174,7 +178,8 @@ bool lx_figure_is_slow(const struct lx_figure *figure)
         const struct lx_item *light = &figure->scene->lights.items[i];
         const struct lx_light_common *common = light->common;
         const struct lx_table *table = light->variant->table;
-        bool extended = strcmp(light->variant->name, "planar") == 0 || strcmp(light->variant->name, "volume") == 0 ||
+        const char *name = light->variant->name;
+        bool extended = strcmp(name, "planar") == 0 || strcmp(name, "volume") == 0 || strcmp(name, "sky") == 0 ||
                         (lx_find_parameter(table, "opening") && lx_is_given(table, light->parameters, "opening"));
         if (common->enabled && extended)
             return true;
@@ -319,7 +324,13 @@ luxel_status lx_figure_make(const luxel_scene *scene, const luxel_settings *sett
         return status;
     made->scene = lx_scene_parameters(made->copy);
     status = check_view(made, diagnostics);
-    if (status != LUXEL_OK)
-        return status;
-    return compute(made, settings, rendered, diagnostics);
+    if (status != LUXEL_OK || !made->settings.daylight)
+        return status == LUXEL_OK ? compute(made, settings, rendered, diagnostics) : status;
+    luxel_settings skies;
+    luxel_settings_init(&skies);
+    skies = settings ? *settings : skies;
+    skies.lights = NULL; /* the group is that of the copy already */
+    skies.light_count = 0;
+    status = lx_daylit_scene(made->copy, diagnostics, &made->daylit);
+    return status == LUXEL_OK ? compute(made, &skies, rendered, diagnostics) : status;
 }

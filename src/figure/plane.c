@@ -19,6 +19,12 @@ enum { FINE_CELLS = 40000, FINE_CELLS_COSTLY = 2500 };
 /* Eyes tell no more of a colour. */
 static const double FINE_TOLERANCE = 1e-4;
 
+/* The scene whose plane is measured. */
+static const luxel_scene *measured(const struct lx_figure *figure)
+{
+    return figure->daylit ? figure->daylit : figure->copy;
+}
+
 void lx_plane_free(struct lx_figure_plane *plane)
 {
     if (!plane)
@@ -73,14 +79,14 @@ static void add_lamp(struct lx_figure_plane *plane, size_t light, const double p
 static int find_lamps(struct lx_figure *figure)
 {
     struct lx_figure_plane *plane = figure->plane;
-    const struct lx_list *lights = &lx_scene_parameters(figure->copy)->lights;
+    const struct lx_list *lights = &lx_scene_parameters(measured(figure))->lights;
     size_t most = 1;
     for (size_t i = 0; i < lights->count; i++)
         most += lx_light_places(&lights->items[i]);
     plane->lamps = lx_new_array(most, sizeof *plane->lamps);
     for (size_t i = 0; plane->lamps && i < lights->count; i++) {
         double(*places_mm)[3] =
-            luxel_scene_light_enabled(figure->copy, i) ? lx_light_find_places(&lights->items[i]) : NULL;
+            luxel_scene_light_enabled(measured(figure), i) ? lx_light_find_places(&lights->items[i]) : NULL;
         for (size_t k = 0; places_mm && k < lx_light_places(&lights->items[i]); k++)
             add_lamp(plane, i, places_mm[k]);
         free(places_mm);
@@ -108,7 +114,7 @@ static luxel_status make_field(struct lx_figure *figure, const luxel_settings *s
     for (int i = 0; i < 2; i++)
         fine_n[i] = (unsigned)fmin(n[i] * (double)parts_of(grid->size_mm[i] / n[i], wanted_mm), 65536);
     fine.tolerance = fmax(fine.tolerance, FINE_TOLERANCE);
-    return luxel_find_grid_field(figure->copy, &fine, figure->settings.grid - 1, fine_n[0], fine_n[1], diagnostics,
+    return luxel_find_grid_field(measured(figure), &fine, figure->settings.grid - 1, fine_n[0], fine_n[1], diagnostics,
                                  &figure->own.field);
 }
 
@@ -139,7 +145,7 @@ static luxel_status find_maximum(struct lx_figure *figure, const luxel_settings 
     luxel_peak *maximum = &figure->extrema.maximum;
     double away[3];
     const luxel_status status =
-        luxel_find_grid_extrema(figure->copy, settings, figure->settings.grid - 1, diagnostics, &plane->extrema);
+        luxel_find_grid_extrema(measured(figure), settings, figure->settings.grid - 1, diagnostics, &plane->extrema);
     for (int k = 0; k < 3; k++)
         away[k] = grid->maximum.position_mm[k] - grid->center_mm[k];
     *maximum = (luxel_peak){.exists = grid->measured > 0,
@@ -160,8 +166,8 @@ luxel_status lx_figure_plane(struct lx_figure *figure, const luxel_settings *set
     figure->plane = lx_new_array(1, sizeof *figure->plane);
     if (!figure->plane)
         return lx_out_of_memory(diagnostics);
-    luxel_status status =
-        luxel_find_grid_values(figure->copy, settings, figure->settings.grid - 1, diagnostics, &figure->plane->grid);
+    luxel_status status = luxel_find_grid_values(measured(figure), settings, figure->settings.grid - 1, diagnostics,
+                                                 &figure->plane->grid);
     if (status != LUXEL_OK)
         return status;
     for (int side = 0; side < 2; side++)

@@ -190,6 +190,8 @@ static char *make_label(const struct lx_figure *figure)
     struct lx_text text = {0};
     if (figure->settings.label)
         return show(figure->settings.label);
+    if (figure->daylit)
+        return show(lx_figure_word(figure, LX_N("daylight factor in %")));
     lx_text_puts(&text, lx_figure_word(figure, luxel_field_quantity_word(figure->field)));
     lx_text_puts(&text, ", ");
     lx_text_puts(&text, lx_figure_word(figure, luxel_field_unit(figure->field)));
@@ -222,7 +224,7 @@ static char *make_caption(const struct lx_figure *figure)
 {
     const luxel_grid *grid = figure->plane->grid;
     const luxel_grid_extrema *extrema = &figure->plane->extrema;
-    const char *unit = lx_figure_word(figure, grid->unit);
+    const char *unit = figure->daylit ? "%" : lx_figure_word(figure, grid->unit);
     char average[LX_TICK_TEXT], minimum[LX_TICK_TEXT], maximum[LX_TICK_TEXT], evenness[LX_NUMBER_SIZE];
     struct lx_text phrase = {0};
     if (grid->measured == 0)

@@ -204,8 +204,7 @@ static void set_panes(const struct lx_prepared *prepared, struct lx_emitter *emi
     emitter->pane_count = counts && prepared->shadows_extended ? prepared->pane_count : 0;
 }
 
-/* Farther away than all that may stand in the way, as a power of two, for which directions stay what they are. */
-static double beyond(const struct lx_prepared *prepared, const double place_mm[3])
+double lx_beyond_all(const struct lx_prepared *prepared, const double place_mm[3])
 {
     static const double TIMES = 1024;
     double reach = fmax(prepared->reach_mm, 1);
@@ -353,7 +352,7 @@ static struct lx_lighting light_by_dome(const struct lx_prepared *prepared, cons
     double place[3], normal[3];
     lx_values3(element->place_mm, place);
     lx_values3(element->normal, normal);
-    const double away_mm = beyond(prepared, place);
+    const double away_mm = lx_beyond_all(prepared, place);
     struct lx_prepared shared = *prepared;
     shared.tolerance /= SHARES;
     const size_t room = prepared->shadows_extended && !looks_below ? find_room(prepared, place, normal) : SIZE_MAX;

@@ -25,6 +25,10 @@ struct lx_element lx_element_on(const struct lx_prepared *prepared, size_t surfa
 /* Whether those coordinates are the direction, of any length but 0, of the normal: so with spheres alone. */
 bool lx_is_by_normal(const struct lx_prepared *prepared, size_t surface);
 
+/* Farther from a place than all that may stand in its way, in mm: a power of two, for which directions stay what they
+ * are. */
+double lx_beyond_all(const struct lx_prepared *prepared, const double place_mm[3]);
+
 struct lx_lighting {
     bool on_element; /* the emitter lies on the element: there is no value */
     lx_bounded irradiance, diffuse, specular;

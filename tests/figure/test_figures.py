@@ -200,6 +200,37 @@ def planes(tap, tool):
     tap.ok(tool.read("1.pdf") == tool.read("3.pdf"), "the same bytes for any number of threads")
 
 
+DAYLIT = """luxel: 1
+units: photometric
+screen: {width: 400, height: 400, resolution: [8, 8]}
+observer: {z: 9000}
+surfaces:
+  - {type: room, up: z, center: [0, 0, 0], size: [4000, 4000, 3000], material: {model: lambert},
+     openings: [{wall: left, size: [2000, 1000]}]}
+lights: [{type: sky, %s, ground: .3}, {type: point, name: lamp, position: [0, 0, 1000], intensity: 500}]
+grids: [{name: desk, center: [0, 0, -700], size: [3000, 3000], n: [3, 2]}]
+"""
+
+
+def daylight(tap, tool):
+    """The figure of daylight factors has the numbers of luxel daylight, whatever the sky is said by; lamps are off."""
+    for sky in ("kind: 16, horizontal: 8000", "kind: 5, zenith: 700",
+                "model: perez, direct: 3e4, diffuse: 2e4, extraterrestrial: 127500, sun: {altitude: 40, azimuth: 90}"):
+        tool.write("room.yaml", DAYLIT % sky)
+        told = tool.run("daylight", "room.yaml", "--json").json()["grids"][0]
+        result = tool.run("figure", "room.yaml", "--grid", "desk", "--daylight", "-o", "d.pdf")
+        tap.equal((result.code, result.out, result.err), (0, "", ""), "figure --daylight, " + sky)
+        words = " ".join(text_of(tool, "d.pdf").split())
+        values = [value for row in told["values"] for value in row]
+        for part in ("daylight factor in %", "average %.3g %%" % told["mean"], "minimum %.3g %%" % min(values),
+                     "maximum %.3g %%" % max(values)):
+            tap.ok(part in words, "says " + part, words)
+    for arguments, code, part in ((("figure", "room.yaml", "--daylight", "-o", "x.png"), 2, "--grid"),
+                                  (("figure", "office", "--grid", "floor", "--daylight", "-o", "x.png"), 3, "no sky")):
+        result = tool.run(*arguments)
+        tap.ok(result.code == code and part in result.err, "refused: " + " ".join(arguments), result)
+
+
 SHADOW = """luxel: 1
 units: photometric
 screen: {width: 3000, height: 3000, resolution: [300, 300]}
@@ -294,4 +325,4 @@ def reports(tap, tool):
 
 # reports on all scenes take as long as all else together
 run_tests(Tap(), *([reports] if "reports" in sys.argv[2:] else [
-    every_scene, numbers, thinned, titles, repeated, shapes, palettes, planes, edges, refused]))
+    every_scene, numbers, thinned, titles, repeated, shapes, palettes, planes, daylight, edges, refused]))

@@ -240,10 +240,25 @@ static void note_turn(vector way)
         turns[turn_count++] = atan2(dot(way, second_side), dot(way, first_side));
 }
 
+/* A corner, and where the edge to the next one crosses the horizons of the source and of the place: there the half
+ * circles have a kink across which no rule of a smooth function is to be taken. */
+static void note_edge(vector a, vector b)
+{
+    const vector from = add(a, place, -1), to = add(b, place, -1), planes[2] = {source.up, normal};
+    note_turn(from);
+    for (int i = 0; i < 2; i++) {
+        const double low = dot(planes[i], from), high = dot(planes[i], to);
+        if ((low > 0) != (high > 0))
+            note_turn(add(times(from, high / (high - low)), to, -low / (high - low)));
+    }
+}
+
 static void note_corners(vector c, vector u, vector v)
 {
+    const vector corners[4] = {add(add(c, u, 1), v, 1), add(add(c, u, -1), v, 1), add(add(c, u, -1), v, -1),
+                               add(add(c, u, 1), v, -1)};
     for (int i = 0; i < 4; i++)
-        note_turn(add(add(add(c, u, i % 2 ? 1 : -1), v, i < 2 ? 1 : -1), place, -1));
+        note_edge(corners[i], corners[(i + 1) % 4]);
 }
 
 /* Those of the rim of a disk, and where a ball begins and ends. */
@@ -276,9 +291,9 @@ static double all_around(double *error)
     for (int i = 0; i < body_count; i++) {
         const struct body *body = &bodies[i];
         if (body->kind == TRI) {
-            note_turn(add(body->c, place, -1));
-            note_turn(add(add(body->c, body->u, 1), place, -1));
-            note_turn(add(add(body->c, body->v, 1), place, -1));
+            note_edge(body->c, add(body->c, body->u, 1));
+            note_edge(add(body->c, body->u, 1), add(body->c, body->v, 1));
+            note_edge(add(body->c, body->v, 1), body->c);
         } else if (body->kind == BALL) {
             note_ball(body->c, body->radius);
         } else if (body->kind == DISK) {

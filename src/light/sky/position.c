@@ -63,13 +63,32 @@ static bool read_zone(const char **text, int *minutes)
     return true;
 }
 
-bool lx_read_date(const char *text, double *julian)
+/* The year, month and day at the start of a text, which moves behind them, as the midnight of UTC. */
+static bool read_day(const char **text, struct lx_day *read)
 {
-    int year, month, day, hour, minute, second = 0, zone;
-    if (!read_digits(&text, 4, &year) || !skip(&text, '-') || !read_digits(&text, 2, &month) || !skip(&text, '-') ||
-        !read_digits(&text, 2, &day))
+    int year, month, day;
+    if (!read_digits(text, 4, &year) || !skip(text, '-') || !read_digits(text, 2, &month) || !skip(text, '-') ||
+        !read_digits(text, 2, &day))
         return false;
     if (year < 1900 || year > 2100 || month < 1 || month > 12 || day < 1 || day > days_of(year, month))
+        return false;
+    *read = (struct lx_day){.midnight = 2451545 + day_number(year, month, day), .month = month, .day = day};
+    return true;
+}
+
+bool lx_read_day(const char *text, struct lx_day *day)
+{
+    if (!read_day(&text, day) || !read_zone(&text, &day->zone_minutes) || *text != 0)
+        return false;
+    day->midnight -= day->zone_minutes / 1440.0;
+    return true;
+}
+
+bool lx_read_date(const char *text, double *julian)
+{
+    struct lx_day day;
+    int hour, minute, second = 0, zone;
+    if (!read_day(&text, &day))
         return false;
     if (!(skip(&text, 'T') || skip(&text, ' ')) || !read_digits(&text, 2, &hour) || !skip(&text, ':') ||
         !read_digits(&text, 2, &minute) || hour > 23 || minute > 59)
@@ -78,7 +97,7 @@ bool lx_read_date(const char *text, double *julian)
         return false;
     if (!read_zone(&text, &zone) || *text != 0)
         return false;
-    *julian = 2451545 + day_number(year, month, day) + (hour * 3600 + (minute - zone) * 60 + second) / 86400.0;
+    *julian = day.midnight + (hour * 3600 + (minute - zone) * 60 + second) / 86400.0;
     return true;
 }
 

@@ -15,6 +15,14 @@
  * 2100. */
 bool lx_read_date(const char *text, double *julian);
 
+/* A day, "year-month-day", and the offset of its clock in minutes, as above: the Julian date of UTC at its midnight,
+ * and the month and day by number.  False: it is none. */
+struct lx_day {
+    double midnight;
+    int month, day, zone_minutes;
+};
+bool lx_read_day(const char *text, struct lx_day *day);
+
 /* The altitude and the azimuth, from north towards east, in degrees; the longitude counts eastwards. */
 void lx_sun_position(double julian, double latitude_deg, double longitude_deg, double *altitude_deg,
                      double *azimuth_deg);

@@ -47,6 +47,71 @@ void lx_way_to_sun(const struct lx_ground_ways *ways, bool is_north_given, doubl
     lx_normalize(towards);
 }
 
+struct lx_sun_site lx_sun_site_plain(void)
+{
+    return (struct lx_sun_site){.ways = {.up = {0, 0, 1}, .north = {0, 1, 0}}};
+}
+
+/* The key of this name in parameters by a table, which has it. */
+static const void *find_member(const struct lx_table *table, const void *parameters, const char *name)
+{
+    return (const char *)parameters + lx_find_parameter(table, name)->offset;
+}
+
+bool lx_sun_site_of(const struct lx_item *light, struct lx_sun_site *site)
+{
+    const struct lx_table *table = light->variant->table, *stands = table;
+    const void *parameters = light->parameters, *group = parameters;
+    const bool is_sky = strcmp(light->variant->name, "sky") == 0;
+    double altitude, azimuth;
+    if (!is_sky && strcmp(light->variant->name, "sun") != 0)
+        return false;
+    *site = lx_sun_site_plain();
+    memcpy(site->ways.up, find_member(table, parameters, "up"), sizeof site->ways.up);
+    memcpy(site->ways.north, find_member(table, parameters, "north"), sizeof site->ways.north);
+    site->is_north_given = lx_is_given(table, parameters, "north");
+    if (is_sky && !lx_is_given(table, parameters, "sun"))
+        return true;
+    if (is_sky) {
+        stands = lx_find_parameter(table, "sun")->group;
+        group = find_member(table, parameters, "sun");
+    }
+    /* all keys of a stand lie together, the altitude first (LX_SUN_STAND_PARAMETERS) */
+    const struct lx_sun_stand *stand = find_member(stands, group, "altitude");
+    site->has_place = lx_is_given(stands, group, "date");
+    site->latitude_deg = stand->latitude_deg;
+    site->longitude_deg = stand->longitude_deg;
+    site->has_sun = lx_sun_stands(stands, group, stand, &altitude, &azimuth);
+    if (site->has_sun)
+        lx_way_to_sun(&site->ways, site->is_north_given, altitude, azimuth, site->towards);
+    return true;
+}
+
+double lx_sun_site_look(const struct lx_sun_site *site, double julian, double towards[3])
+{
+    double altitude, azimuth;
+    lx_sun_position(julian, site->latitude_deg, site->longitude_deg, &altitude, &azimuth);
+    lx_way_to_sun(&site->ways, site->is_north_given, altitude, azimuth, towards);
+    return altitude;
+}
+
+void lx_sun_as_direction(const double towards[3], struct lx_emitter *emitter)
+{
+    *emitter = (struct lx_emitter){.type = LX_DIRECTION, .strength = 1, .towards = lx_exact3(towards)};
+}
+
+void lx_sky_disk(const double towards[3], double half_rad, const double place_mm[3], double away_mm,
+                 struct lx_emitter *emitter)
+{
+    *emitter = (struct lx_emitter){.type = LX_DISK,
+                                   .radiance = lx_exact(1),
+                                   .attenuation = LX_INVERSE_SQUARE,
+                                   .radius_mm = away_mm * tan(half_rad),
+                                   .axis = lx_negate3(lx_exact3(towards))};
+    for (int k = 0; k < 3; k++)
+        emitter->center_mm[k] = place_mm[k] + away_mm * towards[k];
+}
+
 void lx_check_sun_stand(const struct lx_check *check, const struct lx_sun_stand *stand)
 {
     double altitude, azimuth;

@@ -8,6 +8,7 @@
 
 #include "../../parameter/check.h"
 #include "../light.h"
+#include "site.h"
 
 struct lx_sun_stand {
     double altitude_deg, azimuth_deg;
@@ -64,11 +65,6 @@ struct lx_sun_stand {
     {                                                                                                                  \
         LX_RULE_NEEDED, "date", "longitude", NULL                                                                      \
     }
-
-/* The ways of the scene that are up and north, of any length. */
-struct lx_ground_ways {
-    double up[3], north[3];
-};
 
 #define LX_GROUND_WAYS_PARAMETERS(type_, member_)                                                                      \
     {                                                                                                                  \
