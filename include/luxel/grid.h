@@ -155,9 +155,10 @@ LUXEL_API luxel_status luxel_find_grid_extrema(const luxel_scene *scene, const l
 /*
  * Measures the plane of the scene's i-th grid at the centres of other cells, so many columns and rows, as a field: the
  * irradiance in float64, row 0 the top one, its places in mm from the plane's middle, x along up x axis and y along up.
- * An odd multiple of the grid's own cells has their centres among its own.  The field is the caller's, as
- * luxel_render() has it, but knows no scene.
- * Errors as luxel_find_grid(); LUXEL_ERROR_ARGUMENT: columns or rows are not 1 to 65536, too.
+ * An odd multiple of the grid's own cells has their centres among its own.  Columns and rows of 0 are such multiples,
+ * so many that figures and lines of equal value show no corners, measured no more exactly than these need.  The field
+ * is the caller's, as luxel_render() has it, but knows no scene.
+ * Errors as luxel_find_grid(); LUXEL_ERROR_ARGUMENT: columns or rows are not 1 to 65536, or both 0, too.
  */
 LUXEL_API luxel_status luxel_find_grid_field(const luxel_scene *scene, const luxel_settings *settings, size_t i,
                                              unsigned columns, unsigned rows, luxel_diagnostics *diagnostics,

@@ -17,6 +17,10 @@ struct lx_measured {
 const struct lx_grid *lx_asked_grid(const luxel_scene *scene, size_t i, const void *answer, const char *name,
                                     luxel_diagnostics *diagnostics);
 
+/* Whether some light is no point, so that an exact value takes an integral, of which thousands take too long for a
+ * figure. */
+bool lx_has_extended_lights(const struct lx_scene_parameters *scene);
+
 /*
  * luxel_find_grid(), or with `n` the values alone of that plane's cells if there were n[0] columns and n[1] rows:
  * without flux, mean and sampling error.

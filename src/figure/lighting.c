@@ -46,7 +46,8 @@ static luxel_status measure_grids(struct lx_design_report *lighting)
     luxel_status status = LUXEL_OK;
     lighting->grids = lx_new_array(count + 1, sizeof *lighting->grids);
     lighting->of_grids = lx_new_array(count + 1, sizeof *lighting->of_grids);
-    if (!lighting->grids || !lighting->of_grids)
+    lighting->lines = lx_new_array(count + 1, sizeof *lighting->lines);
+    if (!lighting->grids || !lighting->of_grids || !lighting->lines)
         return lx_out_of_memory(report->diagnostics);
     for (size_t i = 0; i < count && status == LUXEL_OK; i++) {
         status = luxel_find_grid_values(report->scene, report->settings, i, report->diagnostics, &lighting->grids[i]);
@@ -95,6 +96,7 @@ static void clear(struct lx_design_report *lighting)
         luxel_glare_free(lighting->glares[i]);
     free(lighting->grids);
     free(lighting->of_grids);
+    free(lighting->lines);
     free(lighting->glares);
     free(lighting->of_observers);
 }
@@ -189,6 +191,7 @@ static void add_summary(const struct lx_design_report *lighting)
             document, LX_N("Of {0} limits {1} are not kept, or not for certain."),
             LX_SPANS(LX_PLAIN(lx_write_number((double)count, all)), LX_PLAIN(lx_write_number((double)missed, some))));
     lx_document_table(document, "lllrl");
+    lx_document_name_table(document, "limits", 0);
     lx_document_row(document,
                     LX_SPANS(LX_TERM_SPAN(LX_N("grid or observer")), LX_TERM_SPAN(LX_N("what")),
                              LX_TERM_SPAN(LX_N("limit")), LX_TERM_SPAN(LX_N("value")), LX_TERM_SPAN(LX_N("verdict"))),
@@ -245,8 +248,9 @@ static luxel_status add_values(const struct lx_report *report, const luxel_grid 
     return LUXEL_OK;
 }
 
-static luxel_status add_figure(struct lx_report *report, size_t i)
+static luxel_status add_figure(const struct lx_design_report *lighting, size_t i)
 {
+    struct lx_report *report = lighting->report;
     luxel_figure_settings settings;
     struct lx_figure *figure = NULL;
     unsigned char *bytes = NULL;
@@ -264,6 +268,7 @@ static luxel_status add_figure(struct lx_report *report, size_t i)
         status = lx_figure_png(figure, report->diagnostics, &bytes, &length);
     if (status == LUXEL_OK) {
         const struct lx_drawing drawing = lx_figure_drawing(figure);
+        lighting->lines[i] = figure->isophotes; /* which live as long as the document */
         lx_document_picture(report->document, bytes, length, &drawing,
                             LX_N("The plane in false colour with lines of equal value."), NULL);
     } else {
@@ -302,7 +307,7 @@ static luxel_status add_grid(const struct lx_design_report *lighting, size_t i)
         lx_document_paragraph(document, LX_N("Minimum by average U0 = {0}, minimum by maximum Ud = {1}."),
                               LX_SPANS(LX_PLAIN(lx_write_digits(grid->u0, 4, numbers[0])),
                                        LX_PLAIN(lx_write_digits(grid->ud, 4, numbers[1]))));
-    luxel_status status = add_figure(report, i);
+    luxel_status status = add_figure(lighting, i);
     if (status == LUXEL_OK && grid->columns <= MOST_COLUMNS)
         status = add_values(report, grid);
     return status;
@@ -380,6 +385,8 @@ luxel_status lx_lighting_build(struct lx_report *report)
     luxel_status status = compute(&lighting);
     if (status == LUXEL_OK)
         status = build(&lighting);
+    if (status == LUXEL_OK && report->texts->tables)
+        status = lx_lighting_tables(&lighting);
     clear(&lighting);
     return status;
 }

@@ -143,6 +143,7 @@ static void add_hanging(const struct lx_design_report *lighting)
     struct luxel_document *document = lighting->report->document;
     struct entry entry;
     lx_document_table(document, "lrr");
+    lx_document_name_table(document, "maintenance", 0);
     lx_document_row(
         document,
         LX_SPANS(LX_TERM_SPAN(LX_N("light")), LX_TERM_SPAN(LX_N("maintenance")), LX_TERM_SPAN(LX_N("height, mm"))),
@@ -170,6 +171,7 @@ static void add_places(const struct lx_design_report *lighting)
     struct entry entry;
     lx_document_heading(document, 2, LX_N("Positions"), NULL);
     lx_document_table(document, "rlrrr");
+    lx_document_name_table(document, "positions", 0);
     lx_document_row(document,
                     LX_SPANS(LX_TERM_SPAN(LX_N("no.")), LX_TERM_SPAN(LX_N("light")), LX_TERM_SPAN(LX_N("x, mm")),
                              LX_TERM_SPAN(LX_N("y, mm")), LX_TERM_SPAN(LX_N("z, mm"))),
@@ -212,6 +214,7 @@ luxel_status lx_lighting_lamps(struct lx_design_report *lighting)
     snprintf(flux, sizeof flux, "%s, %s", lx_document_word(document, LX_N("flux")), unit);
     snprintf(efficacy, sizeof efficacy, "%s/%s", unit, lx_document_word(document, "W"));
     lx_document_table(document, "llrrrr");
+    lx_document_name_table(document, "luminaires", 0);
     lx_document_row(document,
                     LX_SPANS(LX_TERM_SPAN(LX_N("light")), LX_TERM_SPAN(LX_N("luminaire")), LX_TERM_SPAN(LX_N("number")),
                              LX_PLAIN(flux), LX_TERM_SPAN(LX_N("power, W")), LX_PLAIN(efficacy)),
