@@ -16,12 +16,18 @@
 #include "grid.h"
 #include "refuse.h"
 
+static luxel_status find_values(const luxel_scene *scene, const luxel_settings *settings, size_t i,
+                                luxel_diagnostics *diagnostics, luxel_grid **grid)
+{
+    struct lx_wanted_cells cells = {.area = NULL};
+    luxel_scene_grid_resolution(scene, i, &cells.n[0], &cells.n[1]);
+    return lx_measure_cells(scene, settings, i, &cells, diagnostics, grid);
+}
+
 luxel_status luxel_find_grid_values(const luxel_scene *scene, const luxel_settings *settings, size_t i,
                                     luxel_diagnostics *diagnostics, luxel_grid **grid)
 {
-    unsigned n[2] = {0, 0};
-    luxel_scene_grid_resolution(scene, i, &n[0], &n[1]);
-    return lx_measure_cells(scene, settings, i, n, diagnostics, grid);
+    return lx_measure_with_areas(scene, settings, i, find_values, diagnostics, grid);
 }
 
 /* About so many cells show no corners in a figure and its lines, fewer where each takes integrals or a share of what is
@@ -103,7 +109,8 @@ static struct luxel_field *field_of(luxel_grid *grid, const struct lx_scene_para
 luxel_status luxel_find_grid_field(const luxel_scene *scene, const luxel_settings *settings, size_t i, unsigned columns,
                                    unsigned rows, luxel_diagnostics *diagnostics, luxel_field **field)
 {
-    unsigned n[2] = {columns, rows};
+    struct lx_wanted_cells cells = {.n = {columns, rows}};
+    const unsigned *n = cells.n;
     luxel_grid *grid = NULL;
     luxel_settings fine;
     char number[LX_NUMBER_SIZE];
@@ -113,14 +120,14 @@ luxel_status luxel_find_grid_field(const luxel_scene *scene, const luxel_setting
     if (!lx_asked_grid(scene, i, field, "field", diagnostics))
         return LUXEL_ERROR_ARGUMENT;
     if (columns == 0 && rows == 0) {
-        choose_cells(scene, i, n);
+        choose_cells(scene, i, cells.n);
         fine.tolerance = fmax(fine.tolerance, FINE_TOLERANCE);
     }
     for (int k = 0; k < 2; k++)
         if (n[k] < 1 || n[k] > MOST_IN_A_ROW)
             return lx_refuse(diagnostics, LX_MSG_SETTING_OUT_OF_RANGE,
                              LX_ARGS(k == 0 ? "columns" : "rows", lx_write_number(n[k], number), "1–65536"));
-    luxel_status status = lx_measure_cells(scene, &fine, i, n, diagnostics, &grid);
+    luxel_status status = lx_measure_cells(scene, &fine, i, &cells, diagnostics, &grid);
     if (status != LUXEL_OK)
         return status;
     *field = field_of(grid, lx_scene_parameters(scene));

@@ -54,8 +54,11 @@ static luxel_status measure_grids(struct lx_design_report *lighting)
         if (status != LUXEL_OK)
             break;
         lighting->grid_count++;
-        status = luxel_judge_grid(report->scene, i, lighting->grids[i], lighting->of_grids[i].limits,
-                                  &lighting->of_grids[i].count);
+        struct lx_judged *judged = &lighting->of_grids[i];
+        size_t around = 0;
+        status = luxel_judge_grid(report->scene, i, lighting->grids[i], judged->limits, &judged->count);
+        luxel_judge_areas(report->scene, i, lighting->grids[i], judged->limits + judged->count, &around);
+        judged->count += around;
     }
     return status;
 }
@@ -118,7 +121,11 @@ static const char *limit_word(const luxel_limit *limit)
         const char *key, *words;
     } known[] = {{"average", LX_N("average")},         {"minimum", LX_N("minimum")},
                  {"maximum", LX_N("maximum")},         {"uniformity", LX_N("uniformity U0")},
-                 {"share", LX_N("share of the area")}, {"ugr", "UGR"}};
+                 {"share", LX_N("share of the area")}, {"ugr", "UGR"},
+                 {"surround_average", LX_N("surrounding area: average")},
+                 {"surround_uniformity", LX_N("surrounding area: U0")},
+                 {"background_average", LX_N("background area: average")},
+                 {"background_uniformity", LX_N("background area: U0")}};
     for (size_t i = 0; i < sizeof known / sizeof *known; i++)
         if (strcmp(known[i].key, limit->name) == 0)
             return known[i].words;
@@ -131,7 +138,8 @@ static void add_verdicts(const struct lx_report *report, const char *name, const
 {
     for (size_t i = 0; i < judged->count; i++) {
         const luxel_limit *limit = &judged->limits[i];
-        const bool has_unit = limit->name[0] == 'a' || limit->name[0] == 'm', is_share = limit->name[0] == 's';
+        const bool has_unit = limit->name[0] == 'a' || limit->name[0] == 'm' || strstr(limit->name, "_average");
+        const bool is_share = strcmp(limit->name, "share") == 0;
         char wanted[LX_NUMBER_SIZE + 40], number[LX_NUMBER_SIZE], cell[LX_LIGHTING_CELL];
         snprintf(wanted, sizeof wanted, "%s %s%s%s", limit->is_most ? "≤" : "≥",
                  lx_write_digits(limit->wanted, 6, number), has_unit ? " " : "",
@@ -278,6 +286,21 @@ static luxel_status add_figure(const struct lx_design_report *lighting, size_t i
     return status;
 }
 
+/* An area around the plane, where there is room for one. */
+static void add_area(const struct lx_report *report, const luxel_grid *area, const char *english)
+{
+    char numbers[3][LX_NUMBER_SIZE], average[LX_LIGHTING_CELL];
+    if (!area || area->measured == 0)
+        return;
+    lx_document_paragraph(
+        report->document, english,
+        LX_SPANS(LX_PLAIN(lx_lighting_amount(report, area->average, average)),
+                 LX_PLAIN(lx_document_word(report->document, area->unit)),
+                 LX_PLAIN(lx_write_number((double)area->measured, numbers[0])),
+                 LX_PLAIN(lx_write_digits(area->minimum.value, DIGITS, numbers[1])),
+                 LX_PLAIN(area->has_evenness ? lx_write_digits(area->u0, 4, numbers[2]) : "–")));
+}
+
 static luxel_status add_grid(const struct lx_design_report *lighting, size_t i)
 {
     struct lx_report *report = lighting->report;
@@ -307,6 +330,8 @@ static luxel_status add_grid(const struct lx_design_report *lighting, size_t i)
         lx_document_paragraph(document, LX_N("Minimum by average U0 = {0}, minimum by maximum Ud = {1}."),
                               LX_SPANS(LX_PLAIN(lx_write_digits(grid->u0, 4, numbers[0])),
                                        LX_PLAIN(lx_write_digits(grid->ud, 4, numbers[1]))));
+    add_area(report, grid->surround, LX_N("Surrounding area: average {0} {1} of {2} values, minimum {3}, U0 = {4}."));
+    add_area(report, grid->background, LX_N("Background area: average {0} {1} of {2} values, minimum {3}, U0 = {4}."));
     luxel_status status = add_figure(lighting, i);
     if (status == LUXEL_OK && grid->columns <= MOST_COLUMNS)
         status = add_values(report, grid);

@@ -11,7 +11,7 @@
 
 /* The verdicts of one grid or observer. */
 struct lx_judged {
-    luxel_limit limits[LUXEL_MOST_LIMITS];
+    luxel_limit limits[2 * LUXEL_MOST_LIMITS];
     size_t count;
 };
 

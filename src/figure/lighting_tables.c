@@ -54,12 +54,18 @@ static luxel_status write_tables(const struct lx_design_report *lighting)
 
 /* ---- grids ---- */
 
-static void add_name(struct lx_text *text, const luxel_grid *grid, size_t i)
+/* `area`: around the grid, or "". */
+static void add_name(struct lx_text *text, const luxel_grid *grid, size_t i, const char *area)
 {
+    struct lx_text name = {0};
     if (grid->name)
-        lx_csv_add_field(text, grid->name);
+        lx_text_puts(&name, grid->name);
     else
-        lx_text_printf(text, "grid %zu", i + 1);
+        lx_text_printf(&name, "grid %zu", i + 1);
+    lx_text_puts(&name, area);
+    lx_csv_add_field(text, name.bytes ? name.bytes : "");
+    text->failed = text->failed || name.failed;
+    lx_text_clear(&name);
 }
 
 static void add_number(struct lx_text *text, bool exists, double value)
@@ -70,10 +76,12 @@ static void add_number(struct lx_text *text, bool exists, double value)
         lx_text_puts(text, lx_write_number(value, number));
 }
 
-static void add_grid(struct lx_text *text, const luxel_grid *grid, size_t i)
+static void add_grid(struct lx_text *text, const luxel_grid *grid, size_t i, const char *area)
 {
+    if (!grid)
+        return;
     const bool has_values = grid->measured > 0;
-    add_name(text, grid, i);
+    add_name(text, grid, i, area);
     lx_text_printf(text, ",%s", grid->measure);
     add_number(text, true, grid->columns);
     add_number(text, true, grid->rows);
@@ -98,8 +106,11 @@ static luxel_status write_grids(const struct lx_design_report *lighting)
     for (size_t i = 0; i < sizeof names / sizeof *names; i++)
         lx_text_printf(&text, ",%s_%s", names[i], grids[0]->unit);
     lx_text_puts(&text, ",u0,ud\n");
-    for (size_t i = 0; i < lighting->grid_count; i++)
-        add_grid(&text, grids[i], i);
+    for (size_t i = 0; i < lighting->grid_count; i++) {
+        add_grid(&text, grids[i], i, "");
+        add_grid(&text, grids[i]->surround, i, ", surround");
+        add_grid(&text, grids[i]->background, i, ", background");
+    }
     const luxel_status status = put(lighting, "grids", &text);
     struct lx_text path = path_of(lighting, "values", ".csv");
     const luxel_status of_values = path.failed
@@ -116,7 +127,7 @@ static void add_line(struct lx_text *text, const luxel_grid *grid, const luxel_i
 {
     char digits[LX_NUMBER_SIZE];
     for (size_t k = 0; k < line->count; k++) {
-        add_name(text, grid, i);
+        add_name(text, grid, i, "");
         lx_text_printf(text, ",%zu", number);
         add_number(text, true, line->level);
         lx_text_puts(text, line->closed ? ",1" : ",0");
