@@ -22,6 +22,7 @@ enum { DEFAULT_LEVELS = 8 };
 struct drawing {
     const struct picture *picture; /* of a grid's plane the field on that */
     luxel_grid *grid;              /* NULL: the lines are those of the screen */
+    size_t number;                 /* of the grid, from 1 on */
     double levels[OPTION_LEVELS];
     size_t level_count;
     bool from_picture; /* the lines are straight between the pixels' values */
@@ -99,16 +100,17 @@ static double length_of(const luxel_isophote *line)
     return length;
 }
 
-/* "office.yaml: illuminance in lx on the plane of desk" */
+/* "office.yaml: illuminance in lx on the plane of desk", or of its number. */
 static void print_grid_heading(const struct drawing *drawing)
 {
+    char label[TEXT_SIZE], *name = drawing->grid->name ? luxel_escaped_text(drawing->grid->name) : NULL;
+
+    if (!name)
+        text_format(label, _("grid %zu"), drawing->number);
     text_print_escaped(stdout, drawing->picture->loaded.name);
-    printf(_(": %s in %s"), _(picture_quantity(drawing->picture)), text_unit(picture_unit(drawing->picture)));
-    if (drawing->grid->name) {
-        printf(_(", on the plane of "));
-        text_print_escaped(stdout, drawing->grid->name);
-    }
-    printf("\n\n");
+    printf(_(": %s in %s on the plane of %s\n\n"), _(picture_quantity(drawing->picture)),
+           text_unit(picture_unit(drawing->picture)), name ? name : label);
+    luxel_text_free(name);
 }
 
 static void print_text(const struct drawing *drawing)
@@ -274,16 +276,15 @@ static int write_plane(const struct options *options, struct drawing *drawing)
 static int draw_plane(const struct options *options, const struct loaded *loaded)
 {
     struct picture picture = {.loaded = *loaded, .options = *options};
-    struct drawing drawing = {.picture = &picture};
-    const size_t number = grid_named(options->drawing.grid, loaded);
+    struct drawing drawing = {.picture = &picture, .number = grid_named(options->drawing.grid, loaded)};
     struct work work;
     int code;
 
-    if (number == 0)
+    if (drawing.number == 0)
         return EXIT_USAGE;
     picture.options.settings.quantity = LUXEL_IRRADIANCE;
     work_begin(&work, options);
-    code = work_end(&work, measure(&picture, &drawing, number - 1, &work.settings), loaded->diagnostics);
+    code = work_end(&work, measure(&picture, &drawing, drawing.number - 1, &work.settings), loaded->diagnostics);
     if (code == EXIT_DONE)
         code = write_plane(options, &drawing);
     luxel_isophotes_free(drawing.isophotes);

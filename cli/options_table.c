@@ -110,7 +110,11 @@ static bool take_assignment(struct options *options, const char *argument)
 static bool take_free(struct options *options, const char *argument)
 {
     options->free_keys[options->free_key_count++] = argument;
-    return true;
+    if (!strstr(argument, "[*]"))
+        return true;
+    message_error(_("--free %s: a key has one number, and each element of a list its own"), argument);
+    message_hint(_("name them one by one; a dimming group has one factor for its lights: --free 'dimming[NAME].factor'"));
+    return false;
 }
 
 static bool take_purpose(struct options *options, const char *argument)

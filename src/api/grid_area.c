@@ -50,8 +50,8 @@ static void find_room(const struct lx_scene_parameters *scene, const double cent
         for (int k = 0; k < 3; k++)
             is_inside = is_inside && fabs(center_mm[k] - center[k]) <= size[k] / 2 + SLACK_MM;
         for (int k = 0; k < 3 && is_inside; k++) {
-            ring->low_mm[k] = fmax(ring->low_mm[k], center[k] - size[k] / 2 - SLACK_MM);
-            ring->high_mm[k] = fmin(ring->high_mm[k], center[k] + size[k] / 2 + SLACK_MM);
+            ring->low_mm[k] = fmax(ring->low_mm[k], center[k] - size[k] / 2);
+            ring->high_mm[k] = fmin(ring->high_mm[k], center[k] + size[k] / 2);
         }
     }
 }
@@ -98,8 +98,8 @@ static bool make_area(const struct lx_scene_parameters *scene, const struct lx_g
     bool is_wider = false;
     for (int side = 0; side < 2; side++) {
         const double middle = (outer.mm[side][0] + outer.mm[side][1]) / 2;
-        is_wider = is_wider || outer.mm[side][0] < inner.mm[side][0] - 2 * SLACK_MM ||
-                   outer.mm[side][1] > inner.mm[side][1] + 2 * SLACK_MM;
+        is_wider = is_wider || outer.mm[side][0] < inner.mm[side][0] - SLACK_MM ||
+                   outer.mm[side][1] > inner.mm[side][1] + SLACK_MM;
         area->grid.size_mm[side] = outer.mm[side][1] - outer.mm[side][0];
         for (int k = 0; k < 3; k++)
             area->grid.center_mm[k] += middle * sides[side][k];
@@ -121,7 +121,8 @@ bool lx_ring_leaves_out(const struct lx_ring *ring, const struct lx_cells *cells
         is_in_hole = is_in_hole && at_mm[side] >= ring->hole_mm[side][0] && at_mm[side] <= ring->hole_mm[side][1];
     lx_place_on_cells(cells, at_mm, place_mm);
     for (int k = 0; k < 3; k++)
-        is_in_room = is_in_room && place_mm[k] >= ring->low_mm[k] && place_mm[k] <= ring->high_mm[k];
+        is_in_room =
+            is_in_room && place_mm[k] >= ring->low_mm[k] - SLACK_MM && place_mm[k] <= ring->high_mm[k] + SLACK_MM;
     return is_in_hole || !is_in_room;
 }
 

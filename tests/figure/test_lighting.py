@@ -60,7 +60,7 @@ def contents(tap, tool):
     row = [row for row in cells if row[0] == "panels" and "Lampe AG" in row[1]][0]
     flux = figures["flux"]["linear"]
     tap.ok("P600" in row[1] and [row[i] for i in (2, 4)] == ["6", "28"], "the schedule", row)
-    tap.ok(["panels", "0.72", "3000"] in cells, "maintenance factors and heights")
+    tap.ok(["panels", "0.72", "1", "3000"] in cells, "maintenance factors and heights")
     tap.near(float(row[3]), flux, 1e-4, "flux of one new luminaire")
     tap.near(float(row[5]), flux / 28, 1e-3, "lm/W")
     total = [row for row in cells if row[0] == "together"][0]
