@@ -353,8 +353,8 @@ const struct command command_isophotes = {
            "gives the places of its pixels (.csv, or an .exr that Luxel wrote), and under area lights "
            "(planar, volume, openings of luminaires), they are those of the pixels, with straight lines "
            "between them; --exact has vertices on exact values there, too, which takes ten seconds and more. "
-           "With --grid they are isolux lines on the plane of a measuring grid, in the coordinates of the scene: a .dxf "
-           "has them for programs of computer-aided design, in mm, each level on a layer of its own."),
+           "With --grid they are isolux lines on the plane of a measuring grid, in the coordinates of the scene: a "
+           ".dxf has them for programs of computer-aided design, in mm, each level on a layer of its own."),
     .examples = "luxel isophotes my.yaml --levels 5\n"
                 "luxel isophotes my.yaml --levels 0.5,1,2 --json\n"
                 "luxel isophotes -o lines.csv --csv=excel-ru\n"

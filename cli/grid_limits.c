@@ -31,8 +31,12 @@ const char *limits_name(const luxel_limit *limit)
 {
     static const struct {
         const char *key, *words;
-    } known[] = {{"average", N_("average")},          {"minimum", N_("minimum")},         {"maximum", N_("maximum")},
-                 {"uniformity", N_("uniformity U0")}, {"share", N_("share of the area")}, {"ugr", "UGR"},
+    } known[] = {{"average", N_("average")},
+                 {"minimum", N_("minimum")},
+                 {"maximum", N_("maximum")},
+                 {"uniformity", N_("uniformity U0")},
+                 {"share", N_("share of the area")},
+                 {"ugr", "UGR"},
                  {"surround_average", N_("surrounding area: average")},
                  {"surround_uniformity", N_("surrounding area: U0")},
                  {"background_average", N_("background area: average")},

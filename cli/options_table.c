@@ -109,12 +109,7 @@ static bool take_assignment(struct options *options, const char *argument)
 
 static bool take_free(struct options *options, const char *argument)
 {
-    options->free_keys[options->free_key_count++] = argument;
-    if (!strstr(argument, "[*]"))
-        return true;
-    message_error(_("--free %s: a key has one number, and each element of a list its own"), argument);
-    message_hint(_("name them one by one; a dimming group has one factor for its lights: --free 'dimming[NAME].factor'"));
-    return false;
+    return argument_single_key("--free", options->free_keys[options->free_key_count++] = argument);
 }
 
 static bool take_purpose(struct options *options, const char *argument)
@@ -498,9 +493,7 @@ static const struct option_row rows[] = {
      .help = N_("the colours: viridis (default) or another of --palettes")},
     {"palettes", 0, NULL, COMMAND_FIGURE, SETS(drawing.palettes), .help = N_("list the palettes")},
     {"grid", 0, N_("NAME"), COMMAND_FIGURE | COMMAND_ISOPHOTES, KEEPS(drawing.grid), .value = VALUE_GRIDS,
-     .help = N_("instead of the picture the plane of a measuring grid, by its name or number, from 1 on; a figure has "
-                "the irradiance with the values at its points, where lights stand before it, average, minimum, "
-                "maximum and U0")},
+     .help = N_("the plane of a measuring grid, by its name or number; figures have its values and lights")},
     {"section", 0, N_("PLACE"), COMMAND_FIGURE, TAKES(take_section), .value = VALUE_OPTIONAL, .words = section_words,
      .help = N_("plot the horizontal and the vertical section below, through the center (the default), the maximum or "
                 "a point: --section=X,Y")},
@@ -527,8 +520,7 @@ static const struct option_row rows[] = {
     {"for", 0, N_("PURPOSE"), COMMAND_REPORT, TAKES(take_purpose), WORDS(purpose_words),
      .help = N_("whom the report is for: exercise (the default), or lighting, who are to see that a design is good")},
     {"tables", 0, N_("DIR"), COMMAND_REPORT, KEEPS(drawing.tables), .value = VALUE_FILE,
-     .help = N_("with --for lighting: write into this folder, made if it is not there, each table as a .csv, all "
-                "values of the grids, and the isolux lines as .csv and .dxf; with or without -o")},
+     .help = N_("with --for lighting: a folder for each table, all values of grids and isolux lines as files")},
     {"author", 0, N_("TEXT"), COMMAND_REPORT, KEEPS(drawing.author), .help = N_("who hands the report in")},
     {"group", 0, N_("TEXT"), COMMAND_REPORT, KEEPS(drawing.group), .help = N_("the author's group")},
     {"date", 0, N_("TEXT"), COMMAND_REPORT, KEEPS(drawing.date),

@@ -95,9 +95,9 @@ typedef struct luxel_grid {
     luxel_bounded modelling;     /* the average by that of the irradiance on the plane at the same places, */
     luxel_bounded least_modelling;    /* and the least */
     luxel_bounded greatest_modelling; /* and the greatest of such ratios at a place (luxel_find_grid() alone) */
-    struct luxel_grid *surround;      /* NULL, or the area around this one (EN 12464-1), as a grid without flux and mean:
-                                         its cells fill the rectangle around the area, and those that are not in it are
-                                         without a value and marked as `inside`; NULL, too, where walls leave no room */
+    struct luxel_grid *surround;      /* the area around this one (EN 12464-1) as a grid without flux and mean, whose
+                                         cells fill the rectangle around it: those that are not in it have no value
+                                         and are marked as `inside`; NULL: none is asked for, or walls leave no room */
     struct luxel_grid *background;    /* likewise the area around that */
 } luxel_grid;
 

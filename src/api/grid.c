@@ -77,7 +77,7 @@ static void make_elements(const struct lx_measuring *measuring, const unsigned *
 
 /* Cells that are in no body, and in the area, of some; returns how many. */
 static unsigned leave_out(const struct lx_measuring *measuring, unsigned first, unsigned count,
-                                   unsigned these[LX_BATCH])
+                          unsigned these[LX_BATCH])
 {
     const unsigned columns = measuring->lattice.cells.n[0];
     unsigned left = 0;

@@ -57,7 +57,7 @@ static unsigned parts_of(double cell_mm, double wanted_mm)
     return 2 * (unsigned)fmin(fmax(round((cell_mm / wanted_mm - 1) / 2), 0), 1000) + 1;
 }
 
-/* So many cells as a figure has. */
+/* Cells as many as a figure has. */
 static void choose_cells(const luxel_scene *scene, size_t i, unsigned n[2])
 {
     const struct lx_scene_parameters *parameters = lx_scene_parameters(scene);

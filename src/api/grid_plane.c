@@ -202,8 +202,8 @@ void lx_find_enclosed_cells(const struct lx_measuring *measuring)
     luxel_grid *grid = &measuring->made->grid;
     const unsigned cells = measuring->ring || measuring->bodies.are_bodies ? grid->columns * grid->rows : 0;
     for (unsigned cell = 0; cell < cells; cell++) {
-        if (measuring->ring && lx_ring_leaves_out(measuring->ring, &measuring->made->cells, cell % grid->columns,
-                                                  cell / grid->columns)) {
+        if (measuring->ring &&
+            lx_ring_leaves_out(measuring->ring, &measuring->made->cells, cell % grid->columns, cell / grid->columns)) {
             measuring->inside[cell] = 1;
             continue;
         }

@@ -119,9 +119,12 @@ static const char *limit_word(const luxel_limit *limit)
 {
     static const struct {
         const char *key, *words;
-    } known[] = {{"average", LX_N("average")},         {"minimum", LX_N("minimum")},
-                 {"maximum", LX_N("maximum")},         {"uniformity", LX_N("uniformity U0")},
-                 {"share", LX_N("share of the area")}, {"ugr", "UGR"},
+    } known[] = {{"average", LX_N("average")},
+                 {"minimum", LX_N("minimum")},
+                 {"maximum", LX_N("maximum")},
+                 {"uniformity", LX_N("uniformity U0")},
+                 {"share", LX_N("share of the area")},
+                 {"ugr", "UGR"},
                  {"surround_average", LX_N("surrounding area: average")},
                  {"surround_uniformity", LX_N("surrounding area: U0")},
                  {"background_average", LX_N("background area: average")},
@@ -292,13 +295,12 @@ static void add_area(const struct lx_report *report, const luxel_grid *area, con
     char numbers[3][LX_NUMBER_SIZE], average[LX_LIGHTING_CELL];
     if (!area || area->measured == 0)
         return;
-    lx_document_paragraph(
-        report->document, english,
-        LX_SPANS(LX_PLAIN(lx_lighting_amount(report, area->average, average)),
-                 LX_PLAIN(lx_document_word(report->document, area->unit)),
-                 LX_PLAIN(lx_write_number((double)area->measured, numbers[0])),
-                 LX_PLAIN(lx_write_digits(area->minimum.value, DIGITS, numbers[1])),
-                 LX_PLAIN(area->has_evenness ? lx_write_digits(area->u0, 4, numbers[2]) : "–")));
+    lx_document_paragraph(report->document, english,
+                          LX_SPANS(LX_PLAIN(lx_lighting_amount(report, area->average, average)),
+                                   LX_PLAIN(lx_document_word(report->document, area->unit)),
+                                   LX_PLAIN(lx_write_number((double)area->measured, numbers[0])),
+                                   LX_PLAIN(lx_write_digits(area->minimum.value, DIGITS, numbers[1])),
+                                   LX_PLAIN(area->has_evenness ? lx_write_digits(area->u0, 4, numbers[2]) : "–")));
 }
 
 static luxel_status add_grid(const struct lx_design_report *lighting, size_t i)

@@ -118,8 +118,7 @@ static void add_ratings(const struct lx_design_report *lighting, size_t first, u
     for (unsigned k = 0; k < views; k++) {
         const luxel_glare *glare = lighting->glares[first + k];
         cells[k + 1] = (struct lx_span){
-            LX_SPAN_PLAIN,
-            glare->has_rating ? lx_lighting_amount(lighting->report, glare->rating, texts[k]) : "–"};
+            LX_SPAN_PLAIN, glare->has_rating ? lx_lighting_amount(lighting->report, glare->rating, texts[k]) : "–"};
     }
     cells[views + 1] = (struct lx_span){LX_SPAN_END, NULL};
     lx_document_row(lighting->report->document, cells, false);
@@ -151,8 +150,7 @@ static void add_several(const struct lx_design_report *lighting, const luxel_obs
     const char *own = NULL;
     char name[LX_LIGHTING_NAME];
     luxel_scene_observer(report->scene, places->first, &own, NULL);
-    lx_document_paragraph(report->document,
-                          LX_N("{0}: UGR by the place of the eye and the way it looks."),
+    lx_document_paragraph(report->document, LX_N("{0}: UGR by the place of the eye and the way it looks."),
                           LX_SPANS(LX_PLAIN(lx_lighting_name(report, own, LX_N("observer"), number, name))));
     head_ratings(lighting, places);
     lx_document_name_table(report->document, "glare", number + 1);

@@ -147,11 +147,10 @@ static void add_hanging(const struct lx_design_report *lighting)
     struct entry entry;
     lx_document_table(document, "lrrr");
     lx_document_name_table(document, "maintenance", 0);
-    lx_document_row(
-        document,
-        LX_SPANS(LX_TERM_SPAN(LX_N("light")), LX_TERM_SPAN(LX_N("maintenance")), LX_TERM_SPAN(LX_N("dimmed to")),
-                 LX_TERM_SPAN(LX_N("height, mm"))),
-        false);
+    lx_document_row(document,
+                    LX_SPANS(LX_TERM_SPAN(LX_N("light")), LX_TERM_SPAN(LX_N("maintenance")),
+                             LX_TERM_SPAN(LX_N("dimmed to")), LX_TERM_SPAN(LX_N("height, mm"))),
+                    false);
     for (size_t i = 0; i < lighting->report->parameters->lights.count; i++) {
         char name[40], numbers[3][LX_NUMBER_SIZE];
         if (!find_entry(lighting, i, &entry))
@@ -213,8 +212,8 @@ luxel_status lx_lighting_lamps(struct lx_design_report *lighting)
     struct entry entry;
     lx_document_heading(document, 1, LX_N("Luminaires"), NULL);
     lx_document_paragraph(document,
-                          LX_N("Flux and power are those of one new luminaire that is not dimmed; the maintenance factor "
-                               "is that of the scene times its own, and the height that of the first place."),
+                          LX_N("Flux and power are those of one new luminaire that is not dimmed; the maintenance "
+                               "factor is that of the scene times its own, and the height that of the first place."),
                           NULL);
     snprintf(flux, sizeof flux, "%s, %s", lx_document_word(document, LX_N("flux")), unit);
     snprintf(efficacy, sizeof efficacy, "%s/%s", unit, lx_document_word(document, "W"));

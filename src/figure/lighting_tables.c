@@ -29,10 +29,9 @@ static luxel_status put(const struct lx_design_report *lighting, const char *nam
 {
     struct lx_text path = path_of(lighting, name, ".csv");
     luxel_diagnostics *diagnostics = lighting->report->diagnostics;
-    const luxel_status status =
-        text->failed || path.failed
-            ? lx_out_of_memory(diagnostics)
-            : lx_sink_put(&(struct lx_destination){.path = path.bytes}, text->bytes, text->length, diagnostics);
+    const luxel_status status = text->failed || path.failed ? lx_out_of_memory(diagnostics)
+                                                            : lx_sink_put(&(struct lx_destination){.path = path.bytes},
+                                                                          text->bytes, text->length, diagnostics);
     lx_text_clear(&path);
     lx_text_clear(text);
     return status;

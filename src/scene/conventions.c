@@ -180,8 +180,8 @@ static const char *word_of_value(const struct lx_parameter *parameter, const voi
  * conventions. */
 static bool goes_without_saying(const struct lx_parameter *parameter, const char *word)
 {
-    static const char *const names[] = {"channels", "reflections", "maintenance_factor", "up", "diffuse_model",
-                                        "mirror"};
+    static const char *const names[] = {"channels", "reflections",   "maintenance_factor",
+                                        "up",       "diffuse_model", "mirror"};
     for (size_t i = 0; i < sizeof names / sizeof names[0]; i++)
         if (strcmp(parameter->name, names[i]) == 0)
             return strcmp(word, parameter->initial) == 0;

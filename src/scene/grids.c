@@ -104,7 +104,8 @@ static const struct lx_parameter grid_parameters[] = {
         .legal = LX_FROM(100),
         .advised = {LX_BETWEEN(500, 5000)},
         .meaning = "the width of the strip around the plane, as far as the walls of its room, that is measured as the "
-                   "immediate surrounding area of a task area, which the plane then is; EN 12464-1 wants 500 mm or more",
+                   "immediate surrounding area of a task area, which the plane then is; EN 12464-1 wants 500 mm or "
+                   "more",
     },
     {
         .name = "background",
@@ -159,10 +160,14 @@ static const struct lx_parameter grid_parameters[] = {
 };
 
 static const struct lx_rule grid_rules[] = {
-    {LX_RULE_ONE, "n", NULL, "n|spacing"},        {LX_RULE_ONE, "center", NULL, "center|surface"},
-    {LX_RULE_NEEDED, "size", "center", NULL},     {LX_RULE_EXCLUSIVE, "surface", "size", NULL},
-    {LX_RULE_EXCLUSIVE, "surface", "axis", NULL}, {LX_RULE_EXCLUSIVE, "surface", "up", NULL},
-    {LX_RULE_USED, "side", "surface", NULL},      {LX_RULE_USED, "border", "surface", NULL},
+    {LX_RULE_ONE, "n", NULL, "n|spacing"},
+    {LX_RULE_ONE, "center", NULL, "center|surface"},
+    {LX_RULE_NEEDED, "size", "center", NULL},
+    {LX_RULE_EXCLUSIVE, "surface", "size", NULL},
+    {LX_RULE_EXCLUSIVE, "surface", "axis", NULL},
+    {LX_RULE_EXCLUSIVE, "surface", "up", NULL},
+    {LX_RULE_USED, "side", "surface", NULL},
+    {LX_RULE_USED, "border", "surface", NULL},
     {LX_RULE_NEEDED, "surround", "background", NULL},
 };
 

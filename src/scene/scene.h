@@ -64,7 +64,7 @@ struct lx_grid {
     const char *side;      /* NULL: none is named */
     double border_mm;
     double surround_mm, background_mm; /* the widths of the areas around it; 0: not asked for */
-    unsigned n[2]; /* columns, rows; as the spacing says where they are not given */
+    unsigned n[2];                     /* columns, rows; as the spacing says where they are not given */
     int spacing;
     int measure; /* enum lx_measure */
     struct lx_grid_limits limits;
@@ -79,7 +79,7 @@ struct lx_surface_common {
 
 struct lx_light_common {
     uint64_t given;
-    const char *name; /* NULL where it has none */
+    const char *name;  /* NULL where it has none */
     const char *group; /* that it is dimmed with; NULL: none */
     bool enabled;
     struct lx_light_color color; /* meaningful where given */

@@ -246,8 +246,9 @@ static const struct lx_parameter scene_parameters[] = {
         .offset = offsetof(struct lx_scene_parameters, dimming),
         .initial = "[]",
         .group = &lx_dimming_table,
-        .meaning = "groups of lights that are dimmed together, such as {name: windows, factor: 0.3}: lights with group: "
-                   "windows give three tenths of their light; -s 'dimming[windows].factor=0.5' changes it by name",
+        .meaning =
+            "groups of lights that are dimmed together, such as {name: windows, factor: 0.3}: lights with "
+            "group: windows give three tenths of their light; -s 'dimming[windows].factor=0.5' changes it by name",
     },
     {
         .name = "screen",

@@ -83,7 +83,8 @@ def by_name(tap, tool):
         tap.near(parameter["value"], wanted, 1e-6, parameter["key"])
     told = tool.run("grid", "scene.yaml").out
     tap.ok("dimming windows 0.5, door.2 1" in " ".join(told.split()), "the groups are told with the conventions", told)
-    tool.write("study.yaml", "study: 1\nscene: scene.yaml\nvary:\n- {key: 'dimming[windows].factor', values: [0.1, 0.9]}\n"
+    tool.write("study.yaml", "study: 1\nscene: scene.yaml\n"
+                             "vary:\n- {key: 'dimming[windows].factor', values: [0.1, 0.9]}\n"
                              "outputs: {irradiance: float32}\n"
                              "set: ['surfaces=[{type: rectangle, center: [0, 0, 0], size: [9000, 9000]}]']\n")
     swept = tool.run("sweep", "study.yaml", "--show", "1")
