@@ -46,10 +46,6 @@ luxel_status lx_measure_with_areas(const luxel_scene *scene, const luxel_setting
 const struct lx_grid *lx_asked_grid(const luxel_scene *scene, size_t i, const void *answer, const char *name,
                                     luxel_diagnostics *diagnostics);
 
-/* Whether some light is no point, so that an exact value takes an integral, of which thousands take too long for a
- * figure. */
-bool lx_has_extended_lights(const struct lx_scene_parameters *scene);
-
 /* luxel_find_grid() of the plane, or where other cells are wanted the values of these alone: without flux, mean and
  * sampling error. */
 luxel_status lx_measure_cells(const luxel_scene *scene, const luxel_settings *settings, size_t i,

@@ -11,8 +11,7 @@
 #include "../base/memory.h"
 #include "../base/number.h"
 #include "../field/field.h"
-#include "../parameter/decode.h"
-#include "../scene/scene.h"
+#include "../scene/lit.h"
 #include "grid.h"
 #include "refuse.h"
 
@@ -35,21 +34,6 @@ luxel_status luxel_find_grid_values(const luxel_scene *scene, const luxel_settin
 enum { FINE_CELLS = 40000, FINE_CELLS_COSTLY = 2500, MOST_IN_A_ROW = 65536 };
 /* Eyes tell no more of a colour. */
 static const double FINE_TOLERANCE = 1e-4;
-
-bool lx_has_extended_lights(const struct lx_scene_parameters *scene)
-{
-    for (size_t i = 0; i < scene->lights.count; i++) {
-        const struct lx_item *light = &scene->lights.items[i];
-        const struct lx_light_common *common = light->common;
-        const struct lx_table *table = light->variant->table;
-        const bool is_extended =
-            strcmp(light->variant->name, "planar") == 0 || strcmp(light->variant->name, "volume") == 0 ||
-            (lx_find_parameter(table, "opening") && lx_is_given(table, light->parameters, "opening"));
-        if (common->enabled && is_extended)
-            return true;
-    }
-    return false;
-}
 
 /* Into how many parts a side of a cell of the grid is cut: an odd number, so that its own centre is among theirs. */
 static unsigned parts_of(double cell_mm, double wanted_mm)

@@ -12,7 +12,7 @@
 
 #include "../base/diagnostics.h"
 #include "../base/memory.h"
-#include "../scene/scene.h"
+#include "../scene/lit.h"
 #include "grid.h"
 #include "refuse.h"
 

@@ -6,7 +6,6 @@
 
 #include <luxel/colour.h>
 
-#include "../api/grid.h"
 #include "../base/diagnostics.h"
 #include "../base/memory.h"
 #include "../base/phrase.h"
