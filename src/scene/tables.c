@@ -247,8 +247,8 @@ static const struct lx_parameter scene_parameters[] = {
         .initial = "[]",
         .group = &lx_dimming_table,
         .meaning =
-            "groups of lights that are dimmed together, such as {name: windows, factor: 0.3}: lights with "
-            "group: windows give three tenths of their light; -s 'dimming[windows].factor=0.5' changes it by name",
+            "groups of lights that are dimmed together, such as {name: a, factor: 0.3}: lights with group: a give "
+            "three tenths of their light; -s 'dimming[a].factor=0.5' changes it by name",
     },
     {
         .name = "screen",
