@@ -259,6 +259,7 @@ static void print_statistics(const luxel_grid *grid, const luxel_grid_extrema *e
     add_number(table, _("U0 = minimum / average of the values"), grid->has_evenness, grid->u0);
     add_number(table, _("Ud = minimum / maximum of the values"), grid->has_evenness, grid->ud);
     grid_measure_add(table, grid);
+    grid_areas_add(table, grid);
     if (grid->has_mean)
         add_bounded(table, _("mean over the plane, whatever its cells"), grid->mean.value, grid->mean.error);
     if (grid->flux_unit) {

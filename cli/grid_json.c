@@ -112,6 +112,7 @@ void grid_write_json(struct json *json, const luxel_grid *grid, const luxel_grid
               : grid->sampling_is_bound ? "bound"
                                         : "estimate");
     json_bool(json, "coarse", grid->is_coarse);
+    grid_areas_write(json, grid);
     limits_write(json, judged);
     json_whole(json, "measured", grid->measured);
     json_whole(json, "inside", grid->enclosed);

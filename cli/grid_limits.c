@@ -19,7 +19,11 @@ struct judged limits_of_grid(const luxel_scene *scene, size_t i, const luxel_gri
 {
     struct judged judged = {.count = 0};
 
+    size_t around = 0;
+
     luxel_judge_grid(scene, i, grid, judged.list, &judged.count);
+    luxel_judge_areas(scene, i, grid, judged.list + judged.count, &around);
+    judged.count += around;
     return judged;
 }
 
@@ -27,8 +31,16 @@ const char *limits_name(const luxel_limit *limit)
 {
     static const struct {
         const char *key, *words;
-    } known[] = {{"average", N_("average")},          {"minimum", N_("minimum")},         {"maximum", N_("maximum")},
-                 {"uniformity", N_("uniformity U0")}, {"share", N_("share of the area")}, {"ugr", "UGR"}};
+    } known[] = {{"average", N_("average")},
+                 {"minimum", N_("minimum")},
+                 {"maximum", N_("maximum")},
+                 {"uniformity", N_("uniformity U0")},
+                 {"share", N_("share of the area")},
+                 {"ugr", "UGR"},
+                 {"surround_average", N_("surrounding area: average")},
+                 {"surround_uniformity", N_("surrounding area: U0")},
+                 {"background_average", N_("background area: average")},
+                 {"background_uniformity", N_("background area: U0")}};
 
     for (size_t i = 0; i < sizeof known / sizeof *known; i++)
         if (strcmp(known[i].key, limit->name) == 0)
@@ -39,7 +51,8 @@ const char *limits_name(const luxel_limit *limit)
 bool limits_have_unit(const luxel_limit *limit)
 {
     return strcmp(limit->name, "average") == 0 || strcmp(limit->name, "minimum") == 0 ||
-           strcmp(limit->name, "maximum") == 0;
+           strcmp(limit->name, "maximum") == 0 || strcmp(limit->name, "surround_average") == 0 ||
+           strcmp(limit->name, "background_average") == 0;
 }
 
 void limits_print(const struct judged *judged, const char *unit)

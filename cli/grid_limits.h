@@ -10,7 +10,7 @@
 
 /* The limits of one grid or observer. */
 struct judged {
-    luxel_limit list[LUXEL_MOST_LIMITS];
+    luxel_limit list[2 * LUXEL_MOST_LIMITS];
     size_t count;
 };
 

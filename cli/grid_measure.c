@@ -26,6 +26,50 @@ void grid_measure_write(struct json *json, const luxel_grid *grid)
     json_close(json, '}');
 }
 
+/* An area around the plane as JSON, null where walls leave no room for it. */
+static void write_area(struct json *json, const char *key, const luxel_grid *area)
+{
+    if (!area)
+        return;
+    json_open(json, key, '{');
+    json_numbers(json, "center", area->center_mm, 3);
+    json_numbers(json, "size", area->size_mm, 2);
+    json_wholes(json, "n", (const unsigned[]){area->columns, area->rows}, 2);
+    json_whole(json, "measured", area->measured);
+    json_number_if(json, "average", area->measured > 0, area->average.value);
+    json_number_if(json, "average_error", area->measured > 0, area->average.error);
+    json_number_if(json, "minimum", area->measured > 0, area->minimum.value);
+    json_number_if(json, "maximum", area->measured > 0, area->maximum.value);
+    json_number_if(json, "error", area->measured > 0, area->error);
+    json_number_if(json, "u0", area->has_evenness, area->u0);
+    json_close(json, '}');
+}
+
+void grid_areas_write(struct json *json, const luxel_grid *grid)
+{
+    write_area(json, "surround", grid->surround);
+    write_area(json, "background", grid->background);
+}
+
+static void add_area(struct text_table *table, const luxel_grid *area, const char *average, const char *evenness)
+{
+    char number[TEXT_SIZE], cells[TEXT_SIZE];
+
+    if (!area)
+        return;
+    text_table_row(
+        table, TEXT_CELLS(average, area->measured > 0 ? text_value(number, 6, area->average.value) : _("none"),
+                          text_format(cells, ngettext("%zu cell", "%zu cells", area->measured), area->measured), ""));
+    if (area->has_evenness)
+        text_table_row(table, TEXT_CELLS(evenness, text_value(number, 6, area->u0), "", ""));
+}
+
+void grid_areas_add(struct text_table *table, const luxel_grid *grid)
+{
+    add_area(table, grid->surround, _("surrounding area: average"), _("surrounding area: U0"));
+    add_area(table, grid->background, _("background area: average"), _("background area: U0"));
+}
+
 void grid_measure_print(const luxel_grid *grid)
 {
     if (!is_of_plane(grid))

@@ -15,4 +15,8 @@ void grid_measure_print(const luxel_grid *grid);
 /* Rows of a table of four columns: the ratio of the averages, and the least and the greatest at a cell. */
 void grid_measure_add(struct text_table *table, const luxel_grid *grid);
 
+/* The areas around a grid's plane, where it has some: as JSON, and as rows of a table with its statistics. */
+void grid_areas_write(struct json *json, const luxel_grid *grid);
+void grid_areas_add(struct text_table *table, const luxel_grid *grid);
+
 #endif

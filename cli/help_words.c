@@ -106,8 +106,9 @@ static const struct entry entries[] = {
      "коэффициент эксплуатации|диммирование",
      N_("Maintenance factor, light loss factor and dimming are shares of the light of a luminaire, its keys "
         "maintenance_factor and factor, by which its intensities are multiplied; the scene's maintenance_factor "
-        "multiplies all lights. Other lights are dimmed by their intensity, power, radiance or irradiance."),
-     "luxel help maintenance_factor|luxel help luminaire|luxel help intensity"},
+        "multiplies all lights. Groups of lights are dimmed by the key dimming; single ones by their intensity, power, "
+        "radiance or irradiance."),
+     "luxel help maintenance_factor|luxel help dimming|luxel help luminaire|luxel help intensity"},
     {"limit|verdict|verdicts|en 1838|en1838|emergency lighting|compliance|нормы|норма освещённости|"
      "аварийное освещение|проверка норм",
      N_("Limits are a key of measuring grids and of observers: average, minimum, maximum, uniformity, ratio, ugr, or "

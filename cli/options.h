@@ -50,7 +50,7 @@ struct option_analysis {
 /* What figures and reports look like; texts are NULL where none were given. */
 struct option_drawing {
     const char *palette, *label, *title, *author, *group, *date, *section, *grid;
-    const char *institution, *faculty, *course, *teacher, *place, *aim;
+    const char *institution, *faculty, *course, *teacher, *place, *aim, *tables;
     bool palettes, contours, bands, lines, plain, no_extrema, no_points, stacked, dark, daylight;
     double width_mm, dots_per_inch; /* 0: the default */
     unsigned digits;                /* of the values of a report; 0: the default */

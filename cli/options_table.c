@@ -103,8 +103,7 @@ static bool take_assignment(struct options *options, const char *argument)
 
 static bool take_free(struct options *options, const char *argument)
 {
-    options->free_keys[options->free_key_count++] = argument;
-    return true;
+    return argument_single_key("--free", options->free_keys[options->free_key_count++] = argument);
 }
 
 static bool take_purpose(struct options *options, const char *argument)
@@ -489,9 +488,8 @@ static const struct option_row rows[] = {
     {"palette", 0, N_("NAME"), COMMAND_FIGURE | COMMAND_REPORT, KEEPS(drawing.palette), .value = VALUE_PALETTE,
      .help = N_("the colours: viridis (default) or another of --palettes")},
     {"palettes", 0, NULL, COMMAND_FIGURE, SETS(drawing.palettes), .help = N_("list the palettes")},
-    {"grid", 0, N_("NAME"), COMMAND_FIGURE, KEEPS(drawing.grid), .value = VALUE_GRIDS,
-     .help = N_("draw the plane of a measuring grid, by its name or number, from 1 on: its irradiance with the values "
-                "at its points, where lights stand before it, average, minimum, maximum and U0")},
+    {"grid", 0, N_("NAME"), COMMAND_FIGURE | COMMAND_ISOPHOTES, KEEPS(drawing.grid), .value = VALUE_GRIDS,
+     .help = N_("the plane of a measuring grid, by its name or number; figures have its values and lights")},
     {"daylight", 0, NULL, COMMAND_FIGURE, SETS(drawing.daylight),
      .help = N_("of a measuring grid: its daylight factors in percent instead of the irradiance")},
     {"section", 0, N_("PLACE"), COMMAND_FIGURE, TAKES(take_section), .value = VALUE_OPTIONAL, .words = section_words,
@@ -519,6 +517,8 @@ static const struct option_row rows[] = {
      .help = N_("the title")},
     {"for", 0, N_("PURPOSE"), COMMAND_REPORT, TAKES(take_purpose), WORDS(purpose_words),
      .help = N_("whom the report is for: exercise (the default), or lighting, who are to see that a design is good")},
+    {"tables", 0, N_("DIR"), COMMAND_REPORT, KEEPS(drawing.tables), .value = VALUE_FILE,
+     .help = N_("with --for lighting: a folder for each table, all values of grids and isolux lines as files")},
     {"author", 0, N_("TEXT"), COMMAND_REPORT, KEEPS(drawing.author), .help = N_("who hands the report in")},
     {"group", 0, N_("TEXT"), COMMAND_REPORT, KEEPS(drawing.group), .help = N_("the author's group")},
     {"date", 0, N_("TEXT"), COMMAND_REPORT, KEEPS(drawing.date),

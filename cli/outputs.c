@@ -109,6 +109,9 @@ static void hint_figure(const struct options *options, const char *path)
     static const char *const drawn[] = {".png", ".svg", ".pdf"};
     const char *scene = options->operand ? options->operand : "report";
 
+    if (options->command->bit & (COMMAND_GRID | COMMAND_ISOPHOTES) &&
+        luxel_check_ending(path, (const char *const[]){".dxf"}, 1, NULL) == LUXEL_OK)
+        message_hint(_("this writes the isolux lines of a grid: luxel isophotes %s --grid 1 -o %s"), scene, path);
     if (!(options->command->bit & (COMMAND_GRID | COMMAND_ISOPHOTES | COMMAND_PROFILE)) ||
         luxel_check_ending(path, drawn, COUNT_OF(drawn), NULL) != LUXEL_OK)
         return;

@@ -11,6 +11,7 @@
 #include "../argument.h"
 #include "../cli.h"
 #include "../drawing.h"
+#include "../grid_named.h"
 #include "../json.h"
 #include "../load.h"
 #include "../message.h"
@@ -63,40 +64,6 @@ static bool take_section(const char *argument, luxel_figure_settings *figure)
     message_error(_("--section %s: expected center, maximum or X,Y"), argument);
     nearest = luxel_nearest_word(argument, words, COUNT_OF(words));
     message_did_you_mean(nearest);
-    return false;
-}
-
-/* A grid of the scene by its name, else by its number, from 1 on. */
-static bool take_grid(const struct options *options, const struct loaded *loaded, luxel_figure_settings *figure)
-{
-    enum { MOST_NAMES = 64 };
-    const size_t count = luxel_scene_grid_count(loaded->scene);
-    const char *wanted = options->drawing.grid, *names[MOST_NAMES];
-    size_t named = 0;
-    char number[TEXT_SIZE];
-
-    for (size_t i = 0; i < count; i++) {
-        const char *name = luxel_scene_grid_name(loaded->scene, i);
-
-        if (name && strcmp(name, wanted) == 0)
-            figure->grid = figure->grid > 0 ? figure->grid : i + 1;
-        if (name && named < MOST_NAMES)
-            names[named++] = name;
-    }
-    for (size_t i = 0; i < count && figure->grid == 0; i++)
-        if (strcmp(text_format(number, "%zu", i + 1), wanted) == 0)
-            figure->grid = i + 1;
-    if (figure->grid > 0)
-        return true;
-    const char *nearest = luxel_nearest_word(wanted, names, named);
-    message_error(_("--grid %s: %s has no measuring grid of this name or number"), wanted, loaded->name);
-    if (count == 0)
-        message_hint(_("add some under the key grids, or try %s"),
-                     "-s 'grids=[{center: [0,0,0], size: [1000,1000], n: [10,10]}]'");
-    else if (nearest)
-        message_did_you_mean(nearest);
-    else
-        message_hint(_("its grids are numbered from 1 to %zu; luxel grid %s shows them"), count, loaded->name);
     return false;
 }
 
@@ -193,7 +160,7 @@ static int figure(const struct options *options, const struct loaded *loaded)
 
     if (!take_settings(options, &language, &settings))
         return EXIT_USAGE;
-    if (options->drawing.grid && !take_grid(options, loaded, &settings))
+    if (options->drawing.grid && (settings.grid = grid_named(options->drawing.grid, loaded)) == 0)
         return EXIT_USAGE;
     if (!settings.title && settings.grid > 0)
         settings.title = luxel_scene_grid_name(loaded->scene, settings.grid - 1);

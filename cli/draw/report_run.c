@@ -2,6 +2,9 @@
 /* luxel report, as luxel-draw runs it. */
 #include <luxel/figure.h>
 
+#include <errno.h>
+#include <sys/stat.h>
+
 #include "../../front/language.h"
 #include "../cli.h"
 #include "../drawing.h"
@@ -37,9 +40,14 @@ static int report(const struct options *options, const struct loaded *loaded)
         .palette = options->drawing.palette,
         .digits = options->drawing.digits,
         .purpose = (luxel_report_purpose)options->drawing.purpose,
+        .tables = options->drawing.tables,
         .language = &language,
     };
 
+    if (settings.tables && mkdir(settings.tables, 0777) != 0 && errno != EEXIST) {
+        message_error(_("cannot create %s: %s"), settings.tables, language_reason(errno));
+        return EXIT_FILE;
+    }
     return work_write_files(options, loaded, write_reports, &settings);
 }
 
@@ -47,7 +55,11 @@ int drawing_report(const struct options *options)
 {
     int code;
 
-    if (options->output_count == 0) {
+    if (options->drawing.tables && options->drawing.purpose != LUXEL_REPORT_LIGHTING) {
+        message_error(_("--tables has the tables of a lighting design: it goes with --for lighting"));
+        return EXIT_USAGE;
+    }
+    if (options->output_count == 0 && !options->drawing.tables) {
         message_error(_("luxel report needs a file to write to"));
         message_hint(_("add -o FILE.pdf, -o FILE.html, -o FILE.md, -o FILE.tex or -o FILE.csv"));
         return EXIT_USAGE;

@@ -200,7 +200,8 @@ typedef struct luxel_report_settings {
     const char *aim;                /* of the work, a paragraph; NULL: to compute and show what is computed */
     unsigned digits;                /* significant digits of values, to 17; 0: 7, and 12 of the values of points */
     luxel_report_purpose purpose;   /* what the report is to show */
-    void *reserved[3];              /* for later versions: NULL */
+    const char *tables;             /* a folder for the tables of a report for lighting; NULL: they are in it alone */
+    void *reserved[2];              /* for later versions: NULL */
 } luxel_report_settings;
 
 /*
@@ -209,6 +210,10 @@ typedef struct luxel_report_settings {
  * aim, task, parameters, formulas, pictures, sections, points, extrema, conclusions, and the scene to reproduce them.
  * With LUXEL_REPORT_LIGHTING: a summary of the limits with their verdicts, the plan, the luminaires with totals, each
  * measuring grid as figure and table, the glare of observers, the light on surfaces, the conventions, and the scene.
+ * With `tables` that one writes files into a folder, which must be there: each of its tables as NAME.csv, bounds in
+ * columns of their own (limits, luminaires, maintenance, positions, glare, glare-N of the N-th observer, surfaces,
+ * balance), and what tables leave out: grids.csv, a line for each grid, values.csv as luxel_grids_write() has it, and
+ * the isolux lines of the figures as isolux.csv and isolux.dxf.
  * `report` NULL: none of its texts.  Zero-initialise its settings, so that members that come later are NULL.
  * LUXEL_ERROR_ARGUMENT: another extension.  LUXEL_ERROR_FILE.  Errors as luxel_render() lists them, too.
  */

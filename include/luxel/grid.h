@@ -95,6 +95,10 @@ typedef struct luxel_grid {
     luxel_bounded modelling;     /* the average by that of the irradiance on the plane at the same places, */
     luxel_bounded least_modelling;    /* and the least */
     luxel_bounded greatest_modelling; /* and the greatest of such ratios at a place (luxel_find_grid() alone) */
+    struct luxel_grid *surround;      /* the area around this one (EN 12464-1) as a grid without flux and mean, whose
+                                         cells fill the rectangle around it: those that are not in it have no value
+                                         and are marked as `inside`; NULL: none is asked for, or walls leave no room */
+    struct luxel_grid *background;    /* likewise the area around that */
 } luxel_grid;
 
 /* The number of measuring grids of a committed scene. */
@@ -155,9 +159,10 @@ LUXEL_API luxel_status luxel_find_grid_extrema(const luxel_scene *scene, const l
 /*
  * Measures the plane of the scene's i-th grid at the centres of other cells, so many columns and rows, as a field: the
  * irradiance in float64, row 0 the top one, its places in mm from the plane's middle, x along up x axis and y along up.
- * An odd multiple of the grid's own cells has their centres among its own.  The field is the caller's, as
- * luxel_render() has it, but knows no scene.
- * Errors as luxel_find_grid(); LUXEL_ERROR_ARGUMENT: columns or rows are not 1 to 65536, too.
+ * An odd multiple of the grid's own cells has their centres among its own.  Columns and rows of 0 are such multiples,
+ * so many that figures and lines of equal value show no corners, measured no more exactly than these need.  The field
+ * is the caller's, as luxel_render() has it, but knows no scene.
+ * Errors as luxel_find_grid(); LUXEL_ERROR_ARGUMENT: columns or rows are not 1 to 65536, or both 0, too.
  */
 LUXEL_API luxel_status luxel_find_grid_field(const luxel_scene *scene, const luxel_settings *settings, size_t i,
                                              unsigned columns, unsigned rows, luxel_diagnostics *diagnostics,

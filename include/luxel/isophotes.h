@@ -12,6 +12,7 @@
 
 #include <luxel/evaluator.h>
 #include <luxel/field.h>
+#include <luxel/grid.h>
 
 #ifdef __cplusplus
 extern "C" {
@@ -22,8 +23,8 @@ typedef struct luxel_isophote {
     double level;       /* the value along it */
     bool closed;        /* whether it comes back to where it began */
     size_t count;       /* of vertices, 2 at least */
-    const double *x_mm; /* on the screen */
-    const double *y_mm; /* of the vertices, on the screen */
+    const double *x_mm; /* on the screen; on the plane of a grid from its middle, along up x axis */
+    const double *y_mm; /* of the vertices, on the screen; on the plane of a grid along up */
 } luxel_isophote;
 
 /* All lines, level by level in the order in which the levels were given.  The arrays live as long as it does. */
@@ -44,6 +45,28 @@ LUXEL_API luxel_status luxel_find_isophotes(const luxel_field *field, const luxe
 
 /* Frees isophotes; NULL is harmless. */
 LUXEL_API void luxel_isophotes_free(luxel_isophotes *isophotes);
+
+/*
+ * Finds the lines of `count` levels on the plane of the scene's i-th grid, in the field that luxel_find_grid_field()
+ * found for it, by the grid's own measure.  A line is straight between samples of the field, whose values are taken for
+ * a straight rise; where light jumps, at the edge of a shadow of what is a point or far away, its vertices are moved to
+ * where the light passes the level.  The result is the caller's.
+ * Errors as luxel_find_grid() and luxel_find_isophotes().
+ */
+LUXEL_API luxel_status luxel_find_grid_isophotes(const luxel_scene *scene, const luxel_settings *settings, size_t i,
+                                                 const luxel_field *field, const double *levels, size_t count,
+                                                 luxel_diagnostics *diagnostics, luxel_isophotes **isophotes);
+
+/*
+ * Writes the lines on the planes of `count` grids to a .dxf file (ASCII, of release 12), whole or not at all: each a
+ * polyline in space, in the scene's coordinates in mm, with its level beside it, on a layer of that level, ISOLUX_300
+ * say, of several grids ISOLUX_2_300 for the second one; what is no letter or digit is written as _.  The layer GRIDS
+ * has the edges of the planes, and their names.
+ * LUXEL_ERROR_ARGUMENT: another extension, or no grid.  LUXEL_ERROR_FILE: it could not be written.
+ */
+LUXEL_API luxel_status luxel_grid_isophotes_write(const luxel_grid *const *grids,
+                                                  const luxel_isophotes *const *isophotes, size_t count,
+                                                  const char *path, luxel_diagnostics *diagnostics);
 
 /*
  * Fills at most `room` levels that a reader takes in at a glance: round numbers (1, 2 or 5 times a power of ten) in

@@ -46,6 +46,17 @@ LUXEL_API bool luxel_scene_has_limits(const luxel_scene *scene);
 LUXEL_API luxel_status luxel_judge_grid(const luxel_scene *scene, size_t i, const luxel_grid *grid,
                                         luxel_limit limits[LUXEL_MOST_LIMITS], size_t *count);
 
+/*
+ * Judges the areas around the scene's i-th grid by what EN 12464-1:2011 wants of them, where the grid is to have some
+ * average: surround_average at least that of its table 1 (from 750 lx on 500 lx, from 500 on 300, from 300 on 200, from
+ * 200 on 150, below that as much as the task area) and surround_uniformity, the minimum by the average, at least 0.4;
+ * background_average at least a third of that and background_uniformity at least 0.1.  An area that there is no room
+ * for has no limits.
+ * LUXEL_ERROR_ARGUMENT: NULL, or no such grid.
+ */
+LUXEL_API luxel_status luxel_judge_areas(const luxel_scene *scene, size_t i, const luxel_grid *grid,
+                                         luxel_limit limits[LUXEL_MOST_LIMITS], size_t *count);
+
 /* The number of observers (the key `observers`) of a committed scene; one with several places or without a view counts
  * once for each place and each way that it looks, place by place, row by row. */
 LUXEL_API size_t luxel_scene_observer_count(const luxel_scene *scene);

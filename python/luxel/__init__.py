@@ -30,8 +30,8 @@ from ._language import set_language
 from ._photometry import Diagram, Greatest, LampSet, Opening, Photometry, PhotometryFigures
 from ._pictures import Figure, palettes
 from ._probe import Color, Probe, Probes, Share
-from ._results import (Alternative, Comparison, Extrema, Extremum, GridExtrema, GridExtremum, GridPeak, Histogram,
-                       Isophote, Judgement, Light, Mesh, Peak, Profile, Statistics, Summary)
+from ._results import (Alternative, Comparison, Extrema, Extremum, GridArea, GridExtrema, GridExtremum, GridPeak,
+                       Histogram, Isophote, Judgement, Light, Mesh, Peak, Profile, Statistics, Summary)
 from ._room import Limit, Observer, Room, RoomArray, room
 from ._scene import Scene, builtin_scenes, instruction_sets, schema, variant
 from ._study import Study
@@ -42,7 +42,7 @@ __version__ = _version()
 __all__ = [
     "Alternative", "Amount", "Arrangement", "Balance", "Camera", "Color", "Comparison", "Daylight", "DaylightFactor",
     "DaylightGrid", "Diagnostic", "Diagram", "Document", "Exchange", "ExchangeSide", "Extrema", "Extremum", "Field",
-    "Figure", "Fit", "FitParameter", "Geometry", "Glare", "GlareSource", "Greatest", "Grid", "GridExtrema",
+    "Figure", "Fit", "FitParameter", "Geometry", "Glare", "GlareSource", "Greatest", "Grid", "GridArea", "GridExtrema",
     "GridExtremum", "GridPeak", "Histogram", "Isophote", "Jacobian", "Judgement", "LampSet", "Layout", "LayoutLimit",
     "Light", "Limit", "LitSide", "LuxelError", "LuxelFileError", "LuxelKeyError", "LuxelMemoryError",
     "LuxelNotFoundError", "LuxelValueError", "LuxelWarning", "Mesh", "Observer", "Opening", "Peak", "Photometry",

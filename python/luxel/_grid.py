@@ -9,7 +9,7 @@ from . import _html, _luxel
 from ._arrays import shared
 from ._balance import Amount
 from ._language import translate
-from ._results import GridExtrema, GridExtremum, GridPeak, Vector
+from ._results import GridArea, GridExtrema, GridExtremum, GridPeak, Vector
 from ._room import Limit, limits
 from ._settings import Progress, Settings
 
@@ -20,6 +20,10 @@ if TYPE_CHECKING:
 
 def _extremum(found: Any) -> Optional[GridExtremum]:
     return None if found is None else GridExtremum(*found)
+
+
+def _area(found: Any) -> Optional[GridArea]:
+    return None if found is None else GridArea(*found[:3], _extremum(found[3]), _extremum(found[4]), *found[5:])
 
 
 class Grid:
@@ -64,13 +68,17 @@ class Grid:
     measure: str  #: "plane", or "cylindrical" and so on: what the values are
     #: of a cylindrical grid the ratio of its average to that on its plane, its least and its greatest at a cell
     modelling: Optional[Tuple[Amount, Amount, Amount]]
+    surround: Optional[GridArea]  #: where the scene asks for it and the walls leave room
+    background: Optional[GridArea]
 
     def __init__(self, scene: "Scene", index: int, how: Settings) -> None:
         found: Any = _luxel.measure(scene._handle, index, how)
         self._again = (scene.copy(), index, how[:-1] + (None,))
         (self._holder, self.name, place, self.unit, values, errors, mask, inside, self.measured, self.blocking_light,
          self.error, self.average, self.average_error, minimum, maximum, self.u0, self.ud, plane, sampling,
-         self.enclosing_surface, self.tolerance_reached, self.enclosed, self.measure, modelling) = found
+         self.enclosing_surface, self.tolerance_reached, self.enclosed, self.measure, modelling, surround,
+         background) = found
+        self.surround, self.background = _area(surround), _area(background)
         self.modelling = (Amount(*modelling[0]), Amount(*modelling[1]), Amount(*modelling[2])) if modelling else None
         self.center_mm, self.size_mm, self.axis, self.up, self.across = place
         self._views = (values, errors, mask, inside)
@@ -106,7 +114,10 @@ class Grid:
 
     @property
     def limits(self) -> Tuple[Limit, ...]:
-        """The limits of the grid (the key `limits`) in the scene as it was measured, and whether they are kept."""
+        """The limits of the grid (the key `limits`) in the scene as it was measured, and whether they are kept.
+
+        Where the grid is to have some average those of the areas around it follow, as EN 12464-1 has them.
+        """
         scene, index, _ = self._again
         return limits(_luxel.judge_grid(scene._handle, index, self._holder))
 

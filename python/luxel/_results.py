@@ -163,6 +163,20 @@ class GridExtremum(NamedTuple):
     position_mm: Vector  #: the centre of its cell
 
 
+class GridArea(NamedTuple):
+    """An area around the plane of a grid, as far as the walls: the surrounding or the background area of a task."""
+
+    measured: int  #: how many cells it has
+    average: Optional[float]
+    average_error: Optional[float]
+    minimum: Optional[GridExtremum]
+    maximum: Optional[GridExtremum]
+    error: Optional[float]  #: the largest of the bounds of the values
+    u0: Optional[float]  #: minimum / average
+    center_mm: Vector  #: of the rectangle around it
+    size_mm: Tuple[float, float]
+
+
 class GridPeak(NamedTuple):
     """The greatest or least value on the whole plane of a measuring grid, between its points."""
 

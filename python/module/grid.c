@@ -54,6 +54,19 @@ static PyObject *modelling(const luxel_grid *grid)
                          grid->least_modelling.error, grid->greatest_modelling.value, grid->greatest_modelling.error);
 }
 
+/* An area around a plane. */
+static PyObject *area(const luxel_grid *grid)
+{
+    if (!grid)
+        return none();
+    return Py_BuildValue("(nNNNNNN(ddd)(dd))", (Py_ssize_t)grid->measured,
+                         number_or_none(grid->measured > 0, grid->average.value),
+                         number_or_none(grid->measured > 0, grid->average.error), extremum(grid, &grid->minimum),
+                         extremum(grid, &grid->maximum), number_or_none(grid->measured > 0, grid->error),
+                         number_or_none(grid->has_evenness, grid->u0), grid->center_mm[0], grid->center_mm[1],
+                         grid->center_mm[2], grid->size_mm[0], grid->size_mm[1]);
+}
+
 /* Takes the grid. */
 static PyObject *grid_tuple(PyObject *module, luxel_grid *grid)
 {
@@ -63,7 +76,7 @@ static PyObject *grid_tuple(PyObject *module, luxel_grid *grid)
         return NULL;
     const bool is_blocked = grid->measured + grid->enclosed < (size_t)grid->rows * grid->columns;
     PyObject *tuple = Py_BuildValue(
-        "(NNNsNNNNnNdNNNNNNNNNOnsN)", Py_NewRef(holder), text_or_none(grid->name), place(grid), grid->unit,
+        "(NNNsNNNNnNdNNNNNNNNNOnsNNN)", Py_NewRef(holder), text_or_none(grid->name), place(grid), grid->unit,
         cells(module, holder, grid, grid->values, "d"), cells(module, holder, grid, grid->errors, "d"),
         cells(module, holder, grid, grid->mask, "?"), cells(module, holder, grid, grid->inside, "?"),
         (Py_ssize_t)grid->measured, is_blocked ? PyLong_FromSize_t(grid->blocking_light) : none(), grid->error,
@@ -73,7 +86,7 @@ static PyObject *grid_tuple(PyObject *module, luxel_grid *grid)
         number_or_none(grid->has_evenness, grid->ud), plane(grid), sampling(grid),
         grid->enclosed > 0 ? PyLong_FromSize_t(grid->enclosing_surface) : none(),
         grid->tolerance_reached && grid->reflected_reached ? Py_True : Py_False, (Py_ssize_t)grid->enclosed,
-        grid->measure, modelling(grid));
+        grid->measure, modelling(grid), area(grid->surround), area(grid->background));
 
     Py_DECREF(holder);
     return tuple;
@@ -154,8 +167,8 @@ static PyObject *judge_grid(PyObject *module, PyObject *arguments)
 {
     PyObject *handle, *holder;
     Py_ssize_t index;
-    luxel_limit limits[LUXEL_MOST_LIMITS];
-    size_t count = 0;
+    luxel_limit limits[2 * LUXEL_MOST_LIMITS];
+    size_t count = 0, around = 0;
     const luxel_scene *scene;
     const luxel_grid *grid;
 
@@ -163,7 +176,8 @@ static PyObject *judge_grid(PyObject *module, PyObject *arguments)
         !(grid = grid_of(module, holder)))
         return NULL;
     luxel_judge_grid(scene, (size_t)index, grid, limits, &count);
-    return limits_list(limits, count);
+    luxel_judge_areas(scene, (size_t)index, grid, limits + count, &around);
+    return limits_list(limits, count + around);
 }
 
 /* Fills an array of rows x columns x 3 float64 with the centres of the cells. */

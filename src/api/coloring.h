@@ -45,9 +45,11 @@ luxel_probe *lx_probes_list(luxel_probes *probes);
 void lx_probe_take_place(luxel_probes *probes, size_t i, const luxel_probe *from);
 
 /* lx_measure_cells() of a grey computation, and of a scene in color. */
-luxel_status lx_measure_grey(const luxel_scene *scene, const luxel_settings *settings, size_t i, const unsigned n[2],
-                             luxel_diagnostics *diagnostics, luxel_grid **grid);
+struct lx_wanted_cells;
+luxel_status lx_measure_grey(const luxel_scene *scene, const luxel_settings *settings, size_t i,
+                             const struct lx_wanted_cells *cells, luxel_diagnostics *diagnostics, luxel_grid **grid);
 luxel_status lx_measure_in_color(const luxel_scene *scene, const luxel_settings *settings, size_t i,
-                                 const unsigned n[2], luxel_diagnostics *diagnostics, luxel_grid **grid);
+                                 const struct lx_wanted_cells *cells, luxel_diagnostics *diagnostics,
+                                 luxel_grid **grid);
 
 #endif

@@ -69,7 +69,7 @@ static luxel_status find_skies(const struct lx_scene_parameters *scene, struct a
         if (!((const struct lx_light_common *)light->common)->enabled || strcmp(light->variant->name, "sky") != 0)
             continue;
         asked->skies[asked->sky_count++] = i;
-        const int failed = lx_light_lower(light, 1, &emitters);
+        const int failed = lx_light_lower(light, 1, 1, &emitters);
         for (size_t k = 0; k < lx_item_count(&emitters); k++)
             sum = lx_add(sum, emitters.items[k].dome->facing);
         lx_emitters_clear(&emitters);

@@ -198,7 +198,9 @@ static luxel_status rate_light(struct rating *rating, size_t light, size_t *next
     struct lx_emitters whole = {.is_whole = true};
     struct lx_emitter room;
     luxel_status status =
-        lx_light_lower(item, prepared->scene->maintenance, &whole) == 0 ? LUXEL_OK : LUXEL_ERROR_MEMORY;
+        lx_light_lower(item, prepared->scene->maintenance, lx_dimming_of(prepared->scene, item), &whole) == 0
+            ? LUXEL_OK
+            : LUXEL_ERROR_MEMORY;
     while (*next < prepared->emitters.count && lx_emitter_at(&prepared->emitters, *next, &room)->light == light)
         (*next)++;
     const size_t each = (*next - first) / places;

@@ -29,6 +29,8 @@ void luxel_grid_free(luxel_grid *grid)
     free((uint8_t *)grid->mask);
     free((uint8_t *)grid->inside);
     free((luxel_color *)grid->colors);
+    luxel_grid_free(grid->surround);
+    luxel_grid_free(grid->background);
     free(grid);
 }
 
@@ -73,14 +75,16 @@ static void make_elements(const struct lx_measuring *measuring, const unsigned *
     lx_world_settle(&measuring->world, &(struct lx_settling){.has_normals = true}, elements);
 }
 
-/* Cells that are in no body, of some; returns how many. */
-static unsigned leave_out_enclosed(const struct lx_measuring *measuring, unsigned first, unsigned count,
-                                   unsigned these[LX_BATCH])
+/* Cells that are in no body, and in the area, of some; returns how many. */
+static unsigned leave_out(const struct lx_measuring *measuring, unsigned first, unsigned count,
+                          unsigned these[LX_BATCH])
 {
     const unsigned columns = measuring->lattice.cells.n[0];
     unsigned left = 0;
     for (unsigned cell = first; cell < first + count; cell++)
-        if (!lx_body_around_cell(measuring, cell % columns, cell / columns))
+        if (!(measuring->ring &&
+              lx_ring_leaves_out(measuring->ring, &measuring->lattice.cells, cell % columns, cell / columns)) &&
+            !lx_body_around_cell(measuring, cell % columns, cell / columns))
             these[left++] = cell;
     return left;
 }
@@ -95,8 +99,7 @@ static void measure_cells(void *data, unsigned worker, bool is_caller, unsigned 
     (void)worker;
     for (unsigned cell = first; cell < last && lx_asking_goes_on(&asking); cell += LX_BATCH) {
         unsigned these[LX_BATCH];
-        const unsigned count =
-            leave_out_enclosed(measuring, cell, last - cell < LX_BATCH ? last - cell : LX_BATCH, these);
+        const unsigned count = leave_out(measuring, cell, last - cell < LX_BATCH ? last - cell : LX_BATCH, these);
         if (count == 0)
             continue;
         make_elements(measuring, these, count, &elements);
@@ -410,18 +413,20 @@ const struct lx_grid *lx_asked_grid(const luxel_scene *scene, size_t i, const vo
     return answer ? grid : NULL;
 }
 
-luxel_status lx_measure_cells(const luxel_scene *scene, const luxel_settings *settings, size_t i, const unsigned n[2],
-                              luxel_diagnostics *diagnostics, luxel_grid **grid)
+luxel_status lx_measure_cells(const luxel_scene *scene, const luxel_settings *settings, size_t i,
+                              const struct lx_wanted_cells *cells, luxel_diagnostics *diagnostics, luxel_grid **grid)
 {
-    return luxel_scene_has_color(scene) && grid ? lx_measure_in_color(scene, settings, i, n, diagnostics, grid)
-                                                : lx_measure_grey(scene, settings, i, n, diagnostics, grid);
+    return luxel_scene_has_color(scene) && grid ? lx_measure_in_color(scene, settings, i, cells, diagnostics, grid)
+                                                : lx_measure_grey(scene, settings, i, cells, diagnostics, grid);
 }
 
-luxel_status lx_measure_as(const luxel_scene *scene, const luxel_settings *settings, size_t i, const unsigned n[2],
-                           const enum lx_measure *measure, luxel_diagnostics *diagnostics, luxel_grid **grid)
+luxel_status lx_measure_as(const luxel_scene *scene, const luxel_settings *settings, size_t i,
+                           const struct lx_wanted_cells *cells, const enum lx_measure *measure,
+                           luxel_diagnostics *diagnostics, luxel_grid **grid)
 {
+    const struct lx_area *area = cells ? cells->area : NULL;
     struct lx_session session;
-    struct lx_measuring measuring = {.values_alone = n != NULL};
+    struct lx_measuring measuring = {.values_alone = cells != NULL, .ring = area ? &area->ring : NULL};
     struct lx_grid wanted;
     luxel_status status = lx_session_open_world(scene, settings, diagnostics, &session);
     const struct lx_grid *asked = status == LUXEL_OK ? lx_asked_grid(scene, i, grid, "grid", diagnostics) : NULL;
@@ -431,11 +436,11 @@ luxel_status lx_measure_as(const luxel_scene *scene, const luxel_settings *setti
         measuring.world = session.world;
         measuring.world.reflected = NULL;
         measuring.settings = &session.settings;
-        measuring.slot = lx_scene_reflected_on_plane(scene);
+        measuring.slot = area ? NULL : lx_scene_reflected_on_plane(scene);
         measuring.number = i;
-        wanted = *asked;
-        if (n)
-            memcpy(wanted.n, n, sizeof wanted.n);
+        wanted = area ? area->grid : *asked;
+        if (cells && !area)
+            memcpy(wanted.n, cells->n, sizeof wanted.n);
         if (measure)
             wanted.measure = (int)*measure;
         status = new_grid(&session, &wanted, diagnostics, &measuring);
@@ -454,10 +459,10 @@ luxel_status lx_measure_as(const luxel_scene *scene, const luxel_settings *setti
     return status;
 }
 
-luxel_status lx_measure_grey(const luxel_scene *scene, const luxel_settings *settings, size_t i, const unsigned n[2],
-                             luxel_diagnostics *diagnostics, luxel_grid **grid)
+luxel_status lx_measure_grey(const luxel_scene *scene, const luxel_settings *settings, size_t i,
+                             const struct lx_wanted_cells *cells, luxel_diagnostics *diagnostics, luxel_grid **grid)
 {
-    return lx_measure_as(scene, settings, i, n, NULL, diagnostics, grid);
+    return lx_measure_as(scene, settings, i, cells, NULL, diagnostics, grid);
 }
 
 void luxel_grid_position(const luxel_grid *grid, unsigned column, unsigned row, double position_mm[3])

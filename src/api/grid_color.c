@@ -91,14 +91,16 @@ static void add_channels(luxel_color *colors, const struct lx_color_part *part, 
 
 /* A grid of one part, added to what is made; beside a grid that is known already the values alone count. */
 static luxel_status add_part(const struct lx_color_parts *parts, size_t p, const luxel_settings *settings,
-                             size_t number, const unsigned n[2], luxel_diagnostics *diagnostics, luxel_grid **made,
-                             luxel_color **colors)
+                             size_t number, const struct lx_wanted_cells *wanted, luxel_diagnostics *diagnostics,
+                             luxel_grid **made, luxel_color **colors)
 {
     luxel_grid *from = *made;
-    const unsigned cells[2] = {*made ? (*made)->columns : 0, *made ? (*made)->rows : 0};
+    const struct lx_wanted_cells cells = {.n = {*made ? (*made)->columns : 0, *made ? (*made)->rows : 0},
+                                          .area = wanted ? wanted->area : NULL};
     luxel_status status = LUXEL_OK;
     if (!parts->is_single)
-        status = lx_measure_grey(parts->list[p].scene, settings, number, parts->is_sum ? n : cells, diagnostics, &from);
+        status = lx_measure_grey(parts->list[p].scene, settings, number, parts->is_sum ? wanted : &cells, diagnostics,
+                                 &from);
     if (status != LUXEL_OK)
         return status;
     if (!*colors)
@@ -114,7 +116,7 @@ static luxel_status add_part(const struct lx_color_parts *parts, size_t p, const
 }
 
 luxel_status lx_measure_in_color(const luxel_scene *scene, const luxel_settings *settings, size_t i,
-                                 const unsigned n[2], luxel_diagnostics *diagnostics, luxel_grid **grid)
+                                 const struct lx_wanted_cells *cells, luxel_diagnostics *diagnostics, luxel_grid **grid)
 {
     struct lx_color_parts parts = {.count = 0};
     struct lx_part_progress progress;
@@ -128,11 +130,11 @@ luxel_status lx_measure_in_color(const luxel_scene *scene, const luxel_settings 
     const size_t before = parts.is_sum ? 0 : 1, all = parts.is_single ? 1 : parts.count + before;
     lx_part_progress_begin(&progress, 0, all, settings, &own);
     if (status == LUXEL_OK && !parts.is_sum)
-        status = lx_measure_grey(scene, &own, i, n, diagnostics, &made);
+        status = lx_measure_grey(scene, &own, i, cells, diagnostics, &made);
     for (size_t p = 0; p < parts.count && status == LUXEL_OK; p++) {
         luxel_settings of_part = parts.list[p].settings;
         lx_part_progress_begin(&progress, p + before, all, settings, &of_part);
-        status = add_part(&parts, p, &of_part, i, n, diagnostics, &made, &colors);
+        status = add_part(&parts, p, &of_part, i, cells, diagnostics, &made, &colors);
     }
     if (made)
         made->colors = colors;

@@ -19,10 +19,11 @@ struct lx_measuring {
     struct lx_lattice lattice; /* of its cells */
     double *values, *errors;
     uint8_t *mask, *inside;
-    struct lx_bodies bodies;   /* that the plane meets */
-    bool values_alone;         /* nothing is asked of the plane as a whole */
-    struct lx_kept_slot *slot; /* for what is reflected to the plane; NULL: it is not kept */
-    size_t number;             /* of the grid */
+    struct lx_bodies bodies;    /* that the plane meets */
+    const struct lx_ring *ring; /* what of the cells counts; NULL: all */
+    bool values_alone;          /* nothing is asked of the plane as a whole */
+    struct lx_kept_slot *slot;  /* for what is reflected to the plane; NULL: it is not kept */
+    size_t number;              /* of the grid */
 };
 
 /* The sum that number i of the answer for the light on a plane is, direct light alone as long as nothing is known to be

@@ -32,8 +32,8 @@ static void set_modelling(luxel_grid *grid, const luxel_grid *horizontal)
     grid->greatest_modelling = greatest;
 }
 
-luxel_status luxel_find_grid(const luxel_scene *scene, const luxel_settings *settings, size_t i,
-                             luxel_diagnostics *diagnostics, luxel_grid **grid)
+static luxel_status find_plane(const luxel_scene *scene, const luxel_settings *settings, size_t i,
+                               luxel_diagnostics *diagnostics, luxel_grid **grid)
 {
     static const enum lx_measure plane = LX_MEASURE_PLANE;
     const bool exists = grid && i < luxel_scene_grid_count(scene);
@@ -51,11 +51,18 @@ luxel_status luxel_find_grid(const luxel_scene *scene, const luxel_settings *set
     if (status != LUXEL_OK)
         return status;
     lx_part_progress_begin(&progress, 1, 2, settings, &own);
-    status = lx_measure_as(scene, &own, i, asked->n, &plane, diagnostics, &horizontal);
+    const struct lx_wanted_cells cells = {.n = {asked->n[0], asked->n[1]}};
+    status = lx_measure_as(scene, &own, i, &cells, &plane, diagnostics, &horizontal);
     if (status == LUXEL_OK)
         set_modelling(*grid, horizontal);
     else
         luxel_grid_free(*grid);
     luxel_grid_free(horizontal);
     return status;
+}
+
+luxel_status luxel_find_grid(const luxel_scene *scene, const luxel_settings *settings, size_t i,
+                             luxel_diagnostics *diagnostics, luxel_grid **grid)
+{
+    return lx_measure_with_areas(scene, settings, i, find_plane, diagnostics, grid);
 }

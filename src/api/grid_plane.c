@@ -200,7 +200,13 @@ const struct lx_prepared_surface *lx_body_around_cell(const struct lx_measuring 
 void lx_find_enclosed_cells(const struct lx_measuring *measuring)
 {
     luxel_grid *grid = &measuring->made->grid;
-    for (unsigned cell = 0; measuring->bodies.are_bodies && cell < grid->columns * grid->rows; cell++) {
+    const unsigned cells = measuring->ring || measuring->bodies.are_bodies ? grid->columns * grid->rows : 0;
+    for (unsigned cell = 0; cell < cells; cell++) {
+        if (measuring->ring &&
+            lx_ring_leaves_out(measuring->ring, &measuring->made->cells, cell % grid->columns, cell / grid->columns)) {
+            measuring->inside[cell] = 1;
+            continue;
+        }
         const struct lx_prepared_surface *around =
             lx_body_around_cell(measuring, cell % grid->columns, cell / grid->columns);
         measuring->inside[cell] = around != NULL;

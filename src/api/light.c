@@ -44,7 +44,10 @@ static luxel_status lower(const luxel_scene *scene, size_t i, struct lx_emitters
     const struct lx_item *item = item_of(scene, i);
     if (!item)
         return LUXEL_ERROR_ARGUMENT;
-    return lx_light_lower(item, lx_scene_parameters(scene)->maintenance, emitters) == 0 ? LUXEL_OK : LUXEL_ERROR_MEMORY;
+    const struct lx_scene_parameters *parameters = lx_scene_parameters(scene);
+    return lx_light_lower(item, parameters->maintenance, lx_dimming_of(parameters, item), emitters) == 0
+               ? LUXEL_OK
+               : LUXEL_ERROR_MEMORY;
 }
 
 /* The number that one of the totals gives of light i. */

@@ -124,6 +124,42 @@ luxel_status luxel_judge_grid(const luxel_scene *scene, size_t i, const luxel_gr
     return LUXEL_OK;
 }
 
+/* The least average of the area around a task area that is to have so much (EN 12464-1:2011, table 1). */
+static double wanted_around(double task)
+{
+    static const double rows[][2] = {{750, 500}, {500, 300}, {300, 200}, {200, 150}};
+    for (size_t i = 0; i < sizeof rows / sizeof *rows; i++)
+        if (task >= rows[i][0])
+            return rows[i][1];
+    return task;
+}
+
+luxel_status luxel_judge_areas(const luxel_scene *scene, size_t i, const luxel_grid *grid,
+                               luxel_limit limits[LUXEL_MOST_LIMITS], size_t *count)
+{
+    static const struct {
+        const char *names[2];
+        double average, uniformity; /* the average as a share of that wanted of the surrounding area */
+    } rules[] = {{{"surround_average", "surround_uniformity"}, 1, 0.4},
+                 {{"background_average", "background_uniformity"}, 1.0 / 3, 0.1}};
+    const struct lx_grid *from = grid_of(scene, i);
+    const char *name;
+    if (!from || !grid || !limits || !count)
+        return LUXEL_ERROR_ARGUMENT;
+    const luxel_grid *const areas[] = {grid->surround, grid->background};
+    const double task = lx_grid_limit(&from->limits, LX_LIMIT_AVERAGE, &name);
+    *count = 0;
+    for (size_t k = 0; k < 2 && !isnan(task); k++) {
+        const double wanted[] = {rules[k].average * wanted_around(task), rules[k].uniformity};
+        for (size_t n = 0; n < 2 && areas[k] && areas[k]->measured > 0; n++) {
+            luxel_limit limit = {.name = rules[k].names[n], .wanted = wanted[n], .verdict = LUXEL_UNDECIDED};
+            judge_number(areas[k], n == 0 ? LX_LIMIT_AVERAGE : LX_LIMIT_UNIFORMITY, &limit);
+            limits[(*count)++] = limit;
+        }
+    }
+    return LUXEL_OK;
+}
+
 /* ---- observers ---- */
 
 /* How many ways an observer looks from each of its places. */

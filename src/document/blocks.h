@@ -37,6 +37,7 @@ struct lx_block {
     struct lx_pieces words; /* of heading, paragraph, item; the caption of a picture */
     char *text;             /* the notation of a formula; code; the alignment of a table, a letter a column */
     struct lx_row *rows;    /* of a table; the first is its heading */
+    char name[32];          /* of a table that has one, for a file; else "" */
     size_t row_count, row_capacity;
     unsigned char *png; /* of a picture; NULL: none */
     size_t png_length;
@@ -85,6 +86,9 @@ void lx_document_write_latex(const struct luxel_document *document, struct lx_te
 void lx_document_write_html(const struct luxel_document *document, struct lx_text *text);
 /* Its tables alone. */
 void lx_document_write_csv(const struct luxel_document *document, struct lx_text *text);
+/* One of them: where cells of a column have bounds, "609.91 ± 0.22", these are a column of their own behind it, and a
+ * cell with no more than a dash is empty. */
+void lx_document_write_table(const struct lx_block *table, struct lx_text *text);
 
 /* Adds a formula for LaTeX and its like; in a table of Markdown, | would end the cell. */
 void lx_add_tex_formula(struct lx_text *text, const char *notation, bool in_cell);

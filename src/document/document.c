@@ -307,6 +307,14 @@ void lx_document_table(struct luxel_document *document, const char *alignment)
     add_text(document, LX_BLOCK_TABLE, alignment);
 }
 
+void lx_document_name_table(struct luxel_document *document, const char *name, size_t number)
+{
+    if (document->failed)
+        return;
+    struct lx_block *table = &document->blocks[document->block_count - 1];
+    snprintf(table->name, sizeof table->name, number > 0 ? "%s-%zu" : "%s", name, number);
+}
+
 void lx_document_row(struct luxel_document *document, const struct lx_span *cells, bool marked)
 {
     if (document->failed || document->block_count == 0)

@@ -98,6 +98,8 @@ void lx_document_code(struct luxel_document *document, const char *text);
  * spans, end.  A row that is marked is one to be noticed.
  */
 void lx_document_table(struct luxel_document *document, const char *alignment);
+/* Names the table that was begun last, for a file of its own; `number` 0: it is the only one of this name. */
+void lx_document_name_table(struct luxel_document *document, const char *name, size_t number);
 void lx_document_row(struct luxel_document *document, const struct lx_span *cells, bool marked);
 
 /*

@@ -91,14 +91,9 @@ void lx_figure_free(struct lx_figure *figure);
 luxel_settings lx_whole_picture(const luxel_settings *settings);
 
 /* The plane of a grid: its values, the field between them, the lights before it, and its axes (plane.c). */
+const luxel_scene *lx_figure_measured(const struct lx_figure *figure); /* the scene whose plane it is */
 luxel_status lx_figure_plane(struct lx_figure *figure, const luxel_settings *settings, luxel_diagnostics *diagnostics);
 void lx_plane_free(struct lx_figure_plane *plane);
-/* Moves the isolux lines of a plane to the edges of its shadows (plane_lines.c). */
-luxel_status lx_plane_move_lines(struct lx_figure *figure, const luxel_settings *settings,
-                                 luxel_diagnostics *diagnostics);
-
-/* Whether an exact value takes an integral, of which thousands would take too long for a figure. */
-bool lx_figure_is_slow(const struct lx_figure *figure);
 
 /* The outlines of the surfaces as they are seen, each contour in so many steps; 0, or -1 when memory ran out. */
 int lx_figure_outline(struct lx_figure *figure, const luxel_evaluator *evaluator, int steps);

@@ -46,15 +46,19 @@ static luxel_status measure_grids(struct lx_design_report *lighting)
     luxel_status status = LUXEL_OK;
     lighting->grids = lx_new_array(count + 1, sizeof *lighting->grids);
     lighting->of_grids = lx_new_array(count + 1, sizeof *lighting->of_grids);
-    if (!lighting->grids || !lighting->of_grids)
+    lighting->lines = lx_new_array(count + 1, sizeof *lighting->lines);
+    if (!lighting->grids || !lighting->of_grids || !lighting->lines)
         return lx_out_of_memory(report->diagnostics);
     for (size_t i = 0; i < count && status == LUXEL_OK; i++) {
         status = luxel_find_grid_values(report->scene, report->settings, i, report->diagnostics, &lighting->grids[i]);
         if (status != LUXEL_OK)
             break;
         lighting->grid_count++;
-        status = luxel_judge_grid(report->scene, i, lighting->grids[i], lighting->of_grids[i].limits,
-                                  &lighting->of_grids[i].count);
+        struct lx_judged *judged = &lighting->of_grids[i];
+        size_t around = 0;
+        status = luxel_judge_grid(report->scene, i, lighting->grids[i], judged->limits, &judged->count);
+        luxel_judge_areas(report->scene, i, lighting->grids[i], judged->limits + judged->count, &around);
+        judged->count += around;
     }
     return status;
 }
@@ -95,6 +99,7 @@ static void clear(struct lx_design_report *lighting)
         luxel_glare_free(lighting->glares[i]);
     free(lighting->grids);
     free(lighting->of_grids);
+    free(lighting->lines);
     free(lighting->glares);
     free(lighting->of_observers);
 }
@@ -114,9 +119,16 @@ static const char *limit_word(const luxel_limit *limit)
 {
     static const struct {
         const char *key, *words;
-    } known[] = {{"average", LX_N("average")},         {"minimum", LX_N("minimum")},
-                 {"maximum", LX_N("maximum")},         {"uniformity", LX_N("uniformity U0")},
-                 {"share", LX_N("share of the area")}, {"ugr", "UGR"}};
+    } known[] = {{"average", LX_N("average")},
+                 {"minimum", LX_N("minimum")},
+                 {"maximum", LX_N("maximum")},
+                 {"uniformity", LX_N("uniformity U0")},
+                 {"share", LX_N("share of the area")},
+                 {"ugr", "UGR"},
+                 {"surround_average", LX_N("surrounding area: average")},
+                 {"surround_uniformity", LX_N("surrounding area: U0")},
+                 {"background_average", LX_N("background area: average")},
+                 {"background_uniformity", LX_N("background area: U0")}};
     for (size_t i = 0; i < sizeof known / sizeof *known; i++)
         if (strcmp(known[i].key, limit->name) == 0)
             return known[i].words;
@@ -129,7 +141,8 @@ static void add_verdicts(const struct lx_report *report, const char *name, const
 {
     for (size_t i = 0; i < judged->count; i++) {
         const luxel_limit *limit = &judged->limits[i];
-        const bool has_unit = limit->name[0] == 'a' || limit->name[0] == 'm', is_share = limit->name[0] == 's';
+        const bool has_unit = limit->name[0] == 'a' || limit->name[0] == 'm' || strstr(limit->name, "_average");
+        const bool is_share = strcmp(limit->name, "share") == 0;
         char wanted[LX_NUMBER_SIZE + 40], number[LX_NUMBER_SIZE], cell[LX_LIGHTING_CELL];
         snprintf(wanted, sizeof wanted, "%s %s%s%s", limit->is_most ? "≤" : "≥",
                  lx_write_digits(limit->wanted, 6, number), has_unit ? " " : "",
@@ -189,6 +202,7 @@ static void add_summary(const struct lx_design_report *lighting)
             document, LX_N("Of {0} limits {1} are not kept, or not for certain."),
             LX_SPANS(LX_PLAIN(lx_write_number((double)count, all)), LX_PLAIN(lx_write_number((double)missed, some))));
     lx_document_table(document, "lllrl");
+    lx_document_name_table(document, "limits", 0);
     lx_document_row(document,
                     LX_SPANS(LX_TERM_SPAN(LX_N("grid or observer")), LX_TERM_SPAN(LX_N("what")),
                              LX_TERM_SPAN(LX_N("limit")), LX_TERM_SPAN(LX_N("value")), LX_TERM_SPAN(LX_N("verdict"))),
@@ -245,8 +259,9 @@ static luxel_status add_values(const struct lx_report *report, const luxel_grid 
     return LUXEL_OK;
 }
 
-static luxel_status add_figure(struct lx_report *report, size_t i)
+static luxel_status add_figure(const struct lx_design_report *lighting, size_t i)
 {
+    struct lx_report *report = lighting->report;
     luxel_figure_settings settings;
     struct lx_figure *figure = NULL;
     unsigned char *bytes = NULL;
@@ -264,6 +279,7 @@ static luxel_status add_figure(struct lx_report *report, size_t i)
         status = lx_figure_png(figure, report->diagnostics, &bytes, &length);
     if (status == LUXEL_OK) {
         const struct lx_drawing drawing = lx_figure_drawing(figure);
+        lighting->lines[i] = figure->isophotes; /* which live as long as the document */
         lx_document_picture(report->document, bytes, length, &drawing,
                             LX_N("The plane in false colour with lines of equal value."), NULL);
     } else {
@@ -271,6 +287,20 @@ static luxel_status add_figure(struct lx_report *report, size_t i)
     }
     free(bytes);
     return status;
+}
+
+/* An area around the plane, where there is room for one. */
+static void add_area(const struct lx_report *report, const luxel_grid *area, const char *english)
+{
+    char numbers[3][LX_NUMBER_SIZE], average[LX_LIGHTING_CELL];
+    if (!area || area->measured == 0)
+        return;
+    lx_document_paragraph(report->document, english,
+                          LX_SPANS(LX_PLAIN(lx_lighting_amount(report, area->average, average)),
+                                   LX_PLAIN(lx_document_word(report->document, area->unit)),
+                                   LX_PLAIN(lx_write_number((double)area->measured, numbers[0])),
+                                   LX_PLAIN(lx_write_digits(area->minimum.value, DIGITS, numbers[1])),
+                                   LX_PLAIN(area->has_evenness ? lx_write_digits(area->u0, 4, numbers[2]) : "–")));
 }
 
 static luxel_status add_grid(const struct lx_design_report *lighting, size_t i)
@@ -302,7 +332,9 @@ static luxel_status add_grid(const struct lx_design_report *lighting, size_t i)
         lx_document_paragraph(document, LX_N("Minimum by average U0 = {0}, minimum by maximum Ud = {1}."),
                               LX_SPANS(LX_PLAIN(lx_write_digits(grid->u0, 4, numbers[0])),
                                        LX_PLAIN(lx_write_digits(grid->ud, 4, numbers[1]))));
-    luxel_status status = add_figure(report, i);
+    add_area(report, grid->surround, LX_N("Surrounding area: average {0} {1} of {2} values, minimum {3}, U0 = {4}."));
+    add_area(report, grid->background, LX_N("Background area: average {0} {1} of {2} values, minimum {3}, U0 = {4}."));
+    luxel_status status = add_figure(lighting, i);
     if (status == LUXEL_OK && grid->columns <= MOST_COLUMNS)
         status = add_values(report, grid);
     return status;
@@ -380,6 +412,8 @@ luxel_status lx_lighting_build(struct lx_report *report)
     luxel_status status = compute(&lighting);
     if (status == LUXEL_OK)
         status = build(&lighting);
+    if (status == LUXEL_OK && report->texts->tables)
+        status = lx_lighting_tables(&lighting);
     clear(&lighting);
     return status;
 }

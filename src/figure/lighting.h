@@ -4,13 +4,14 @@
 #define LX_FIGURE_LIGHTING_H
 
 #include <luxel/grid.h>
+#include <luxel/isophotes.h>
 #include <luxel/limits.h>
 
 #include "report.h"
 
 /* The verdicts of one grid or observer. */
 struct lx_judged {
-    luxel_limit limits[LUXEL_MOST_LIMITS];
+    luxel_limit limits[2 * LUXEL_MOST_LIMITS];
     size_t count;
 };
 
@@ -18,6 +19,7 @@ struct lx_design_report {
     struct lx_report *report; /* the document, the scene, its balance; has no picture */
     luxel_grid **grids;
     struct lx_judged *of_grids;
+    const luxel_isophotes **lines; /* on their planes; NULL: a grid has no figure */
     size_t grid_count;
     luxel_glare **glares; /* of the scene's observers */
     struct lx_judged *of_observers;
@@ -41,6 +43,9 @@ struct lx_judged lx_lighting_judged(const struct lx_design_report *lighting, con
 void lx_lighting_glare(const struct lx_design_report *lighting);
 luxel_status lx_lighting_plan(struct lx_design_report *lighting);
 luxel_status lx_lighting_lamps(struct lx_design_report *lighting);
+
+/* Writes the tables of the finished document, and what they leave out, into the folder that is asked for. */
+luxel_status lx_lighting_tables(const struct lx_design_report *lighting);
 
 /* "609.91 ± 0.22" */
 enum { LX_LIGHTING_CELL = 2 * 32 + 8 };

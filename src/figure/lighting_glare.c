@@ -91,6 +91,7 @@ static void add_singles(const struct lx_design_report *lighting)
             continue;
         if (!has_begun) {
             lx_document_table(document, "lllrr");
+            lx_document_name_table(document, "glare", 0);
             lx_document_row(document,
                             LX_SPANS(LX_TERM_SPAN(LX_N("observer")), LX_TERM_SPAN(LX_N("eye, mm")),
                                      LX_TERM_SPAN(LX_N("view")), LX_PLAIN("UGR"),
@@ -109,16 +110,15 @@ static void add_ratings(const struct lx_design_report *lighting, size_t first, u
 {
     struct lx_text eye = {0};
     luxel_glare_sight sight;
-    char texts[MOST_VIEWS][LX_NUMBER_SIZE];
+    char texts[MOST_VIEWS][LX_LIGHTING_CELL];
     struct lx_span cells[MOST_VIEWS + 2];
     luxel_scene_observer(lighting->report->scene, first, NULL, &sight);
     add_place(&eye, sight.eye_mm);
     cells[0] = (struct lx_span){LX_SPAN_PLAIN, text_of(&eye)};
     for (unsigned k = 0; k < views; k++) {
         const luxel_glare *glare = lighting->glares[first + k];
-        if (glare->has_rating)
-            snprintf(texts[k], LX_NUMBER_SIZE, "%.2f", glare->rating.value);
-        cells[k + 1] = (struct lx_span){LX_SPAN_PLAIN, glare->has_rating ? texts[k] : "–"};
+        cells[k + 1] = (struct lx_span){
+            LX_SPAN_PLAIN, glare->has_rating ? lx_lighting_amount(lighting->report, glare->rating, texts[k]) : "–"};
     }
     cells[views + 1] = (struct lx_span){LX_SPAN_END, NULL};
     lx_document_row(lighting->report->document, cells, false);
@@ -148,17 +148,12 @@ static void add_several(const struct lx_design_report *lighting, const luxel_obs
 {
     struct lx_report *report = lighting->report;
     const char *own = NULL;
-    char name[LX_LIGHTING_NAME], bound[LX_NUMBER_SIZE];
-    double error = 0;
-    for (size_t i = places->first; i < places->first + places->count; i++)
-        if (lighting->glares[i]->has_rating)
-            error = fmax(error, lighting->glares[i]->rating.error);
+    char name[LX_LIGHTING_NAME];
     luxel_scene_observer(report->scene, places->first, &own, NULL);
-    lx_document_paragraph(report->document,
-                          LX_N("{0}: UGR by the place of the eye and the way it looks, with an error of at most {1}."),
-                          LX_SPANS(LX_PLAIN(lx_lighting_name(report, own, LX_N("observer"), number, name)),
-                                   LX_PLAIN(lx_write_bound(error + 0.005, 2, bound))));
+    lx_document_paragraph(report->document, LX_N("{0}: UGR by the place of the eye and the way it looks."),
+                          LX_SPANS(LX_PLAIN(lx_lighting_name(report, own, LX_N("observer"), number, name))));
     head_ratings(lighting, places);
+    lx_document_name_table(report->document, "glare", number + 1);
     for (size_t i = places->first; i < places->first + places->count; i += places->views)
         add_ratings(lighting, i, places->views);
 }

@@ -23,12 +23,13 @@ struct entry {
     double flux;        /* of one, when it is new; NaN: it has none */
     double watts;       /* of one; 0: not known */
     double maintenance; /* of the scene and its own */
+    double dimming;     /* of its group */
     double (*places_mm)[3];
 };
 
 struct totals {
     double count, flux, watts;
-    bool has_flux, has_watts;
+    bool has_flux, has_watts, is_dimmed;
 };
 
 static double own_maintenance(const struct lx_item *item)
@@ -48,14 +49,15 @@ static bool find_entry(const struct lx_design_report *lighting, size_t i, struct
     *entry = (struct entry){.count = lx_light_places(item),
                             .type = item->variant->name,
                             .name = common->name,
-                            .maintenance = report->parameters->maintenance * own_maintenance(item)};
+                            .maintenance = report->parameters->maintenance * own_maintenance(item),
+                            .dimming = lx_dimming_of(report->parameters, item)};
     if (!common->enabled || !(entry->places_mm = lx_light_find_places(item)))
         return false;
     if (kind->photometry)
         entry->photometry = kind->photometry(item->parameters, &entry->file);
     if (luxel_scene_light_flux(report->scene, i, &flux) != LUXEL_OK)
         flux = (double)NAN;
-    entry->flux = flux / ((double)entry->count * entry->maintenance);
+    entry->flux = flux / ((double)entry->count * entry->maintenance * entry->dimming);
     if (entry->photometry && entry->photometry->watts > 0)
         entry->watts = entry->photometry->watts;
     return true;
@@ -101,6 +103,7 @@ static void add_entry(const struct lx_design_report *lighting, size_t i, const s
     totals->count += (double)entry->count;
     totals->flux += (double)entry->count * entry->flux;
     totals->watts += (double)entry->count * entry->watts;
+    totals->is_dimmed = totals->is_dimmed || entry->dimming < 1;
     totals->has_flux = totals->has_flux && has_flux;
     totals->has_watts = totals->has_watts && has_watts;
 }
@@ -130,7 +133,7 @@ static void add_totals(const struct lx_design_report *lighting, const struct tot
     lx_document_paragraph(document, LX_N("On {0} m² of floor that is {1} W/m²."),
                           LX_SPANS(LX_PLAIN(lx_write_digits(lighting->floor_m2, DIGITS, numbers[0])),
                                    LX_PLAIN(lx_write_digits(density, 4, numbers[1]))));
-    if (grid && grid->measured > 0 && grid->average.value > 0)
+    if (grid && grid->measured > 0 && !totals->is_dimmed && grid->average.value > 0)
         lx_document_paragraph(document, LX_N("By the average of the first grid, {0} {2}, it is {1} W/m² for 100 {2}."),
                               LX_SPANS(LX_PLAIN(lx_write_digits(grid->average.value, DIGITS, numbers[2])),
                                        LX_PLAIN(lx_write_digits(100 * density / grid->average.value, 4, numbers[3])),
@@ -142,13 +145,14 @@ static void add_hanging(const struct lx_design_report *lighting)
 {
     struct luxel_document *document = lighting->report->document;
     struct entry entry;
-    lx_document_table(document, "lrr");
-    lx_document_row(
-        document,
-        LX_SPANS(LX_TERM_SPAN(LX_N("light")), LX_TERM_SPAN(LX_N("maintenance")), LX_TERM_SPAN(LX_N("height, mm"))),
-        false);
+    lx_document_table(document, "lrrr");
+    lx_document_name_table(document, "maintenance", 0);
+    lx_document_row(document,
+                    LX_SPANS(LX_TERM_SPAN(LX_N("light")), LX_TERM_SPAN(LX_N("maintenance")),
+                             LX_TERM_SPAN(LX_N("dimmed to")), LX_TERM_SPAN(LX_N("height, mm"))),
+                    false);
     for (size_t i = 0; i < lighting->report->parameters->lights.count; i++) {
-        char name[40], numbers[2][LX_NUMBER_SIZE];
+        char name[40], numbers[3][LX_NUMBER_SIZE];
         if (!find_entry(lighting, i, &entry))
             continue;
         const double height = lx_dot(entry.places_mm[0], lx_lighting_up(lighting));
@@ -156,6 +160,7 @@ static void add_hanging(const struct lx_design_report *lighting)
         lx_document_row(document,
                         LX_SPANS(LX_PLAIN(entry.name ? entry.name : name),
                                  LX_PLAIN(lx_write_digits(entry.maintenance, 4, numbers[0])),
+                                 LX_PLAIN(lx_write_digits(entry.dimming, 4, numbers[2])),
                                  LX_PLAIN(lx_report_number(height + 0.0, numbers[1]))),
                         false);
         free(entry.places_mm);
@@ -170,6 +175,7 @@ static void add_places(const struct lx_design_report *lighting)
     struct entry entry;
     lx_document_heading(document, 2, LX_N("Positions"), NULL);
     lx_document_table(document, "rlrrr");
+    lx_document_name_table(document, "positions", 0);
     lx_document_row(document,
                     LX_SPANS(LX_TERM_SPAN(LX_N("no.")), LX_TERM_SPAN(LX_N("light")), LX_TERM_SPAN(LX_N("x, mm")),
                              LX_TERM_SPAN(LX_N("y, mm")), LX_TERM_SPAN(LX_N("z, mm"))),
@@ -206,12 +212,13 @@ luxel_status lx_lighting_lamps(struct lx_design_report *lighting)
     struct entry entry;
     lx_document_heading(document, 1, LX_N("Luminaires"), NULL);
     lx_document_paragraph(document,
-                          LX_N("Flux and power are those of one new luminaire; the maintenance factor is that of the "
-                               "scene times its own, and the height that of the first place."),
+                          LX_N("Flux and power are those of one new luminaire that is not dimmed; the maintenance "
+                               "factor is that of the scene times its own, and the height that of the first place."),
                           NULL);
     snprintf(flux, sizeof flux, "%s, %s", lx_document_word(document, LX_N("flux")), unit);
     snprintf(efficacy, sizeof efficacy, "%s/%s", unit, lx_document_word(document, "W"));
     lx_document_table(document, "llrrrr");
+    lx_document_name_table(document, "luminaires", 0);
     lx_document_row(document,
                     LX_SPANS(LX_TERM_SPAN(LX_N("light")), LX_TERM_SPAN(LX_N("luminaire")), LX_TERM_SPAN(LX_N("number")),
                              LX_PLAIN(flux), LX_TERM_SPAN(LX_N("power, W")), LX_PLAIN(efficacy)),

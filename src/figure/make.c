@@ -172,21 +172,6 @@ static void choose_levels(struct lx_figure *figure)
                                                  settings->levels, figure->levels, LX_MOST_LEVELS);
 }
 
-bool lx_figure_is_slow(const struct lx_figure *figure)
-{
-    for (size_t i = 0; i < figure->scene->lights.count; i++) {
-        const struct lx_item *light = &figure->scene->lights.items[i];
-        const struct lx_light_common *common = light->common;
-        const struct lx_table *table = light->variant->table;
-        const char *name = light->variant->name;
-        bool extended = strcmp(name, "planar") == 0 || strcmp(name, "volume") == 0 || strcmp(name, "sky") == 0 ||
-                        (lx_find_parameter(table, "opening") && lx_is_given(table, light->parameters, "opening"));
-        if (common->enabled && extended)
-            return true;
-    }
-    return false;
-}
-
 /* ---- sections ---- */
 
 static luxel_status make_sections(struct lx_figure *figure, const luxel_evaluator *evaluator,
@@ -247,6 +232,18 @@ void lx_rendered_clear(struct lx_rendered *rendered)
     luxel_field_free(rendered->field);
 }
 
+/* The lines of equal value, those of the picture by exact values where these take no integrals; none: of its field. */
+static luxel_status find_lines(struct lx_figure *figure, const luxel_settings *settings,
+                               const luxel_evaluator *evaluator, luxel_diagnostics *diagnostics)
+{
+    const luxel_settings whole = lx_whole_picture(settings);
+    if (figure->plane)
+        return luxel_find_grid_isophotes(lx_figure_measured(figure), &whole, figure->settings.grid - 1, figure->field,
+                                         figure->levels, figure->level_count, diagnostics, &figure->isophotes);
+    return luxel_find_isophotes(figure->field, lx_has_extended_lights(figure->scene) ? NULL : evaluator, figure->levels,
+                                figure->level_count, diagnostics, &figure->isophotes);
+}
+
 /* The outlines, extrema and axes of the scene's picture. */
 static luxel_status show_picture(struct lx_figure *figure, const struct lx_rendered *rendered,
                                  luxel_diagnostics *diagnostics)
@@ -286,10 +283,7 @@ static luxel_status compute(struct lx_figure *figure, const luxel_settings *sett
         choose_levels(figure);
     }
     if (status == LUXEL_OK && figure->settings.bands != LUXEL_BANDS_SMOOTH)
-        status = luxel_find_isophotes(figure->field, is_view || lx_figure_is_slow(figure) ? NULL : shown->evaluator,
-                                      figure->levels, figure->level_count, diagnostics, &figure->isophotes);
-    if (status == LUXEL_OK && figure->plane && figure->isophotes)
-        status = lx_plane_move_lines(figure, settings, diagnostics);
+        status = find_lines(figure, settings, is_view ? NULL : shown->evaluator, diagnostics);
     if (status == LUXEL_OK && lx_labels_prepare(figure) < 0)
         status = lx_out_of_memory(diagnostics);
     if (status == LUXEL_OK && figure->settings.section != LUXEL_SECTION_NONE)

@@ -13,14 +13,8 @@
 #include "../light/array.h"
 #include "figure.h"
 
-/* The cells from which colours and isophotes are made: about so many, fewer where each takes integrals or a share of
- * what is reflected. */
-enum { FINE_CELLS = 40000, FINE_CELLS_COSTLY = 2500 };
-/* Eyes tell no more of a colour. */
-static const double FINE_TOLERANCE = 1e-4;
-
 /* The scene whose plane is measured. */
-static const luxel_scene *measured(const struct lx_figure *figure)
+const luxel_scene *lx_figure_measured(const struct lx_figure *figure)
 {
     return figure->daylit ? figure->daylit : figure->copy;
 }
@@ -79,14 +73,14 @@ static void add_lamp(struct lx_figure_plane *plane, size_t light, const double p
 static int find_lamps(struct lx_figure *figure)
 {
     struct lx_figure_plane *plane = figure->plane;
-    const struct lx_list *lights = &lx_scene_parameters(measured(figure))->lights;
+    const struct lx_list *lights = &lx_scene_parameters(lx_figure_measured(figure))->lights;
     size_t most = 1;
     for (size_t i = 0; i < lights->count; i++)
         most += lx_light_places(&lights->items[i]);
     plane->lamps = lx_new_array(most, sizeof *plane->lamps);
     for (size_t i = 0; plane->lamps && i < lights->count; i++) {
         double(*places_mm)[3] =
-            luxel_scene_light_enabled(measured(figure), i) ? lx_light_find_places(&lights->items[i]) : NULL;
+            luxel_scene_light_enabled(lx_figure_measured(figure), i) ? lx_light_find_places(&lights->items[i]) : NULL;
         for (size_t k = 0; places_mm && k < lx_light_places(&lights->items[i]); k++)
             add_lamp(plane, i, places_mm[k]);
         free(places_mm);
@@ -95,28 +89,6 @@ static int find_lamps(struct lx_figure *figure)
 }
 
 /* ---- the field ---- */
-
-/* Into how many parts a side of a cell of the grid is cut: an odd number, so that its own centre is among theirs. */
-static unsigned parts_of(double cell_mm, double wanted_mm)
-{
-    return 2 * (unsigned)fmin(fmax(round((cell_mm / wanted_mm - 1) / 2), 0), 1000) + 1;
-}
-
-static luxel_status make_field(struct lx_figure *figure, const luxel_settings *settings, luxel_diagnostics *diagnostics)
-{
-    const luxel_grid *grid = figure->plane->grid;
-    const bool is_costly = lx_figure_is_slow(figure) || grid->has_reflected;
-    const double cells = is_costly ? FINE_CELLS_COSTLY : FINE_CELLS;
-    const double wanted_mm = sqrt(grid->size_mm[0] * grid->size_mm[1] / cells);
-    const unsigned n[2] = {grid->columns, grid->rows};
-    luxel_settings fine = lx_whole_picture(settings);
-    unsigned fine_n[2];
-    for (int i = 0; i < 2; i++)
-        fine_n[i] = (unsigned)fmin(n[i] * (double)parts_of(grid->size_mm[i] / n[i], wanted_mm), 65536);
-    fine.tolerance = fmax(fine.tolerance, FINE_TOLERANCE);
-    return luxel_find_grid_field(measured(figure), &fine, figure->settings.grid - 1, fine_n[0], fine_n[1], diagnostics,
-                                 &figure->own.field);
-}
 
 /* The whole plane, as the contour of what has colours. */
 static int make_contour(struct lx_figure *figure)
@@ -144,8 +116,8 @@ static luxel_status find_maximum(struct lx_figure *figure, const luxel_settings 
     const luxel_grid *grid = plane->grid;
     luxel_peak *maximum = &figure->extrema.maximum;
     double away[3];
-    const luxel_status status =
-        luxel_find_grid_extrema(measured(figure), settings, figure->settings.grid - 1, diagnostics, &plane->extrema);
+    const luxel_status status = luxel_find_grid_extrema(lx_figure_measured(figure), settings, figure->settings.grid - 1,
+                                                        diagnostics, &plane->extrema);
     for (int k = 0; k < 3; k++)
         away[k] = grid->maximum.position_mm[k] - grid->center_mm[k];
     *maximum = (luxel_peak){.exists = grid->measured > 0,
@@ -166,15 +138,17 @@ luxel_status lx_figure_plane(struct lx_figure *figure, const luxel_settings *set
     figure->plane = lx_new_array(1, sizeof *figure->plane);
     if (!figure->plane)
         return lx_out_of_memory(diagnostics);
-    luxel_status status = luxel_find_grid_values(measured(figure), settings, figure->settings.grid - 1, diagnostics,
-                                                 &figure->plane->grid);
+    const luxel_settings whole = lx_whole_picture(settings);
+    const size_t number = figure->settings.grid - 1;
+    const luxel_scene *measured = lx_figure_measured(figure);
+    luxel_status status = luxel_find_grid_values(measured, settings, number, diagnostics, &figure->plane->grid);
     if (status != LUXEL_OK)
         return status;
     for (int side = 0; side < 2; side++)
         set_axis(figure, side);
     status = find_maximum(figure, settings, diagnostics);
     if (status == LUXEL_OK)
-        status = make_field(figure, settings, diagnostics);
+        status = luxel_find_grid_field(measured, &whole, number, 0, 0, diagnostics, &figure->own.field);
     if (status == LUXEL_OK && (make_contour(figure) < 0 || find_lamps(figure) < 0))
         status = lx_out_of_memory(diagnostics);
     return status;

@@ -60,6 +60,8 @@ static void add_fluxes(const struct lx_report *report)
              "within the bounds of the calculation."),
         LX_SPANS(LX_PLAIN(lx_document_word(report->document, balance->flux_unit))));
     lx_document_table(report->document, "lr");
+    lx_document_name_table(report->document, "balance", 0);
+    lx_document_row(report->document, LX_SPANS(LX_TERM_SPAN(LX_N("flux")), LX_TERM_SPAN(balance->flux_unit)), false);
     if (balance->has_emitted) {
         add_flux(report, LX_N("given off by the sources"), &balance->emitted);
         add_flux(report, LX_N("of that meets no surface"), &balance->missed);
@@ -89,6 +91,7 @@ void lx_report_balance(struct lx_report *report)
                    "and by all light, with what surfaces reflect to each other. Bounds of the errors follow after ±."),
         LX_SPANS(LX_PLAIN(lx_document_word(document, balance->unit))));
     lx_document_table(document, "lrr");
+    lx_document_name_table(document, "surfaces", 0);
     lx_document_row(document, LX_SPANS(LX_PLAIN(""), LX_TERM_SPAN(LX_N("direct")), LX_TERM_SPAN(LX_N("all light"))),
                     false);
     for (size_t i = 0; i < balance->side_count; i++)

@@ -165,14 +165,16 @@ static int lower(const struct lx_item *light, struct lx_emitters *emitters)
     return failed;
 }
 
-int lx_light_lower(const struct lx_item *light, double maintenance, struct lx_emitters *emitters)
+int lx_light_lower(const struct lx_item *light, double maintenance, double dimming, struct lx_emitters *emitters)
 {
     const struct lx_light_kind *kind = (const struct lx_light_kind *)light->variant;
     const size_t items = lx_item_count(emitters), point_sets = emitters->point_set_count;
-    const int failed = lower(light, emitters);
-    return failed || maintenance == 1 || kind->is_daylight
-               ? failed
-               : lx_emitters_scale(emitters, items, point_sets, maintenance);
+    int failed = lower(light, emitters);
+    if (!failed && maintenance != 1 && !kind->is_daylight)
+        failed = lx_emitters_scale(emitters, items, point_sets, maintenance);
+    if (!failed && dimming != 1 && !kind->is_daylight)
+        failed = lx_emitters_scale(emitters, items, point_sets, dimming);
+    return failed;
 }
 
 struct lx_emitters lx_emitters_of_place(const struct lx_emitters *emitters, size_t places, size_t place)

@@ -32,9 +32,9 @@ const struct lx_array *lx_array_of(const struct lx_item *light);
 /* How many places a light has: 1 without an array. */
 size_t lx_light_places(const struct lx_item *light);
 
-/* Appends the emitters of a light at all its places, their strength by the scene's maintenance factor; 0, or -1 when
- * memory or room ran out, or the work is to stop. */
-int lx_light_lower(const struct lx_item *light, double maintenance, struct lx_emitters *emitters);
+/* Appends the emitters of a light at all its places, their strength by the scene's maintenance factor and how the light
+ * is dimmed; 0, or -1 when memory or room ran out, or the work is to stop. */
+int lx_light_lower(const struct lx_item *light, double maintenance, double dimming, struct lx_emitters *emitters);
 
 /* The emitters of one of so many places of a light, of those of all; they stay those of the list. */
 struct lx_emitters lx_emitters_of_place(const struct lx_emitters *emitters, size_t places, size_t place);

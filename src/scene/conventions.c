@@ -180,8 +180,8 @@ static const char *word_of_value(const struct lx_parameter *parameter, const voi
  * conventions. */
 static bool goes_without_saying(const struct lx_parameter *parameter, const char *word)
 {
-    static const char *const names[] = {"channels", "reflections", "maintenance_factor", "up", "diffuse_model",
-                                        "mirror"};
+    static const char *const names[] = {"channels", "reflections",   "maintenance_factor",
+                                        "up",       "diffuse_model", "mirror"};
     for (size_t i = 0; i < sizeof names / sizeof names[0]; i++)
         if (strcmp(parameter->name, names[i]) == 0)
             return strcmp(word, parameter->initial) == 0;
@@ -242,6 +242,23 @@ static int collect_table(struct collecting *all, const struct lx_table *table, c
     return result;
 }
 
+/* "windows 0.3" */
+static int collect_dimming(struct collecting *all, const struct lx_scene_parameters *scene)
+{
+    int failed = 0;
+    for (size_t i = 0; i < scene->dimming.count && !failed; i++) {
+        const struct lx_dimming *dimming = (const struct lx_dimming *)scene->dimming.items + i;
+        struct lx_text word = {0};
+        char number[LX_NUMBER_SIZE];
+        lx_text_add_escaped(&word, dimming->name, strlen(dimming->name));
+        lx_text_puts(&word, " ");
+        lx_text_puts(&word, lx_write_number(dimming->factor, number));
+        failed = word.failed ? -1 : add(all, "dimming", word.bytes);
+        lx_text_clear(&word);
+    }
+    return failed;
+}
+
 void luxel_conventions_free(luxel_conventions *conventions)
 {
     if (!conventions)
@@ -266,7 +283,8 @@ luxel_status luxel_find_conventions(const luxel_scene *scene, const luxel_conven
     luxel_conventions *made = lx_new_array(1, sizeof *made);
     if (!made)
         return LUXEL_ERROR_MEMORY;
-    const int failed = collect_table(&all, &lx_scene_table, parameters, true, ANY_RESULT);
+    const int failed =
+        collect_table(&all, &lx_scene_table, parameters, true, ANY_RESULT) || collect_dimming(&all, parameters);
     *made = (luxel_conventions){all.count, all.list};
     if (failed) {
         luxel_conventions_free(made);

@@ -13,6 +13,7 @@
 #include "../material/measure.h"
 #include "../parameter/check.h"
 #include "../surface/part.h"
+#include "grids.h"
 #include "object.h"
 #include "observer.h"
 
@@ -95,6 +96,29 @@ static const struct lx_parameter grid_parameters[] = {
         .meaning = "the width of the strip along the edges of that side which is left out",
     },
     {
+        .name = "surround",
+        .label = "Surrounding area",
+        .type = LX_REAL,
+        .offset = offsetof(struct lx_grid, surround_mm),
+        .unit = LX_UNIT_MM,
+        .legal = LX_FROM(100),
+        .advised = {LX_BETWEEN(500, 5000)},
+        .meaning = "the width of the strip around the plane, as far as the walls of its room, that is measured as the "
+                   "immediate surrounding area of a task area, which the plane then is; EN 12464-1 wants 500 mm or "
+                   "more",
+    },
+    {
+        .name = "background",
+        .label = "Background area",
+        .type = LX_REAL,
+        .offset = offsetof(struct lx_grid, background_mm),
+        .unit = LX_UNIT_MM,
+        .legal = LX_FROM(100),
+        .advised = {LX_BETWEEN(1000, 10000)},
+        .meaning = "the width of the strip around that, as far as the walls, that is measured as the background area; "
+                   "EN 12464-1 wants 3000 mm or more",
+    },
+    {
         .name = "n",
         .label = "Cells",
         .type = LX_WHOLES,
@@ -136,14 +160,18 @@ static const struct lx_parameter grid_parameters[] = {
 };
 
 static const struct lx_rule grid_rules[] = {
-    {LX_RULE_ONE, "n", NULL, "n|spacing"},        {LX_RULE_ONE, "center", NULL, "center|surface"},
-    {LX_RULE_NEEDED, "size", "center", NULL},     {LX_RULE_EXCLUSIVE, "surface", "size", NULL},
-    {LX_RULE_EXCLUSIVE, "surface", "axis", NULL}, {LX_RULE_EXCLUSIVE, "surface", "up", NULL},
-    {LX_RULE_USED, "side", "surface", NULL},      {LX_RULE_USED, "border", "surface", NULL},
+    {LX_RULE_ONE, "n", NULL, "n|spacing"},
+    {LX_RULE_ONE, "center", NULL, "center|surface"},
+    {LX_RULE_NEEDED, "size", "center", NULL},
+    {LX_RULE_EXCLUSIVE, "surface", "size", NULL},
+    {LX_RULE_EXCLUSIVE, "surface", "axis", NULL},
+    {LX_RULE_EXCLUSIVE, "surface", "up", NULL},
+    {LX_RULE_USED, "side", "surface", NULL},
+    {LX_RULE_USED, "border", "surface", NULL},
+    {LX_RULE_NEEDED, "surround", "background", NULL},
 };
 
-/* EN 12464-1:2011, 4.4: the greatest distance between points of a plane, in mm. */
-static double en12464_spacing_mm(const double size_mm[2])
+double lx_en12464_spacing_mm(const double size_mm[2])
 {
     const double longer = fmax(size_mm[0], size_mm[1]), shorter = fmin(size_mm[0], size_mm[1]);
     const double d_m = (longer >= 2 * shorter ? shorter : longer) / 1000;
@@ -153,7 +181,7 @@ static double en12464_spacing_mm(const double size_mm[2])
 /* The cells of a plane: as many as n says, or by the spacing, as a whole number that may be too large. */
 static void count_cells(const struct lx_grid *grid, bool is_by_n, double cells[2])
 {
-    const double spacing = en12464_spacing_mm(grid->size_mm);
+    const double spacing = lx_en12464_spacing_mm(grid->size_mm);
     for (int i = 0; i < 2; i++) {
         /* what rounding cannot tell from whole cells is whole */
         const double fit = grid->size_mm[i] / spacing;

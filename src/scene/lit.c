@@ -1,12 +1,14 @@
 /* SPDX-License-Identifier: MIT */
-/* Turning lights on and off in a copy of a scene. */
+/* Which lights of a scene shine, turning them on and off in a copy, and whether an exact value takes an integral. */
 #include "lit.h"
 
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "../base/diagnostics.h"
 #include "../base/memory.h"
+#include "../parameter/decode.h"
 
 bool *lx_lights_on(const struct lx_scene_parameters *scene, const luxel_settings *settings)
 {
@@ -52,4 +54,20 @@ luxel_status lx_scene_lit(const luxel_scene *scene, const luxel_settings *settin
         *lit = NULL;
     }
     return status;
+}
+
+bool lx_has_extended_lights(const struct lx_scene_parameters *scene)
+{
+    for (size_t i = 0; i < scene->lights.count; i++) {
+        const struct lx_item *light = &scene->lights.items[i];
+        const struct lx_light_common *common = light->common;
+        const struct lx_table *table = light->variant->table;
+        const bool is_extended =
+            strcmp(light->variant->name, "planar") == 0 || strcmp(light->variant->name, "volume") == 0 ||
+            strcmp(light->variant->name, "sky") == 0 ||
+            (lx_find_parameter(table, "opening") && lx_is_given(table, light->parameters, "opening"));
+        if (common->enabled && is_extended)
+            return true;
+    }
+    return false;
 }

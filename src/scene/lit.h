@@ -22,4 +22,8 @@ bool *lx_lights_on(const struct lx_scene_parameters *scene, const luxel_settings
 luxel_status lx_scene_lit(const luxel_scene *scene, const luxel_settings *settings, luxel_diagnostics *diagnostics,
                           luxel_scene **lit);
 
+/* Whether some light is no point, so that an exact value takes an integral, of which thousands take too long for a
+ * figure. */
+bool lx_has_extended_lights(const struct lx_scene_parameters *scene);
+
 #endif

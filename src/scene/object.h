@@ -33,6 +33,9 @@ void lx_scene_uncommit(luxel_scene *scene);
 /* The text of a scene's document, as luxel_scene_write_text() gives it; the caller's. */
 luxel_status lx_write_document(const struct lx_document *document, char **text);
 
+/* Reports dimming groups that are there twice, or that no light is in. */
+void lx_check_dimming(struct lx_walk *walk, const luxel_scene *scene);
+
 /* A walk over the scene's document. */
 struct lx_walk lx_scene_walk(const luxel_scene *scene, luxel_diagnostics *diagnostics);
 

@@ -7,6 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "../base/memory.h"
 #include "path.h"
 
 /* What a path has led to so far. */
@@ -55,6 +56,16 @@ static bool read_index(const char *text, size_t length, size_t *at, struct lx_se
     return *at > start;
 }
 
+/* Reads a name up to the bracket that ends it; * stands for all elements, and is no name. */
+static bool read_name(const char *text, size_t length, size_t *at, struct lx_segment *segment)
+{
+    const size_t start = *at;
+    segment->is_index = segment->is_name = true;
+    while (*at < length && text[*at] != ']')
+        (*at)++;
+    return *at > start && !(*at == start + 1 && text[start] == '*');
+}
+
 static bool read_key(const char *text, size_t length, size_t *at, struct lx_segment *segment)
 {
     size_t start = *at;
@@ -83,7 +94,9 @@ static luxel_status read_path(struct lx_path *path, size_t at, size_t end, luxel
         size_t start = at;
         at += bracket || dot;
         segment->start = at;
-        if (good)
+        if (good && bracket && at < end && !is_digit(text[at]))
+            good = read_name(text, end, &at, segment);
+        else if (good)
             good = bracket || (dot && at < end && is_digit(text[at])) ? read_index(text, end, &at, segment)
                                                                       : read_key(text, end, &at, segment);
         segment->end = at;
@@ -214,12 +227,51 @@ static luxel_status refuse_element(const struct lx_path *path, size_t count, siz
     return status;
 }
 
+/* The index of the first element of a list that has the name in the segment; reports where there is none. */
+static luxel_status find_named(const struct lx_document *document, struct lx_path *path, size_t i, lx_node_id list,
+                               luxel_diagnostics *diagnostics)
+{
+    struct lx_segment *segment = &path->segments[i];
+    const char *wanted = path->place.text + segment->start;
+    const size_t length = segment->end - segment->start;
+    struct lx_text known = {0}, own = {0};
+    size_t index = 0;
+    for (lx_node_id at = lx_document_node(document, list)->first; at; at = lx_document_node(document, at)->next) {
+        const bool has_keys = lx_document_node(document, at)->kind == LX_MAPPING;
+        const lx_node_id name = has_keys ? lx_document_find(document, at, "name") : 0;
+        if (name && lx_document_node(document, name)->kind == LX_SCALAR) {
+            const char *text = lx_document_text(document, name);
+            if (strlen(text) == length && memcmp(text, wanted, length) == 0) {
+                lx_text_clear(&known);
+                segment->index = index;
+                return LUXEL_OK;
+            }
+            lx_text_puts(&known, known.length > 0 ? ", " : "");
+            lx_text_puts(&known, text);
+        }
+        index++;
+    }
+    char *up = words_up_to(path, i);
+    lx_text_puts(&own, up ? up : "");
+    lx_text_puts(&own, "[…]");
+    free(up);
+    lx_text_add(&known, known.length > 0 ? "" : "–", known.length > 0 ? 0 : strlen("–"));
+    char *name = lx_copy_text(wanted, length);
+    const luxel_status status =
+        refuse(path, segment->start, segment->end, LX_MSG_WRONG_CHOICE,
+               LX_ARGS(own.bytes ? own.bytes : "", known.bytes ? known.bytes : "", name ? name : ""), diagnostics);
+    free(name);
+    lx_text_clear(&own);
+    lx_text_clear(&known);
+    return status;
+}
+
 luxel_status lx_refuse_index(const struct lx_path *path, size_t size, luxel_diagnostics *diagnostics)
 {
     return refuse_element(path, path->count, 0, path->place.length, size, diagnostics);
 }
 
-static luxel_status follow_index(const struct lx_document *document, const struct lx_path *path, size_t i,
+static luxel_status follow_index(const struct lx_document *document, struct lx_path *path, size_t i,
                                  struct position *position, luxel_diagnostics *diagnostics)
 {
     if (position->table_count || position->depth >= list_depth(position->parameter))
@@ -228,6 +280,11 @@ static luxel_status follow_index(const struct lx_document *document, const struc
         return refuse_segment(path, i, LX_MSG_LIST_NOT_WRITTEN, NULL, diagnostics);
     if (lx_document_node(document, position->node)->kind != LX_SEQUENCE)
         return refuse_segment(path, i, LX_MSG_NO_LIST_HERE, NULL, diagnostics);
+    if (path->segments[i].is_name) {
+        const luxel_status status = find_named(document, path, i, position->node, diagnostics);
+        if (status != LUXEL_OK)
+            return status;
+    }
     lx_node_id node = lx_document_element(document, position->node, path->segments[i].index);
     if (!node)
         return refuse_element(path, i, path->segments[i].start, path->segments[i].end,

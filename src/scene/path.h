@@ -7,10 +7,11 @@
 
 enum { LX_MOST_SEGMENTS = 8 };
 
-/* A part of a path: a key, or the index of an element. */
+/* A part of a path: a key, or the index of an element, which may be called by its name instead. */
 struct lx_segment {
     size_t start, end; /* bytes of the path's text */
     bool is_index;
+    bool is_name; /* the text between the brackets is the element's name, and the index is found by that */
     size_t index;
     char key[64];
 };

@@ -197,6 +197,7 @@ static luxel_status commit(luxel_scene *scene, luxel_diagnostics *diagnostics)
     luxel_status status = lx_decode(&walk, &lx_scene_table, &scene->parameters);
     if (status != LUXEL_ERROR_MEMORY) {
         lx_place_grids(&walk, scene);
+        lx_check_dimming(&walk, scene);
         lx_validate_reflections(&walk, scene);
         if (walk.errors > walk.unread)
             lx_validate_view(&walk, scene); /* so that all that is wrong is told at once */

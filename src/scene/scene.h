@@ -63,7 +63,8 @@ struct lx_grid {
     const char *surface;   /* NULL: it lies where it says; else the above are those of a side of it */
     const char *side;      /* NULL: none is named */
     double border_mm;
-    unsigned n[2]; /* columns, rows; as the spacing says where they are not given */
+    double surround_mm, background_mm; /* the widths of the areas around it; 0: not asked for */
+    unsigned n[2];                     /* columns, rows; as the spacing says where they are not given */
     int spacing;
     int measure; /* enum lx_measure */
     struct lx_grid_limits limits;
@@ -78,9 +79,17 @@ struct lx_surface_common {
 
 struct lx_light_common {
     uint64_t given;
-    const char *name; /* NULL where it has none */
+    const char *name;  /* NULL where it has none */
+    const char *group; /* that it is dimmed with; NULL: none */
     bool enabled;
     struct lx_light_color color; /* meaningful where given */
+};
+
+/* How the lights of a group are dimmed. */
+struct lx_dimming {
+    uint64_t given;
+    const char *name;
+    double factor;
 };
 
 /* The whole authored scene; lx_scene_table describes it. */
@@ -100,11 +109,15 @@ struct lx_scene_parameters {
     struct lx_points points;
     struct lx_picture picture;
     struct lx_groups grids;           /* of struct lx_grid */
+    struct lx_groups dimming;         /* of struct lx_dimming */
     struct lx_groups glare_observers; /* of struct lx_glare_observer: the key `observers` */
     unsigned channel;                 /* of materials' colours, from 1; 0: their luminance (colours.h); no key */
 };
 
-extern const struct lx_table lx_scene_table, lx_grid_table;
+extern const struct lx_table lx_scene_table, lx_grid_table, lx_dimming_table;
+
+/* The share of its light that a light gives by its group; 1 without one. */
+double lx_dimming_of(const struct lx_scene_parameters *scene, const struct lx_item *light);
 
 /* How many materials free elements may name: those of the surfaces, else that which has all keys by default. */
 static inline size_t lx_material_count(const struct lx_scene_parameters *scene)

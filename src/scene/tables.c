@@ -132,6 +132,13 @@ static const struct lx_parameter light_common_parameters[] = {
         .meaning = "a name for messages and tables",
     },
     {
+        .name = "group",
+        .label = "Group",
+        .type = LX_TEXT,
+        .offset = offsetof(struct lx_light_common, group),
+        .meaning = "the name of the group that the light is dimmed with: see dimming",
+    },
+    {
         .name = "enabled",
         .label = "Enabled",
         .type = LX_BOOLEAN,
@@ -231,6 +238,17 @@ static const struct lx_parameter scene_parameters[] = {
         .advised = {LX_BETWEEN(0.5, 1)},
         .meaning = "the share of its light that every light still gives when the installation is due to be cleaned and "
                    "its lamps changed; the maintenance_factor of a luminaire multiplies it",
+    },
+    {
+        .name = "dimming",
+        .label = "Dimming",
+        .type = LX_GROUPS,
+        .offset = offsetof(struct lx_scene_parameters, dimming),
+        .initial = "[]",
+        .group = &lx_dimming_table,
+        .meaning =
+            "groups of lights that are dimmed together, such as {name: a, factor: 0.3}: lights with group: a give "
+            "three tenths of their light; -s 'dimming[a].factor=0.5' changes it by name",
     },
     {
         .name = "screen",

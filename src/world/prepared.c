@@ -36,9 +36,10 @@ static int prepare_lights(const struct lx_scene_parameters *scene, const bool *o
 {
     const struct lx_list *lights = &scene->lights;
     for (size_t i = 0; i < lights->count; i++) {
+        const double dimming = lx_dimming_of(scene, &lights->items[i]);
         emitters->light = i;
-        if (on[i] &&
-            (!lx_asking_goes_on(emitters->asking) || lx_light_lower(&lights->items[i], scene->maintenance, emitters)))
+        if (on[i] && (!lx_asking_goes_on(emitters->asking) ||
+                      lx_light_lower(&lights->items[i], scene->maintenance, dimming, emitters)))
             return -1;
     }
     return 0;

@@ -1,7 +1,9 @@
 # SPDX-License-Identifier: MIT
 """luxel report --for lighting: verdicts, schedule and values against JSON and sums by hand, in both languages."""
+import csv
 import json
 import math
+import os
 import re
 
 from luminaires import HEAD
@@ -58,7 +60,7 @@ def contents(tap, tool):
     row = [row for row in cells if row[0] == "panels" and "Lampe AG" in row[1]][0]
     flux = figures["flux"]["linear"]
     tap.ok("P600" in row[1] and [row[i] for i in (2, 4)] == ["6", "28"], "the schedule", row)
-    tap.ok(["panels", "0.72", "3000"] in cells, "maintenance factors and heights")
+    tap.ok(["panels", "0.72", "1", "3000"] in cells, "maintenance factors and heights")
     tap.near(float(row[3]), flux, 1e-4, "flux of one new luminaire")
     tap.near(float(row[5]), flux / 28, 1e-3, "lm/W")
     total = [row for row in cells if row[0] == "together"][0]
@@ -96,4 +98,55 @@ def forms(tap, tool):
         tap.ok(empty.code == 0 and "no limits" in file.read(), "a scene without grids", empty)
 
 
-run_tests(Tap(), contents, forms)
+def tables(tap, tool):
+    """Each table as a file, bounds in columns of their own; what the tables leave out beside them."""
+    tool.write("lamp.ies", LAMP)
+    room = {**SCENE, "reflections": "all", "lights": SCENE["lights"][:2],
+            "grids": [{**SCENE["grids"][0], "n": [3, 2]}],
+            "observers": SCENE["observers"] + [{"name": "walk", "eye": [0, 0, 1200], "size": [2000, 1000], "n": [2, 1],
+                                                "limits": {"ugr": 30}}]}
+    tool.write("scene.yaml", json.dumps(room))
+    made = tool.run("report", "scene.yaml", "--for", "lighting", "--tables", "tables", "-o", "report.md",
+                    "--reflected-error", "0.05")
+    tap.equal((made.code, made.err), (0, ""), "with a report")
+    files = {}
+    for name in sorted(os.listdir(tool.file("tables"))):
+        with open(tool.file("tables/" + name), encoding="utf-8", newline="") as file:
+            files[name] = list(csv.reader(file)) if name.endswith(".csv") else file.read()
+    tap.equal(sorted(files), sorted("%s.csv" % name for name in (
+        "balance", "glare", "glare-2", "grids", "isolux", "limits", "luminaires", "maintenance", "positions",
+        "surfaces", "values")) [:5] + ["isolux.dxf"] + ["%s.csv" % name for name in (
+            "limits", "luminaires", "maintenance", "positions", "surfaces", "values")], "the files")
+    tap.equal({name: len({len(row) for row in rows}) for name, rows in files.items() if name.endswith(".csv")},
+              {name: 1 for name in files if name.endswith(".csv")}, "all lines of a table are as long")
+    told = tool.run("grid", "scene.yaml", "--limits", "--json", "--reflected-error", "0.02").json()
+    judged = told["grids"][0]["limits"] + told["observers"][0]["limits"]
+    tap.equal(files["limits.csv"][0], ["grid or observer", "what", "limit", "value", "value ±", "verdict"], "headings")
+    for row, limit in zip(files["limits.csv"][1:], judged):
+        tap.ok(abs(float(row[3]) - limit["value"]) <= float(row[4]) + limit["error"], limit["name"], row, limit)
+    tap.equal([row[0] for row in files["limits.csv"][1:]], ["plane", "plane", "desk", "walk"], "all verdicts")
+    for row, grid in zip(files["grids.csv"][1:], told["grids"]):
+        tap.near(float(row[6]), grid["average"], 1e-12, "average of " + row[0], float(row[7]) + grid["average_error"])
+        tap.near(float(row[11]), float(row[8]) / float(row[6]), 1e-15, "U0 of " + row[0])
+    values = [float(row[6]) for row in files["values.csv"][1:]]
+    wanted = [value for grid in told["grids"] for line in grid["values"] for value in line]
+    tap.ok(len(values) == len(wanted) and all(abs(a / b - 1) < 0.05 for a, b in zip(values, wanted)), "all values")
+    balance = {row[0]: (float(row[1]), float(row[2])) for row in files["balance.csv"][1:]}
+    tap.near(balance["given off by the sources"][0], 6 * 0.72 * 1000 * math.pi, 2e-2, "the balance, of 1000 cd Lambert")
+    tap.ok(abs(balance["difference, in truth 0"][0]) <= balance["difference, in truth 0"][1], "which closes")
+    tap.equal(len(files["surfaces.csv"]), 7, "six sides under a heading")
+    tap.equal((len(files["glare-2.csv"]), len(files["glare-2.csv"][0])), (3, 9), "four ways at each of two places")
+    levels = {(row[0], float(row[2])) for row in files["isolux.csv"][1:]}
+    layers = set(re.findall(r"ISOLUX_\w+", files["isolux.dxf"]))
+    tap.equal(layers, {"ISOLUX_%g" % level for _, level in levels}, "isolux layers")
+    tool.write("scene.yaml", json.dumps(SCENE))
+    alone = tool.run("report", "scene.yaml", "--for", "lighting", "--tables", "tables", environment={"LANGUAGE": "ru"})
+    tap.equal((alone.code, alone.err), (0, ""), "without a report, into a folder that is there")
+    with open(tool.file("tables/limits.csv"), encoding="utf-8") as file:
+        tap.ok("соблюдён" in file.read(), "in the language of the report")
+    for options, code, words in ((["--for", "exercise"], 2, "--for lighting"), (["--for", "lighting"], 4, "cannot")):
+        wrong = tool.run("report", "scene.yaml", "--tables", "scene.yaml/no", *options)
+        tap.ok(wrong.code == code and words in wrong.err, "refused", wrong)
+
+
+run_tests(Tap(), contents, forms, tables)

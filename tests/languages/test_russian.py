@@ -15,7 +15,7 @@ CYRILLIC = re.compile("[а-яёА-ЯЁ]")
 NUMBER = re.compile(r"(?<![\w.])[-+]?\d+(?:\.\d+)?(?:e[-+]?\d+)?")
 WORD = re.compile(r"[A-Za-z][A-Za-z_-]*[A-Za-z]")
 # Names of things, in every language.
-NAMES = set("""luxel YAML JSON Schema UTF png pfm npy exr csv PNG NPY PFM EXR CSV OpenEXR libpng zlib stdin NX NY NZ
+NAMES = set("""luxel YAML JSON Schema UTF png pfm npy exr csv dxf PNG NPY PFM EXR CSV OpenEXR libpng zlib stdin NX NY NZ
     yaml-language-server luxel.schema json yaml NULL x_mm y_mm value_ single double NUMPY Pf quantity
     brightnesz kd ks ka my render probe grid check scene set schema help report sphere three-lights two-spheres desk
     OFF OBJ PLY STL glTF

@@ -5,14 +5,16 @@
  * along it would have teeth.  Vertices whose exact value tells so are moved, between the same two samples, to where the
  * light really passes the level.
  */
+#include <luxel/evaluator.h>
+#include <luxel/isophotes.h>
 #include <math.h>
 #include <stdlib.h>
 
-#include <luxel/evaluator.h>
-
 #include "../base/diagnostics.h"
 #include "../base/memory.h"
-#include "figure.h"
+#include "../scene/lit.h"
+#include "grid.h"
+#include "refuse.h"
 
 /* A vertex stays where its value is off the level by no more than a share of what its samples differ by; others are
  * looked for by so many halvings of the way between these. */
@@ -72,16 +74,14 @@ static bool find_samples(const luxel_field *field, struct vertex *vertex)
     return true;
 }
 
-static luxel_status evaluate(const struct lx_figure *figure, const luxel_evaluator *evaluator,
-                             struct vertices *vertices)
+static luxel_status evaluate(const struct lx_cells *cells, const luxel_evaluator *evaluator, struct vertices *vertices)
 {
-    const luxel_grid *grid = figure->plane->grid;
     for (size_t i = 0; i < vertices->count; i++) {
         luxel_place *place = &vertices->places[i];
-        *place = (luxel_place){.is_element = true, .normal = {grid->axis[0], grid->axis[1], grid->axis[2]}};
-        for (int k = 0; k < 3; k++)
-            place->position_mm[k] = grid->center_mm[k] + *vertices->items[i].x_mm * grid->across[k] +
-                                    *vertices->items[i].y_mm * grid->up[k];
+        *place = (luxel_place){.is_element = true};
+        lx_values3(cells->normal, place->normal);
+        lx_place_on_cells(cells, (const double[]){*vertices->items[i].x_mm, *vertices->items[i].y_mm},
+                          place->position_mm);
     }
     return luxel_evaluate_places(evaluator, vertices->places, vertices->count, vertices->values, NULL);
 }
@@ -112,20 +112,23 @@ static void halve(struct vertices *vertices)
     }
 }
 
-static luxel_status move(const struct lx_figure *figure, const luxel_settings *settings, struct vertices *vertices,
-                         luxel_diagnostics *diagnostics)
+static luxel_status move(const luxel_scene *scene, const struct lx_cells *cells, const luxel_settings *settings,
+                         struct vertices *vertices, luxel_diagnostics *diagnostics)
 {
     luxel_evaluator *evaluator = NULL;
-    luxel_settings of_plane = lx_whole_picture(settings);
+    luxel_settings of_plane;
+    luxel_settings_init(&of_plane);
+    if (settings)
+        of_plane = *settings;
     of_plane.quantity = LUXEL_IRRADIANCE;
-    luxel_status status = luxel_evaluator_new(figure->copy, &of_plane, diagnostics, &evaluator);
+    luxel_status status = luxel_evaluator_new(scene, &of_plane, diagnostics, &evaluator);
     if (status == LUXEL_OK)
-        status = evaluate(figure, evaluator, vertices);
+        status = evaluate(cells, evaluator, vertices);
     if (status == LUXEL_OK)
         keep_stray(vertices);
     for (int i = 0; i < HALVINGS && vertices->count > 0 && status == LUXEL_OK; i++) {
         halve(vertices);
-        status = evaluate(figure, evaluator, vertices);
+        status = evaluate(cells, evaluator, vertices);
     }
     if (status == LUXEL_OK)
         halve(vertices);
@@ -133,34 +136,58 @@ static luxel_status move(const struct lx_figure *figure, const luxel_settings *s
     return status;
 }
 
-luxel_status lx_plane_move_lines(struct lx_figure *figure, const luxel_settings *settings,
-                                 luxel_diagnostics *diagnostics)
+/* The vertices of all lines, which are the caller's, that stand between two samples of the field. */
+static luxel_status take_vertices(const luxel_field *field, const luxel_isophotes *lines, struct vertices *vertices)
 {
-    struct vertices vertices = {.count = 0};
     size_t most = 0;
-    if (lx_figure_is_slow(figure) || figure->plane->grid->has_reflected)
-        return LUXEL_OK; /* no light jumps there, or each value takes too long */
-    for (size_t l = 0; l < figure->isophotes->count; l++)
-        most += figure->isophotes->lines[l].count;
-    vertices.items = lx_new_array(most, sizeof *vertices.items);
-    vertices.places = lx_new_array(most, sizeof *vertices.places);
-    vertices.values = lx_new_array(most, sizeof *vertices.values);
-    luxel_status status = vertices.items && vertices.places && vertices.values ? LUXEL_OK : LUXEL_ERROR_MEMORY;
-    for (size_t l = 0; l < figure->isophotes->count && status == LUXEL_OK; l++) {
-        const luxel_isophote *line = &figure->isophotes->lines[l];
-        for (size_t i = 0; i < line->count; i++) { /* the lines are the figure's own */
+    for (size_t l = 0; l < lines->count; l++)
+        most += lines->lines[l].count;
+    vertices->items = lx_new_array(most, sizeof *vertices->items);
+    vertices->places = lx_new_array(most, sizeof *vertices->places);
+    vertices->values = lx_new_array(most, sizeof *vertices->values);
+    if (!vertices->items || !vertices->places || !vertices->values)
+        return LUXEL_ERROR_MEMORY;
+    for (size_t l = 0; l < lines->count; l++) {
+        const luxel_isophote *line = &lines->lines[l];
+        for (size_t i = 0; i < line->count; i++) {
             struct vertex vertex = {.x_mm = (double *)&line->x_mm[i], .y_mm = (double *)&line->y_mm[i]};
             vertex.level = line->level;
-            if (find_samples(figure->field, &vertex))
-                vertices.items[vertices.count++] = vertex;
+            if (find_samples(field, &vertex))
+                vertices->items[vertices->count++] = vertex;
         }
     }
+    return LUXEL_OK;
+}
+
+/* Whether light may jump on the plane, where it is asked for quickly. */
+static bool has_edges(const struct lx_scene_parameters *scene, const struct lx_grid *grid)
+{
+    return grid->measure == LX_MEASURE_PLANE && !lx_has_extended_lights(scene) && !lx_wants_reflections(scene);
+}
+
+luxel_status luxel_find_grid_isophotes(const luxel_scene *scene, const luxel_settings *settings, size_t i,
+                                       const luxel_field *field, const double *levels, size_t count,
+                                       luxel_diagnostics *diagnostics, luxel_isophotes **isophotes)
+{
+    const struct lx_grid *grid = lx_asked_grid(scene, i, field, "field", diagnostics);
+    struct vertices vertices = {.count = 0};
+    if (!grid)
+        return LUXEL_ERROR_ARGUMENT;
+    luxel_status status = luxel_find_isophotes(field, NULL, levels, count, diagnostics, isophotes);
+    if (status != LUXEL_OK || !has_edges(lx_scene_parameters(scene), grid))
+        return status;
+    const struct lx_cells cells = lx_cells_of(grid);
+    status = take_vertices(field, *isophotes, &vertices);
     if (status == LUXEL_ERROR_MEMORY)
         lx_out_of_memory(diagnostics);
     else if (vertices.count > 0)
-        status = move(figure, settings, &vertices, diagnostics);
+        status = move(scene, &cells, settings, &vertices, diagnostics);
     free(vertices.items);
     free(vertices.places);
     free(vertices.values);
+    if (status != LUXEL_OK) {
+        luxel_isophotes_free(*isophotes);
+        *isophotes = NULL;
+    }
     return status;
 }
