@@ -8,6 +8,13 @@ typedef struct Wish {
     int row, frames;
 } Wish;
 
+static void free_wish(gpointer data)
+{
+    Wish *wish = data;
+    g_clear_object(&wish->part);
+    g_free(wish);
+}
+
 static gboolean reveal(GtkWidget *inside, GdkFrameClock *clock, gpointer data)
 {
     Wish *wish = data;
@@ -28,18 +35,21 @@ void app_reveal_row(GtkListBox *list, GtkScrolledWindow *scrolled, int row)
 {
     Wish *wish = g_new(Wish, 1);
     *wish = (Wish){.scrolled = scrolled, .row = row};
-    gtk_widget_add_tick_callback(GTK_WIDGET(list), reveal, wish, g_free);
+    gtk_widget_add_tick_callback(GTK_WIDGET(list), reveal, wish, free_wish);
+}
+
+void app_reveal_part(GtkWidget *inside, GtkScrolledWindow *scrolled, GtkWidget *part)
+{
+    Wish *wish = g_new(Wish, 1);
+    *wish = (Wish){.scrolled = scrolled, .part = g_object_ref(part)};
+    gtk_widget_add_tick_callback(inside, reveal, wish, free_wish);
 }
 
 static void opened(GtkExpander *expander, GParamSpec *spec, GtkScrolledWindow *scrolled)
 {
-    Wish *wish = g_new(Wish, 1);
     (void)spec;
-    *wish = (Wish){.scrolled = scrolled, .part = GTK_WIDGET(expander)};
     if (gtk_expander_get_expanded(expander))
-        gtk_widget_add_tick_callback(gtk_widget_get_parent(wish->part), reveal, wish, g_free);
-    else
-        g_free(wish);
+        app_reveal_part(gtk_widget_get_parent(GTK_WIDGET(expander)), scrolled, GTK_WIDGET(expander));
 }
 
 void app_reveal_when_opened(GtkExpander *expander, GtkScrolledWindow *scrolled)

@@ -44,10 +44,12 @@ static const char *unit_of(const AppForm *self, const luxel_parameter *parameter
 
 static const char *component_name(const luxel_parameter *parameter, int component)
 {
-    static const char *const space[] = {"x", "y", "z"};
+    static const char *const space[] = {"x", "y", "z"}, *const channels[] = {"R", "G", "B"};
     static const char *const pixels[] = {N_("columns"), N_("rows")}, *const sides[] = {N_("width"), N_("height")};
     if (parameter->value_type == LUXEL_PARAMETER_WHOLE_NUMBERS)
         return _(pixels[component]);
+    if (strstr(parameter->path, "color")) /* channels, or the chromaticity x, y */
+        return parameter->count == 3 ? channels[component] : space[component];
     return parameter->count == 3 ? space[component] : _(sides[component]);
 }
 
@@ -373,6 +375,7 @@ static void add_single(AppForm *self, const luxel_parameter *parameter)
 {
     Entry *entry = new_entry(self, parameter, -1);
     entry->block = entry->row;
+    gtk_widget_set_name(entry->block, parameter->path);
     gtk_box_append(GTK_BOX(self), entry->block);
 }
 
@@ -385,6 +388,7 @@ static void add_vector(AppForm *self, const luxel_parameter *parameter)
         entry->block = vector;
         app_vector_add(APP_VECTOR(vector), APP_ROW(entry->row));
     }
+    gtk_widget_set_name(vector, parameter->path);
     gtk_box_append(GTK_BOX(self), vector);
     g_free(label);
 }

@@ -23,6 +23,7 @@ def observer_too_low(tap, desk):
     window.act("new", "report")
     x, y = window.pixel(100, 60)
     desk.move(x, window.picture_area()[1] + window.picture_area()[3] + 20)
+    before_area = window.picture_area()
     before, bright = window.save(), wait("a bright place", lambda: desk.color(x, y)[0])
     slider = window.control("spin button", "Centre, z")
     slider.value = 2620
@@ -33,8 +34,8 @@ def observer_too_low(tap, desk):
     left, top, width, height = window.picture_area()
     area = window.control("label", said).area()
     edges = window.edges()
-    tap.ok(left <= edges[0] + area[0] and edges[0] + area[0] + area[2] <= left + width and
-           top <= edges[1] + area[1] <= top + height, "it stands over the picture", area, (left, top, width, height))
+    tap.ok(edges[1] + area[1] > top + height and window.picture_area() == (left, top, width, height) == before_area,
+           "it stands in a line of its own below the picture, which stays where it was", area, before_area)
     desk.key("Escape")
     window.act("zoom-in")
     window.act("fit")
@@ -154,8 +155,8 @@ def bars(tap, desk):
     before = wait("the panel to rest", lambda: label.area()[1])
     top = window.edges()[1]
     area = next(part for part in window.widget.all("label") if "nowhere.yaml" in part.name).area()
-    picture = window.picture_area()
-    desk.click(picture[0] + picture[2] - 24, top + area[1] + area[3] / 2)  # its x, over the picture
+    left, whole = window.edges()[0], window.widget.area()
+    desk.click(left + whole[2] - 32, top + area[1] + area[3] / 2)  # its x, at the end of the line
     wait("the bar to go", lambda: not window.says("nowhere.yaml"))
     desk.hand("sleep", "0.5")
     tap.ok(abs(label.area()[1] - before) < 70, "the form is not scrolled", before, label.area()[1])
