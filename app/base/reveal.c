@@ -4,8 +4,8 @@
 
 typedef struct Wish {
     GtkScrolledWindow *scrolled;
-    GtkWidget *part; /* NULL: the row of a list */
-    int row, frames;
+    GtkWidget *part;       /* NULL: the row of a list */
+    int row, frames, last; /* frames so far, and in which it is done */
 } Wish;
 
 static void free_wish(gpointer data)
@@ -28,7 +28,7 @@ static gboolean reveal(GtkWidget *inside, GdkFrameClock *clock, gpointer data)
     if (row && gtk_widget_compute_bounds(row, inside, &at))
         gtk_adjustment_clamp_page(gtk_scrolled_window_get_vadjustment(wish->scrolled), (double)at.origin.y,
                                   (double)(at.origin.y + at.size.height));
-    return G_SOURCE_REMOVE;
+    return wish->frames > wish->last ? G_SOURCE_REMOVE : G_SOURCE_CONTINUE;
 }
 
 void app_reveal_row(GtkListBox *list, GtkScrolledWindow *scrolled, int row)
@@ -38,18 +38,25 @@ void app_reveal_row(GtkListBox *list, GtkScrolledWindow *scrolled, int row)
     gtk_widget_add_tick_callback(GTK_WIDGET(list), reveal, wish, free_wish);
 }
 
-void app_reveal_part(GtkWidget *inside, GtkScrolledWindow *scrolled, GtkWidget *part)
+static void wish_part(GtkWidget *inside, GtkScrolledWindow *scrolled, GtkWidget *part, int last)
 {
     Wish *wish = g_new(Wish, 1);
-    *wish = (Wish){.scrolled = scrolled, .part = g_object_ref(part)};
+    *wish = (Wish){.scrolled = scrolled, .part = g_object_ref(part), .last = last};
     gtk_widget_add_tick_callback(inside, reveal, wish, free_wish);
+}
+
+/* What is opened with it is shown meanwhile, and scrolled by the keyboard's focus: the part has the last word. */
+void app_reveal_part(GtkWidget *inside, GtkScrolledWindow *scrolled, GtkWidget *part)
+{
+    enum { FRAMES = 5 };
+    wish_part(inside, scrolled, part, FRAMES);
 }
 
 static void opened(GtkExpander *expander, GParamSpec *spec, GtkScrolledWindow *scrolled)
 {
     (void)spec;
     if (gtk_expander_get_expanded(expander))
-        app_reveal_part(gtk_widget_get_parent(GTK_WIDGET(expander)), scrolled, GTK_WIDGET(expander));
+        wish_part(gtk_widget_get_parent(GTK_WIDGET(expander)), scrolled, GTK_WIDGET(expander), 1);
 }
 
 void app_reveal_when_opened(GtkExpander *expander, GtkScrolledWindow *scrolled)

@@ -56,11 +56,20 @@ static const char *component_name(const luxel_parameter *parameter, int componen
 /* The label of a row; quantities have names of their own in photometric units. */
 static char *label_of(const AppForm *self, const luxel_parameter *parameter, int component)
 {
+    static const struct {
+        const char *end, *label;
+    } photometric[] = {
+        {".irradiance", N_("Illuminance")},
+        {".radiance", N_("Luminance")},
+        {"lights[].horizontal", N_("Horizontal illuminance")},
+        {"lights[].direct", N_("Direct illuminance")},
+        {"lights[].diffuse", N_("Diffuse illuminance")},
+        {"lights[].extraterrestrial", N_("Extraterrestrial illuminance")},
+    };
     const char *label = parameter->label;
-    if (self->is_photometric && g_str_has_suffix(parameter->path, ".irradiance"))
-        label = _("Illuminance");
-    if (self->is_photometric && g_str_has_suffix(parameter->path, ".radiance"))
-        label = _("Luminance");
+    for (gsize i = 0; i < G_N_ELEMENTS(photometric) && self->is_photometric; i++)
+        if (g_str_has_suffix(parameter->path, photometric[i].end))
+            label = _(photometric[i].label);
     return component < 0 ? g_strdup(label) : g_strdup_printf("%s, %s", label, component_name(parameter, component));
 }
 

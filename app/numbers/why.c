@@ -85,9 +85,9 @@ static char *write_shares(const AppReading *reading)
             continue;
         }
         char *lamp = app_lamp_markup(order[i]);
-        app_number_plain(100 * reading->shares[order[i]] / reading->value.value, 2, percent);
+        app_number_show(100 * reading->shares[order[i]] / reading->value.value, 2, percent);
         g_string_append_printf(text, "%s%s\t%s\t%s %%", i ? "\n" : "", lamp,
-                               app_number_show(reading->shares[order[i]], DIGITS, number), app_number_mark(percent));
+                               app_number_show(reading->shares[order[i]], DIGITS, number), percent);
         g_free(lamp);
     }
     if (rest != 0) {

@@ -529,7 +529,6 @@ static void app_window_class_init(AppWindowClass *class)
     BIND(left_box);
     BIND(right_box);
     BIND(view_overlay);
-    BIND(said_box);
     BIND(compare_box);
     BIND(compare_label);
     BIND(bar);

@@ -69,7 +69,6 @@ struct _AppWindow {
     GtkWidget *cameras;      /* picture and space, of which one is seen, */
     GtkWidget *view_overlay; /* and what lies over them */
     GtkWidget *unsaved_bar, *unsaved_label, *discard_button, *fault_bar, *fault_label, *outside_bar, *outside_label;
-    GtkWidget *said_box;     /* what is said where no bar is */
     GtkWidget *direct_label; /* what the picture is, before reflected light has come */
     GtkWidget *progress_label, *stop_button;
     GtkWidget *stale_bar, *stale_label, *repair_button, *repair_label;

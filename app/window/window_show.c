@@ -37,7 +37,7 @@ void app_window_mention(AppWindow *self, const char *text)
     self->say_timer = g_timeout_add_seconds(SAID_SECONDS, forget_said, self);
 }
 
-/* One line is kept for all messages, so that none lies over anything: the first that is due has it, the others wait. */
+/* Messages have the line at the edge, so that none lies over anything: the first that is due, the others wait. */
 static void choose_message(AppWindow *self)
 {
     GtkWidget *const bars[] = {self->stale_bar, self->fault_bar, self->outside_bar, self->unsaved_bar};
@@ -47,7 +47,7 @@ static void choose_message(AppWindow *self)
         gtk_widget_set_visible(bars[i], is_due && is_free);
         is_free = is_free && !is_due;
     }
-    gtk_widget_set_visible(self->said_box, is_free);
+    gtk_widget_set_visible(self->status_label, is_free);
 }
 
 void app_window_reveal_bar(AppWindow *self, GtkWidget *bar, gboolean revealed)

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /*
  * A document that cannot be computed.  The picture of before stays to be worked on, but it is dimmed, as are the
- * numbers, and in the line of messages stands that it is not of this scene, why, and what would mend it.
+ * numbers, and in the line at the edge stands that it is not of this scene, why, and what would mend it.
  */
 #include <string.h>
 

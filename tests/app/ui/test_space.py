@@ -120,4 +120,23 @@ def points(tap, desk):
     tap.ok(True, "the list tells E at the place where Why? is kept")
 
 
-trial(lamps, turns, values, points)
+def clicks(tap, desk):
+    """Why? at a double click, and at a point, with which it goes."""
+    window = desk.start().window()
+    at = window.pixel(40, 40)
+    desk.click(*at, count=2)
+    tap.ok(wait("the card", lambda: window.says("x = ", "y = ")), "a double click asks why")
+    tap.ok(wait("the place", lambda: re.match(r"x = 40(\.|,)?|x = (39|40)\.", window.says("x = ", "y = "))),
+           "at the place that is clicked", window.says("x = ", "y = "))
+    desk.key("Escape")
+    wait("no card", lambda: not window.says("x = ", "y = "))
+    tap.equal(window.state("why"), False, "Esc closes the card")
+    desk.key("alt+2")
+    tap.ok(wait("P2", lambda: window.says("P2  x = 150, y = 0")), "the card has the name of its point")
+    desk.drag(window.pixel(150, 0), window.pixel(120, 30))
+    moved = wait("another place", lambda: next((text for text in [window.says("P2  x = ")]
+                                                if text and "x = 150" not in text), None))
+    tap.ok(moved, "and goes where that is moved", moved)
+
+
+trial(lamps, turns, values, points, clicks)

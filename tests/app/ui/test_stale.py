@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""A scene that cannot be computed: the old picture is dimmed, a banner over it says so and offers what mends it."""
+"""A scene that cannot be computed: the old picture is dimmed, the line below it says so and offers what mends it."""
 from desk import trial
 from waiting import wait
 
@@ -35,7 +35,7 @@ def observer_too_low(tap, desk):
     area = window.control("label", said).area()
     edges = window.edges()
     tap.ok(edges[1] + area[1] > top + height and window.picture_area() == (left, top, width, height) == before_area,
-           "it stands in a line of its own below the picture, which stays where it was", area, before_area)
+           "it stands in the line below the picture, which stays where it was", area, before_area)
     desk.key("Escape")
     window.act("zoom-in")
     window.act("fit")
@@ -59,7 +59,7 @@ def observer_too_low(tap, desk):
 
 
 def a_back(tap, desk):
-    """A plate that shows its back leaves nothing to be seen: a banner says so, and one click turns it."""
+    """A plate that shows its back leaves nothing to be seen: the line below says so, and one click turns it."""
     path = desk.path("back.yaml")
     with open(path, "w") as file:
         file.write(BACK)
@@ -156,7 +156,8 @@ def bars(tap, desk):
     top = window.edges()[1]
     area = next(part for part in window.widget.all("label") if "nowhere.yaml" in part.name).area()
     left, whole = window.edges()[0], window.widget.area()
-    desk.click(left + whole[2] - 32, top + area[1] + area[3] / 2)  # its x, at the end of the line
+    close = next(part for part in window.edge_parts() if part.name == "Close")
+    desk.click(left + close.area()[0] + close.area()[2] / 2, top + area[1] + area[3] / 2)
     wait("the bar to go", lambda: not window.says("nowhere.yaml"))
     desk.hand("sleep", "0.5")
     tap.ok(abs(label.area()[1] - before) < 70, "the form is not scrolled", before, label.area()[1])
