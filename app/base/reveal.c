@@ -25,9 +25,11 @@ static gboolean reveal(GtkWidget *inside, GdkFrameClock *clock, gpointer data)
         return G_SOURCE_CONTINUE;
     if (!row)
         row = GTK_WIDGET(gtk_list_box_get_row_at_index(GTK_LIST_BOX(inside), wish->row));
-    if (row && gtk_widget_compute_bounds(row, inside, &at))
-        gtk_adjustment_clamp_page(gtk_scrolled_window_get_vadjustment(wish->scrolled), (double)at.origin.y,
-                                  (double)(at.origin.y + at.size.height));
+    GtkAdjustment *adjustment = gtk_scrolled_window_get_vadjustment(wish->scrolled);
+    if (row && gtk_widget_compute_bounds(row, gtk_scrolled_window_get_child(wish->scrolled), &at)) {
+        const double top = gtk_adjustment_get_value(adjustment) + (double)at.origin.y;
+        gtk_adjustment_clamp_page(adjustment, top, top + (double)at.size.height);
+    }
     return wish->frames > wish->last ? G_SOURCE_REMOVE : G_SOURCE_CONTINUE;
 }
 

@@ -14,7 +14,7 @@ def look_for(desk, window, text):
 def finds(tap, desk):
     window = desk.start().window()
     look_for(desk, window, "shinin")
-    tap.ok(wait("what is found", lambda: [text for text in window.floating() if "surfaces[].material.shininess" in text]),
+    tap.ok(wait("what is found", lambda: [text for text in window.floating() if "material.shininess" in text]),
            "a row is found by its label, and its key is told")
     desk.key("Return")
     field = window.control("spin button", "Shininess n")
