@@ -47,7 +47,6 @@ static void choose_message(AppWindow *self)
         gtk_widget_set_visible(bars[i], is_due && is_free);
         is_free = is_free && !is_due;
     }
-    gtk_widget_set_visible(self->status_label, is_free);
 }
 
 void app_window_reveal_bar(AppWindow *self, GtkWidget *bar, gboolean revealed)
