@@ -161,7 +161,7 @@ static void show_mean(AppNumbers *self, const luxel_color *mean)
     for (gsize i = 0; i < G_N_ELEMENTS(tell); i++) {
         char *text = mean->exists ? tell[i](mean) : g_strdup("");
         app_numbers_set_text(self->lines[LINE_COLOR + i], text);
-        choose_line(self, LINE_COLOR + i, *text != '\0');
+        choose_line(self, (Line)(LINE_COLOR + i), *text != '\0');
         g_free(text);
     }
 }
