@@ -156,7 +156,7 @@ def bars(tap, desk):
     top = window.edges()[1]
     area = next(part for part in window.widget.all("label") if "nowhere.yaml" in part.name).area()
     left, whole = window.edges()[0], window.widget.area()
-    close = next(part for part in window.edge_parts() if part.name == "Close")
+    close = next(part for part in window.edge_buttons() if part.area()[2] > 0)  # the bar's own
     desk.click(left + close.area()[0] + close.area()[2] / 2, top + area[1] + area[3] / 2)
     wait("the bar to go", lambda: not window.says("nowhere.yaml"))
     desk.hand("sleep", "0.5")

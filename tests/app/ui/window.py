@@ -146,9 +146,9 @@ class Window:
         """The labels of the line at the lower edge."""
         return self.widget.children()[0].children()[-1].all("label")
 
-    def edge_parts(self):
-        """All that stands in it."""
-        return self.widget.children()[0].children()[-1].all()
+    def edge_buttons(self):
+        """The buttons in it."""
+        return self.widget.children()[0].children()[-1].all("button")
 
     def place_said(self):
         """The place under the pointer, in millimetres, as that line says it; None where it says none."""
