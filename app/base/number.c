@@ -112,7 +112,8 @@ const char *app_number_mark(char *text)
 
 const char *app_number_show(double value, int digits, char text[APP_NUMBER_SIZE])
 {
-    app_number_round(value, digits, text);
+    const gboolean is_plain = fabs(value) >= 1 && fabs(value) < 1e6; /* "13360" and not "1.336e+04" */
+    (is_plain ? app_number_plain : app_number_round)(value, digits, text);
     return app_number_mark(text);
 }
 

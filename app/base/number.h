@@ -33,7 +33,7 @@ void app_number_set_mark(char mark);
 /* A number that was written with a point gets that mark; returns `text`. */
 const char *app_number_mark(char *text);
 
-/* As app_number_round() and app_number_write(), to be shown. */
+/* As app_number_round(), but from 1 to a million as app_number_plain(), and as app_number_write(), to be shown. */
 const char *app_number_show(double value, int digits, char text[APP_NUMBER_SIZE]);
 /* A bound of an error to be shown, rounded up so that it still is one. */
 const char *app_bound_show(double error, int digits, char text[APP_NUMBER_SIZE]);

@@ -4,9 +4,16 @@
 
 typedef struct Wish {
     GtkScrolledWindow *scrolled;
-    GtkWidget *part; /* NULL: the row of a list */
-    int row, frames;
+    GtkWidget *part;       /* NULL: the row of a list */
+    int row, frames, last; /* frames so far, and in which it is done */
 } Wish;
+
+static void free_wish(gpointer data)
+{
+    Wish *wish = data;
+    g_clear_object(&wish->part);
+    g_free(wish);
+}
 
 static gboolean reveal(GtkWidget *inside, GdkFrameClock *clock, gpointer data)
 {
@@ -18,28 +25,40 @@ static gboolean reveal(GtkWidget *inside, GdkFrameClock *clock, gpointer data)
         return G_SOURCE_CONTINUE;
     if (!row)
         row = GTK_WIDGET(gtk_list_box_get_row_at_index(GTK_LIST_BOX(inside), wish->row));
-    if (row && gtk_widget_compute_bounds(row, inside, &at))
-        gtk_adjustment_clamp_page(gtk_scrolled_window_get_vadjustment(wish->scrolled), (double)at.origin.y,
-                                  (double)(at.origin.y + at.size.height));
-    return G_SOURCE_REMOVE;
+    GtkAdjustment *adjustment = gtk_scrolled_window_get_vadjustment(wish->scrolled);
+    if (row && gtk_widget_compute_bounds(row, gtk_scrolled_window_get_child(wish->scrolled), &at)) {
+        const double top = gtk_adjustment_get_value(adjustment) + (double)at.origin.y;
+        gtk_adjustment_clamp_page(adjustment, top, top + (double)at.size.height);
+    }
+    return wish->frames > wish->last ? G_SOURCE_REMOVE : G_SOURCE_CONTINUE;
 }
 
 void app_reveal_row(GtkListBox *list, GtkScrolledWindow *scrolled, int row)
 {
     Wish *wish = g_new(Wish, 1);
     *wish = (Wish){.scrolled = scrolled, .row = row};
-    gtk_widget_add_tick_callback(GTK_WIDGET(list), reveal, wish, g_free);
+    gtk_widget_add_tick_callback(GTK_WIDGET(list), reveal, wish, free_wish);
+}
+
+static void wish_part(GtkWidget *inside, GtkScrolledWindow *scrolled, GtkWidget *part, int last)
+{
+    Wish *wish = g_new(Wish, 1);
+    *wish = (Wish){.scrolled = scrolled, .part = g_object_ref(part), .last = last};
+    gtk_widget_add_tick_callback(inside, reveal, wish, free_wish);
+}
+
+/* What is opened with it is shown meanwhile, and scrolled by the keyboard's focus: the part has the last word. */
+void app_reveal_part(GtkWidget *inside, GtkScrolledWindow *scrolled, GtkWidget *part)
+{
+    enum { FRAMES = 5 };
+    wish_part(inside, scrolled, part, FRAMES);
 }
 
 static void opened(GtkExpander *expander, GParamSpec *spec, GtkScrolledWindow *scrolled)
 {
-    Wish *wish = g_new(Wish, 1);
     (void)spec;
-    *wish = (Wish){.scrolled = scrolled, .part = GTK_WIDGET(expander)};
     if (gtk_expander_get_expanded(expander))
-        gtk_widget_add_tick_callback(gtk_widget_get_parent(wish->part), reveal, wish, g_free);
-    else
-        g_free(wish);
+        wish_part(gtk_widget_get_parent(GTK_WIDGET(expander)), scrolled, GTK_WIDGET(expander), 1);
 }
 
 void app_reveal_when_opened(GtkExpander *expander, GtkScrolledWindow *scrolled)

@@ -8,6 +8,9 @@
 /* Scrolls as little as shows the row, once the rows have their places. */
 void app_reveal_row(GtkListBox *list, GtkScrolledWindow *scrolled, int row);
 
+/* Scrolls as little as shows a part of what is scrolled, once all has its place. */
+void app_reveal_part(GtkWidget *inside, GtkScrolledWindow *scrolled, GtkWidget *part);
+
 /* Scrolls so far as shows what an expander holds, its head at the least, whenever it is opened. */
 void app_reveal_when_opened(GtkExpander *expander, GtkScrolledWindow *scrolled);
 

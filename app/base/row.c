@@ -91,6 +91,11 @@ static void name_row(const AppRow *self)
         app_name_control(self->control, self->label);
 }
 
+const char *app_row_label(const AppRow *self)
+{
+    return self->label;
+}
+
 void app_row_set_label(AppRow *self, const char *label)
 {
     if (strcmp(label, self->label) == 0)

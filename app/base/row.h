@@ -62,6 +62,7 @@ GtkWidget *app_row_words(AppRow *self);
 /* The unit's name. */
 void app_row_set_unit(AppRow *self, const char *unit);
 void app_row_set_label(AppRow *self, const char *label);
+const char *app_row_label(const AppRow *self);
 
 /* Names a control for those who do not see it, and the part of it that takes the keys, where that is another one. */
 void app_name_control(GtkWidget *control, const char *name);

@@ -25,8 +25,8 @@ static double part_of(const AppShare *self)
     return self->whole > 0 ? CLAMP(self->share / self->whole, 0, 1) : 0;
 }
 
-/* A text that ends at a place. */
-static void draw_text(GtkWidget *widget, GtkSnapshot *snapshot, const char *text, double right)
+/* A text that ends at a place; where it begins. */
+static double draw_text(GtkWidget *widget, GtkSnapshot *snapshot, const char *text, double right)
 {
     PangoLayout *layout = gtk_widget_create_pango_layout(widget, text);
     GdkRGBA ink;
@@ -38,6 +38,7 @@ static void draw_text(GtkWidget *widget, GtkSnapshot *snapshot, const char *text
     gtk_snapshot_append_layout(snapshot, layout, &ink);
     gtk_snapshot_restore(snapshot);
     g_object_unref(layout);
+    return right - width;
 }
 
 static void app_share_snapshot(GtkWidget *widget, GtkSnapshot *snapshot)
@@ -56,9 +57,9 @@ static void app_share_snapshot(GtkWidget *widget, GtkSnapshot *snapshot)
     app_lamp_color(self->light, color);
     const GdkRGBA fill = {(float)color[0], (float)color[1], (float)color[2], 1};
     gtk_snapshot_append_color(snapshot, &fill, &GRAPHENE_RECT_INIT(0, (float)top, (float)(width * part), BAR));
-    draw_text(widget, snapshot, app_number_show(self->share, 4, number), width - PERCENT_WIDTH - GAP);
     g_snprintf(percent, sizeof percent, "%.*f %%", part < 0.9995 ? 1 : 0, 100 * part); /* "100.0 %" is too wide */
-    draw_text(widget, snapshot, app_number_mark(percent), width);
+    const double left = draw_text(widget, snapshot, app_number_mark(percent), width);  /* large letters are wider */
+    draw_text(widget, snapshot, app_number_show(self->share, 4, number), MIN(width - PERCENT_WIDTH, left) - GAP);
 }
 
 static void app_share_measure(GtkWidget *widget, GtkOrientation orientation, int size, int *least, int *natural,

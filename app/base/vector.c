@@ -41,6 +41,11 @@ void app_vector_add(AppVector *self, AppRow *part)
         self->first = part;
 }
 
+const char *app_vector_label(const AppVector *self)
+{
+    return gtk_label_get_text(GTK_LABEL(self->name));
+}
+
 void app_vector_set_unit(AppVector *self, const char *unit)
 {
     gtk_label_set_text(GTK_LABEL(self->unit), unit ? unit : "");

@@ -15,6 +15,7 @@ G_DECLARE_FINAL_TYPE(AppVector, app_vector, APP, VECTOR, GtkBox)
 GtkWidget *app_vector_new(const char *label, const char *unit, const char *meaning);
 /* One more number: a row with a short name (AppRowSpec.part). */
 void app_vector_add(AppVector *self, AppRow *part);
+const char *app_vector_label(const AppVector *self);
 void app_vector_set_unit(AppVector *self, const char *unit);
 
 #endif

@@ -44,21 +44,32 @@ static const char *unit_of(const AppForm *self, const luxel_parameter *parameter
 
 static const char *component_name(const luxel_parameter *parameter, int component)
 {
-    static const char *const space[] = {"x", "y", "z"};
+    static const char *const space[] = {"x", "y", "z"}, *const channels[] = {"R", "G", "B"};
     static const char *const pixels[] = {N_("columns"), N_("rows")}, *const sides[] = {N_("width"), N_("height")};
     if (parameter->value_type == LUXEL_PARAMETER_WHOLE_NUMBERS)
         return _(pixels[component]);
+    if (strstr(parameter->path, "color")) /* channels, or the chromaticity x, y */
+        return parameter->count == 3 ? channels[component] : space[component];
     return parameter->count == 3 ? space[component] : _(sides[component]);
 }
 
 /* The label of a row; quantities have names of their own in photometric units. */
 static char *label_of(const AppForm *self, const luxel_parameter *parameter, int component)
 {
+    static const struct {
+        const char *end, *label;
+    } photometric[] = {
+        {".irradiance", N_("Illuminance")},
+        {".radiance", N_("Luminance")},
+        {"lights[].horizontal", N_("Horizontal illuminance")},
+        {"lights[].direct", N_("Direct illuminance")},
+        {"lights[].diffuse", N_("Diffuse illuminance")},
+        {"lights[].extraterrestrial", N_("Extraterrestrial illuminance")},
+    };
     const char *label = parameter->label;
-    if (self->is_photometric && g_str_has_suffix(parameter->path, ".irradiance"))
-        label = _("Illuminance");
-    if (self->is_photometric && g_str_has_suffix(parameter->path, ".radiance"))
-        label = _("Luminance");
+    for (gsize i = 0; i < G_N_ELEMENTS(photometric) && self->is_photometric; i++)
+        if (g_str_has_suffix(parameter->path, photometric[i].end))
+            label = _(photometric[i].label);
     return component < 0 ? g_strdup(label) : g_strdup_printf("%s, %s", label, component_name(parameter, component));
 }
 
@@ -373,6 +384,7 @@ static void add_single(AppForm *self, const luxel_parameter *parameter)
 {
     Entry *entry = new_entry(self, parameter, -1);
     entry->block = entry->row;
+    gtk_widget_set_name(entry->block, parameter->path);
     gtk_box_append(GTK_BOX(self), entry->block);
 }
 
@@ -385,6 +397,7 @@ static void add_vector(AppForm *self, const luxel_parameter *parameter)
         entry->block = vector;
         app_vector_add(APP_VECTOR(vector), APP_ROW(entry->row));
     }
+    gtk_widget_set_name(vector, parameter->path);
     gtk_box_append(GTK_BOX(self), vector);
     g_free(label);
 }

@@ -12,6 +12,7 @@
 #include "../base/dim.h"
 #include "../base/number.h"
 #include "../base/row.h"
+#include "../picture/color.h"
 #include "results.h"
 
 enum { POINT_COLUMNS = 5 };
@@ -71,6 +72,17 @@ static void name_cell(GtkWidget *label, const char *column, guint row)
     g_free(text);
 }
 
+/* The channels of an exact value with their bounds, and what they mean. */
+static char *tell_color(const luxel_color *color)
+{
+    char *bounds = app_color_bounds(color), *seen = app_color_place(color), *kelvin = app_color_temperature(color);
+    char *text = g_strdup_printf("\n%s\n%s\n%s", bounds, seen, kelvin);
+    g_free(bounds);
+    g_free(seen);
+    g_free(kelvin);
+    return text;
+}
+
 static void show_point(AppNumbers *self, const AppPoint *point, guint row)
 {
     char text[2 * APP_NUMBER_SIZE], x[APP_NUMBER_SIZE], y[APP_NUMBER_SIZE], amount[APP_AMOUNT_SIZE];
@@ -88,7 +100,11 @@ static void show_point(AppNumbers *self, const AppPoint *point, guint row)
         app_numbers_set_number(value, point->value);
     else
         app_numbers_set_text(value, "–");
-    gtk_widget_set_tooltip_text(value, point->has_value ? app_amount_write(point->value, point->error, amount) : NULL);
+    char *colors = point->color.exists ? tell_color(&point->color) : g_strdup("");
+    char *told = g_strconcat(app_amount_write(point->value, point->error, amount), colors, NULL);
+    gtk_widget_set_tooltip_text(value, point->has_value ? told : NULL);
+    g_free(told);
+    g_free(colors);
     name_cell(value, _("value"), row);
     if (point->has_pixel)
         app_numbers_set_number(cell(self, 3, row), point->pixel_value);
@@ -259,7 +275,7 @@ static void copy_results(AppNumbers *self)
     const char *name = app_document_name(self->document);
     const AppResults results = {.title = *name ? name : _("a new scene"),
                                 .unit = self->unit_name,
-                                .field = self->is_difference ? NULL : self->shot->field,
+                                .field = self->is_difference ? NULL : app_shot_light(self->shot),
                                 .extrema = self->has_extrema ? &self->extrema : NULL,
                                 .reached = self->has_extrema ? &self->reached : NULL,
                                 .points = self->measured,
@@ -269,12 +285,16 @@ static void copy_results(AppNumbers *self)
     g_free(text);
 }
 
+char *app_numbers_name(const AppMeasures *measures, const luxel_field *field)
+{
+    return g_strdup_printf("%s%s, %s", measures->is_difference ? _("B − A: ") : "",
+                           gettext(luxel_field_quantity_word(field)), gettext(luxel_field_unit(field)));
+}
+
 void app_numbers_show(AppNumbers *self, AppMeasures *measures)
 {
-    const luxel_field *field = measures->shot->field;
     g_free(self->unit_name);
-    self->unit_name = g_strdup_printf("%s%s, %s", measures->is_difference ? _("B − A: ") : "",
-                                      gettext(luxel_field_quantity_word(field)), gettext(luxel_field_unit(field)));
+    self->unit_name = app_numbers_name(measures, app_shot_light(measures->shot));
     keep_results(self, measures);
     if (measures->has_points)
         self->versions[PART_POINTS] = measures->version;
@@ -343,6 +363,7 @@ static void app_numbers_finalize(GObject *object)
     g_free(self->measured);
     luxel_histogram_free(self->bins);
     g_strfreev(self->names);
+    g_free(self->bins_name);
     g_free(self->unit_name);
     G_OBJECT_CLASS(app_numbers_parent_class)->finalize(object);
 }

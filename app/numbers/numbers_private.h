@@ -28,6 +28,9 @@ typedef enum Line {
     LINE_U0,
     LINE_UD,
     LINE_PIXELS,
+    LINE_COLOR,
+    LINE_COLOR_PLACE,
+    LINE_COLOR_TEMPERATURE,
     LINE_REFLECTED,
     LINE_MIRRORED,
     LINES
@@ -60,6 +63,7 @@ struct _AppNumbers {
     char **names; /* of the lights, NULL-terminated */
     gsize name_count;
     luxel_histogram *bins;
+    char *bins_name; /* of what they count */
     const char *palette;
     double low, high;
     gboolean logarithmic;
@@ -75,6 +79,8 @@ struct _AppNumbers {
 /* Labels are only touched when their text is another: laying them out is what costs. */
 void app_numbers_set_text(GtkWidget *label, const char *text);
 void app_numbers_set_number(GtkWidget *label, double number);
+/* "brightness, W/sr": what the values of a field of these measures are; the caller's. */
+char *app_numbers_name(const AppMeasures *measures, const luxel_field *field);
 /* How plots are drawn on a widget; `language` is room for what the style points to. */
 luxel_drawing_style app_numbers_style(GtkWidget *widget, luxel_language *language);
 

@@ -7,6 +7,7 @@
 #include "../../front/language.h"
 #include "../../front/words.h"
 #include "../base/number.h"
+#include "../picture/color.h"
 #include "numbers_private.h"
 
 static const char *const line_names[LINES] = {
@@ -28,6 +29,9 @@ static const char *const line_names[LINES] = {
     [LINE_U0] = N_("Uniformity U0 = minimum / mean"),
     [LINE_UD] = N_("Diversity Ud = minimum / maximum"),
     [LINE_PIXELS] = N_("Pixels on a surface"),
+    [LINE_COLOR] = N_("Colour of the mean"),
+    [LINE_COLOR_PLACE] = N_("chromaticity"),
+    [LINE_COLOR_TEMPERATURE] = N_("colour temperature"),
     [LINE_REFLECTED] = N_("Error of reflected light, of the maximum"),
     [LINE_MIRRORED] = N_("Error of light over mirrors, of the maximum"),
 };
@@ -42,8 +46,8 @@ static void draw_histogram(GtkDrawingArea *area, cairo_t *cairo, int width, int 
     if (!self->bins)
         return;
     luxel_draw_histogram(cairo, &style, self->bins, self->palette && self->high > self->low ? &bar : NULL,
-                         self->unit_name, _("pixels"), width, height);
-    if (luxel_histogram_frame(&style, self->bins, self->unit_name, _("pixels"), width, height,
+                         self->bins_name, _("pixels"), width, height);
+    if (luxel_histogram_frame(&style, self->bins, self->bins_name, _("pixels"), width, height,
                               &self->cursors[PLOT_HISTOGRAM].frame) == LUXEL_OK)
         app_numbers_draw_cursor(self, PLOT_HISTOGRAM, cairo, &style);
 }
@@ -51,7 +55,8 @@ static void draw_histogram(GtkDrawingArea *area, cairo_t *cairo, int width, int 
 static gboolean is_place(Line line)
 {
     return line == LINE_MAXIMUM_PLACE || line == LINE_TRUE_MAXIMUM_PLACE || line == LINE_LEAST_PLACE ||
-           line == LINE_REACHED_PLACE;
+           line == LINE_REACHED_PLACE || line == LINE_COLOR || line == LINE_COLOR_PLACE ||
+           line == LINE_COLOR_TEMPERATURE;
 }
 
 GtkWidget *app_numbers_new_statistics(AppNumbers *self)
@@ -105,13 +110,17 @@ static void choose_line(AppNumbers *self, Line line, gboolean is_shown)
     gtk_widget_set_visible(name, is_shown);
 }
 
-/* Leaves out the lines that say nothing of a difference, which has neither a least value above 0 nor uniformity. */
-static void choose_lines(AppNumbers *self, gboolean is_difference)
+/* Leaves out the lines that say nothing: a difference has no least value above 0 and no uniformity, and of a channel no
+ * extrema between the pixels are found. */
+static void choose_lines(AppNumbers *self, gboolean is_difference, gboolean is_channel)
 {
-    static const Line of_pictures[] = {LINE_LEAST,         LINE_LEAST_PLACE, LINE_REACHED,
-                                       LINE_REACHED_PLACE, LINE_U0,          LINE_UD};
+    static const Line of_light[] = {LINE_TRUE_MAXIMUM, LINE_TRUE_MAXIMUM_PLACE, LINE_TRUE_MINIMUM, LINE_REACHED,
+                                    LINE_REACHED_PLACE};
+    static const Line of_pictures[] = {LINE_LEAST, LINE_LEAST_PLACE, LINE_U0, LINE_UD};
     for (gsize i = 0; i < G_N_ELEMENTS(of_pictures); i++)
         choose_line(self, of_pictures[i], !is_difference);
+    for (gsize i = 0; i < G_N_ELEMENTS(of_light); i++)
+        choose_line(self, of_light[i], !is_channel && !(is_difference && of_light[i] >= LINE_REACHED));
 }
 
 /* The bound of what surfaces reflect, where they do; marked where it is larger than it should be. */
@@ -145,6 +154,18 @@ static void show_mirrored(AppNumbers *self, const luxel_statistics *statistics, 
     app_numbers_set_text(self->lines[LINE_MIRRORED], text);
 }
 
+/* What the mean of the pixels' channels is; left out of a grey picture. */
+static void show_mean(AppNumbers *self, const luxel_color *mean)
+{
+    static char *(*const tell[])(const luxel_color *) = {app_color_channels, app_color_place, app_color_temperature};
+    for (gsize i = 0; i < G_N_ELEMENTS(tell); i++) {
+        char *text = mean->exists ? tell[i](mean) : g_strdup("");
+        app_numbers_set_text(self->lines[LINE_COLOR + i], text);
+        choose_line(self, (Line)(LINE_COLOR + i), *text != '\0');
+        g_free(text);
+    }
+}
+
 /* The place of a least value in the line below it. */
 static void show_least(AppNumbers *self, Line line, const luxel_extremum *least)
 {
@@ -160,6 +181,7 @@ void app_numbers_show_statistics(AppNumbers *self, AppMeasures *measures)
     const luxel_summary *summary = &measures->summary;
     const luxel_peak *maximum = &measures->extrema.maximum, *minimum = &measures->extrema.minimum;
     const luxel_statistics *statistics = luxel_field_statistics(measures->shot->field);
+    const luxel_statistics *light = luxel_field_statistics(app_shot_light(measures->shot));
     self->size_mm = size_of(measures->shot->field);
     const double numbers[LINES] = {
         [LINE_MAXIMUM] = summary->maximum.value,
@@ -175,17 +197,16 @@ void app_numbers_show_statistics(AppNumbers *self, AppMeasures *measures)
         [LINE_U0] = summary->u0,
         [LINE_UD] = summary->ud,
         [LINE_PIXELS] = (double)summary->pixels,
-        [LINE_REFLECTED] = statistics->reflected_error,
-        [LINE_MIRRORED] = statistics->mirrored_error,
     };
     for (int i = 0; i < LINES; i++)
         app_numbers_set_number(self->lines[i], numbers[i]);
     show_place(self, LINE_MAXIMUM_PLACE, summary->maximum.x_mm, summary->maximum.y_mm);
     show_place(self, LINE_TRUE_MAXIMUM_PLACE, maximum->x_mm, maximum->y_mm);
-    choose_lines(self, measures->is_difference);
-    show_reflected(self, statistics, measures->is_difference);
-    show_mirrored(self, statistics, measures->is_difference);
-    app_numbers_await_balance(self, statistics->has_reflected && !measures->is_difference);
+    choose_lines(self, measures->is_difference, measures->shot->channel > APP_CHANNEL_LUMINANCE);
+    show_mean(self, &measures->mean);
+    show_reflected(self, light, measures->is_difference);
+    show_mirrored(self, light, measures->is_difference);
+    app_numbers_await_balance(self, light->has_reflected && !measures->is_difference);
     show_least(self, LINE_LEAST, &statistics->minimum);
     show_least(self, LINE_REACHED, &measures->reached);
     if (!measures->has_extrema) {
@@ -197,6 +218,8 @@ void app_numbers_show_statistics(AppNumbers *self, AppMeasures *measures)
         app_numbers_set_text(self->lines[LINE_U0], "–");
         app_numbers_set_text(self->lines[LINE_UD], "–");
     }
+    g_free(self->bins_name);
+    self->bins_name = app_numbers_name(measures, measures->shot->field);
     luxel_histogram_free(self->bins);
     self->bins = g_steal_pointer(&measures->histogram);
     app_numbers_tell_cursor(self, PLOT_HISTOGRAM);

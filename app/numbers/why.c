@@ -13,6 +13,7 @@
 #include "../base/lamp.h"
 #include "../base/number.h"
 #include "../base/row.h"
+#include "../picture/color.h"
 #include "../picture/measures.h"
 #include "explained.h"
 
@@ -22,6 +23,7 @@ enum { REST_MS = 180, WIDTH = 276, HEIGHT = 150, WHOLE_WIDTH = 820, WHOLE_HEIGHT
 typedef struct Place {
     AppShot *shot;
     double x_mm, y_mm;
+    gssize point; /* of the scene that it is; -1: none */
 } Place;
 
 struct _AppWhy {
@@ -101,14 +103,25 @@ static void show_reading(AppWhy *self, const AppReading *reading)
 {
     const gboolean any = reading && reading->value.on_surface && reading->value.has_value;
     char x[APP_NUMBER_SIZE], y[APP_NUMBER_SIZE], value[APP_NUMBER_SIZE];
-    char *where = reading ? g_strdup_printf(_("x = %s, y = %s mm"), app_number_show(reading->x_mm, DIGITS, x),
+    char *place = reading ? g_strdup_printf(_("x = %s, y = %s mm"), app_number_show(reading->x_mm, DIGITS, x),
                                             app_number_show(reading->y_mm, DIGITS, y))
                           : g_strdup("");
+    char *where =
+        reading && self->place.point >= 0 ? g_strdup_printf("P%zd  %s", self->place.point + 1, place) : g_strdup(place);
     char *result = any ? g_markup_printf_escaped("<span size=\"x-large\" weight=\"bold\">%s</span> %s",
                                                  app_number_show(reading->value.value, DIGITS, value),
                                                  gettext(app_moment_unit(reading->moment, reading->quantity)))
                        : g_strdup("");
     char *shares = any && reading->share_count > 1 ? write_shares(reading) : g_strdup("");
+    if (any && reading->color.exists) {
+        char *parts[] = {app_color_channels(&reading->color), app_color_place(&reading->color),
+                         app_color_temperature(&reading->color)};
+        char *plain = result;
+        result = g_strdup_printf("%s\n<small>%s\n%s\n%s</small>", plain, parts[0], parts[1], parts[2]);
+        g_free(plain);
+        for (gsize i = 0; i < G_N_ELEMENTS(parts); i++)
+            g_free(parts[i]);
+    }
     gtk_label_set_text(GTK_LABEL(self->where), where);
     gtk_label_set_markup(GTK_LABEL(self->result), result);
     gtk_label_set_markup(GTK_LABEL(self->shares), shares);
@@ -116,6 +129,7 @@ static void show_reading(AppWhy *self, const AppReading *reading)
     g_free(shares);
     g_free(result);
     g_free(where);
+    g_free(place);
 }
 
 static void value_came(const AppReading *reading, gpointer owner)
@@ -215,7 +229,7 @@ void app_why_point(AppWhy *self, AppShot *shot, double x_mm, double y_mm)
     }
     app_shot_ref(shot);
     app_shot_unref(self->place.shot);
-    self->place = (Place){shot, x_mm, y_mm};
+    self->place = (Place){shot, x_mm, y_mm, -1};
     g_clear_handle_id(&self->timer, g_source_remove);
     if (self->is_shown)
         self->timer = g_timeout_add(REST_MS, rested, self);
@@ -226,11 +240,11 @@ static void tell_kept(AppWhy *self)
     g_signal_emit(self, signals[KEPT], 0);
 }
 
-void app_why_pin(AppWhy *self, AppShot *shot, double x_mm, double y_mm)
+void app_why_pin(AppWhy *self, AppShot *shot, const double place_mm[2], gssize point)
 {
     app_shot_ref(shot);
     app_shot_unref(self->place.shot);
-    self->place = (Place){shot, x_mm, y_mm};
+    self->place = (Place){shot, place_mm[0], place_mm[1], point};
     g_clear_handle_id(&self->timer, g_source_remove);
     ask(self);
     if (gtk_toggle_button_get_active(GTK_TOGGLE_BUTTON(self->pin)))
@@ -248,6 +262,19 @@ gboolean app_why_pinned(const AppWhy *self, double place_mm[2])
     return TRUE;
 }
 
+/* A point that was moved takes the card with it; one that went leaves it where it is. */
+static void follow_point(AppWhy *self)
+{
+    const double before[2] = {self->place.x_mm, self->place.y_mm};
+    if (self->place.point < 0)
+        return;
+    if (luxel_scene_point(self->place.shot->moment->scene, (gsize)self->place.point, &self->place.x_mm,
+                          &self->place.y_mm) != LUXEL_OK)
+        self->place.point = -1;
+    else if (self->place.x_mm != before[0] || self->place.y_mm != before[1])
+        tell_kept(self);
+}
+
 gboolean app_why_is_shown(const AppWhy *self)
 {
     return self->is_shown;
@@ -260,6 +287,7 @@ void app_why_follow(AppWhy *self, AppShot *shot)
     app_shot_ref(shot);
     app_shot_unref(self->place.shot);
     self->place.shot = shot;
+    follow_point(self);
     ask(self);
 }
 

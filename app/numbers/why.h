@@ -22,8 +22,9 @@ GtkWidget *app_why_new(void);
 void app_why_show(AppWhy *self, gboolean shown);
 gboolean app_why_is_shown(const AppWhy *self);
 
-/* Keeps the card at a place of the screen of this shot, which it explains from now on. */
-void app_why_pin(AppWhy *self, AppShot *shot, double x_mm, double y_mm);
+/* Keeps the card at a place of the screen of this shot, which it explains from now on; with a point of the scene (-1:
+ * none) it goes where that goes. */
+void app_why_pin(AppWhy *self, AppShot *shot, const double place_mm[2], gssize point);
 /* The place at which the card is kept; FALSE: it follows the pointer, or is not shown. */
 gboolean app_why_pinned(const AppWhy *self, double place_mm[2]);
 

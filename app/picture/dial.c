@@ -67,10 +67,11 @@ static AppRange shown_range(const AppDial *self)
 /* As the form has it, which the picture follows. */
 static AppRange wanted_range(const AppDial *self)
 {
-    const AppDisplay *display = app_display_form_get(self->form);
-    const double gain = exp2(display->exposure);
-    AppRange range = {.logarithmic = display->logarithmic};
-    app_display_range(display, field_of(self), &range.low, &range.high);
+    AppDisplay display = *app_display_form_get(self->form);
+    const double gain = exp2(display.exposure);
+    AppRange range = {.logarithmic = display.logarithmic};
+    display.channel = self->picture->display.channel;
+    app_display_range(&display, field_of(self), &range.low, &range.high);
     range.low /= gain;
     range.high /= gain;
     return range;
@@ -194,8 +195,8 @@ static void draw_colors(const AppDial *self, cairo_t *cairo)
     if (cairo_surface_status(image) == CAIRO_STATUS_SUCCESS) {
         guint32 *pixels = (guint32 *)(void *)cairo_image_surface_get_data(image);
         for (int i = 0; i < STEPS; i++) {
-            double color[3] = {0, 0, 0};
-            luxel_palette_color(self->picture->display.palette, (i + 0.5) / STEPS, color);
+            double color[3];
+            app_display_color(&self->picture->display, field_of(self), (i + 0.5) / STEPS, color);
             pixels[i] = (guint32)lround(255 * color[0]) << 16 | (guint32)lround(255 * color[1]) << 8 |
                         (guint32)lround(255 * color[2]);
         }

@@ -2,6 +2,7 @@
 /* Painting a field through a table of colours. */
 #include "display.h"
 
+#include <luxel/colour.h>
 #include <math.h>
 #include <string.h>
 
@@ -16,17 +17,73 @@ void app_display_init(AppDisplay *display)
 gboolean app_display_is_plain(const AppDisplay *display)
 {
     return strcmp(display->palette, "grey") == 0 && !display->logarithmic && !display->is_locked &&
-           display->exposure == 0;
+           display->exposure == 0 && display->channel != APP_CHANNEL_CCT;
+}
+
+luxel_field *app_display_view(const luxel_field *field, AppChannel channel)
+{
+    const luxel_color_view view = (luxel_color_view)(channel - APP_CHANNEL_LUMINANCE + LUXEL_VIEW_LUMINANCE);
+    luxel_field *shown = NULL;
+    if (channel != APP_CHANNEL_COLORS && luxel_field_channels(field) > 1)
+        (void)luxel_field_of_view(field, view, NULL, &shown);
+    return shown;
+}
+
+gboolean app_display_is_colored(const AppDisplay *display, const luxel_field *field)
+{
+    return display->channel == APP_CHANNEL_COLORS && luxel_field_channels(field) > 1 &&
+           strcmp(display->palette, "grey") == 0;
+}
+
+static double channel_of(const luxel_field *field, gsize i)
+{
+    const float *single = luxel_field_rgb_single(field);
+    return single ? (double)single[i] : luxel_field_rgb_double(field)[i];
+}
+
+void app_display_ends(const AppDisplay *display, const luxel_field *field, double ends[2])
+{
+    const gboolean colored = app_display_is_colored(display, field);
+    const guint columns = luxel_field_columns(field), rows = luxel_field_rows(field);
+    const guint8 *mask = luxel_field_mask(field);
+    double least = HUGE_VAL, greatest = -HUGE_VAL;
+    for (gsize i = 0; i < (gsize)columns * rows; i++)
+        for (gsize c = 0; mask[i] && c < (colored ? 3 : 1); c++) {
+            const double value = colored ? channel_of(field, 3 * i + c)
+                                         : luxel_field_value(field, (guint)(i % columns), (guint)(i / columns));
+            least = fmin(least, value);
+            greatest = fmax(greatest, value);
+        }
+    ends[0] = least <= greatest ? least : 0;
+    ends[1] = least <= greatest ? greatest : 0;
+}
+
+/* The range of a field by itself: from 0 to its greatest number, temperatures from the least to the greatest. */
+static void own_range(const AppDisplay *display, const luxel_field *field, double range[2])
+{
+    const luxel_statistics *statistics = luxel_field_statistics(field);
+    range[0] = 0;
+    range[1] = statistics->maximum.exists && statistics->maximum.value > 0 ? statistics->maximum.value : 1;
+    if (display->channel != APP_CHANNEL_CCT && !app_display_is_colored(display, field))
+        return;
+    double ends[2];
+    app_display_ends(display, field, ends);
+    if (ends[1] > 0)
+        range[1] = ends[1];
+    if (display->channel == APP_CHANNEL_CCT && ends[1] > 0) { /* one temperature stands in the middle */
+        range[0] = ends[0] - (ends[0] < ends[1] ? 0 : 1);
+        range[1] = ends[1] + (ends[0] < ends[1] ? 0 : 1);
+    }
 }
 
 void app_display_range(const AppDisplay *display, const luxel_field *field, double *low, double *high)
 {
-    const luxel_statistics *statistics = luxel_field_statistics(field);
-    const double maximum = statistics->maximum.exists && statistics->maximum.value > 0 ? statistics->maximum.value : 1;
-    *low = display->is_locked ? display->low : 0;
-    *high = display->is_locked ? display->high : maximum;
+    double own[2];
+    own_range(display, field, own);
+    *low = display->is_locked ? display->low : own[0];
+    *high = display->is_locked ? display->high : own[1];
     if (display->logarithmic && !(*high > 0))
-        *high = maximum;
+        *high = own[1];
     if (!(*high > *low))
         *high = *low >= 0 ? fmax(*low * 2, 1e-30) : 0;
     if (display->logarithmic && !(*low > 0))
@@ -63,11 +120,20 @@ static guint32 pack(const double color[3])
     return GUINT32_TO_LE(0xff000000u | bytes[0] << 16 | bytes[1] << 8 | bytes[2]);
 }
 
-static void fill_table(const char *palette, guint32 table[COLORS])
+void app_display_color(const AppDisplay *display, const luxel_field *field, double part, double color[3])
+{
+    color[0] = color[1] = color[2] = 0;
+    if (!app_display_is_colored(display, field))
+        luxel_palette_color(display->palette, part, color);
+    else
+        color[0] = color[1] = color[2] = display->logarithmic ? part : luxel_srgb_curve(part);
+}
+
+static void fill_table(const AppDisplay *display, const luxel_field *field, guint32 table[COLORS])
 {
     for (int i = 0; i < COLORS; i++) {
-        double color[3] = {0, 0, 0};
-        luxel_palette_color(palette, (double)i / (COLORS - 1), color);
+        double color[3];
+        app_display_color(display, field, (double)i / (COLORS - 1), color);
         table[i] = pack(color);
     }
 }
@@ -132,14 +198,22 @@ static void paint_srgb(const luxel_field *field, guint32 *pixels)
                                   levels[3 * i + 2]);
 }
 
+static const guint32 levels_of[] = {0xff0000, 0xff00, 0xff}; /* red, green, blue */
+
 static void paint_colors(const AppDisplay *display, const luxel_field *field, double low, double high, guint32 *pixels)
 {
     const guint columns = luxel_field_columns(field), rows = luxel_field_rows(field);
     const Ramp ramp = ramp_of(display, low, high);
+    const gboolean colored = app_display_is_colored(display, field);
     guint32 table[COLORS];
     float *room = g_new(float, columns);
-    fill_table(display->palette, table);
-    for (guint row = 0; row < rows; row++) {
+    fill_table(display, field, table);
+    for (gsize i = 0; colored && i < (gsize)columns * rows; i++) {
+        pixels[i] = GUINT32_TO_LE(0xff000000u);
+        for (gsize c = 0; c < 3; c++)
+            pixels[i] |= table[color_of(&ramp, (float)channel_of(field, 3 * i + c))] & GUINT32_TO_LE(levels_of[c]);
+    }
+    for (guint row = 0; !colored && row < rows; row++) {
         const float *values = row_of(field, row, room);
         guint32 *line = pixels + (gsize)row * columns;
         for (guint i = 0; i < columns; i++)

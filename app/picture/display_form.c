@@ -12,6 +12,7 @@
 enum { DIGITS = 6 };
 
 typedef enum Field {
+    FIELD_CHANNEL,
     FIELD_PALETTE,
     FIELD_LOGARITHMIC,
     FIELD_LOCKED,
@@ -30,6 +31,9 @@ static const struct {
     AppRowKind kind;
     const char *label, *meaning;
 } fields[FIELDS] = {
+    [FIELD_CHANNEL] = {APP_ROW_CHOICE, N_("Channel"),
+                       N_("What is shown of a picture in colour: its colours, which in false colour are the luminance, "
+                          "or one number of each pixel")},
     [FIELD_PALETTE] = {APP_ROW_CHOICE, N_("Colours"),
                        N_("The colours of the values; what is saved as grey PNG stays grey")},
     [FIELD_LOGARITHMIC] = {APP_ROW_SWITCH, N_("Logarithmic"),
@@ -45,6 +49,15 @@ static const struct {
     [FIELD_ISOPHOTES] = {APP_ROW_SWITCH, N_("Isophotes"), N_("Lines of equal value")},
     [FIELD_MAXIMUM] = {APP_ROW_SWITCH, N_("Mark the maximum"), N_("A cross at the brightest pixel")},
     [FIELD_MARKS] = {APP_ROW_SWITCH, N_("Show marks"), N_("Sources, points and sections on the picture")},
+};
+
+static const char *const channels[APP_CHANNELS] = {
+    [APP_CHANNEL_COLORS] = N_("its colours"),
+    [APP_CHANNEL_LUMINANCE] = N_("luminance"),
+    [APP_CHANNEL_RED] = N_("red"),
+    [APP_CHANNEL_GREEN] = N_("green"),
+    [APP_CHANNEL_BLUE] = N_("blue"),
+    [APP_CHANNEL_CCT] = N_("colour temperature"),
 };
 
 static const struct {
@@ -102,6 +115,7 @@ static void show_range(AppDisplayForm *self)
 static void refresh(AppDisplayForm *self)
 {
     const AppDisplay *display = &self->display;
+    app_row_set(APP_ROW(self->rows[FIELD_CHANNEL]), _(channels[display->channel]));
     app_row_set(APP_ROW(self->rows[FIELD_PALETTE]), display->palette);
     for (gsize i = 0; i < G_N_ELEMENTS(backgrounds); i++)
         if (memcmp(backgrounds[i].color, display->background, sizeof display->background) == 0)
@@ -153,11 +167,16 @@ static void edited(AppRow *row, const char *yaml, AppDisplayForm *self)
 {
     const double number = g_ascii_strtod(yaml, NULL);
     const gboolean on = strcmp(yaml, "true") == 0;
-    Field field = FIELD_PALETTE;
+    Field field = 0;
     while (self->rows[field] != GTK_WIDGET(row))
         field++;
     app_row_set_fault(row, NULL);
     switch (field) {
+    case FIELD_CHANNEL:
+        for (gsize i = 0; i < G_N_ELEMENTS(channels); i++)
+            if (strcmp(_(channels[i]), yaml) == 0)
+                self->display.channel = (AppChannel)i;
+        break;
     case FIELD_PALETTE: self->display.palette = app_palette_named(yaml); break;
     case FIELD_LOGARITHMIC: self->display.logarithmic = on; break;
     case FIELD_LOCKED: lock(self, on); break;
@@ -199,6 +218,11 @@ void app_display_form_tell_range(AppDisplayForm *self, double low, double high)
         show_range(self);
 }
 
+void app_display_form_tell_color(AppDisplayForm *self, gboolean colored)
+{
+    gtk_widget_set_visible(self->rows[FIELD_CHANNEL], colored);
+}
+
 void app_display_form_expose(AppDisplayForm *self, double stops)
 {
     self->display.exposure = CLAMP(self->display.exposure + stops, -40, 40);
@@ -235,6 +259,11 @@ static char *join(const char *(*name)(gsize i))
     return g_string_free(words, FALSE);
 }
 
+static const char *channel_name(gsize i)
+{
+    return i < G_N_ELEMENTS(channels) ? _(channels[i]) : NULL;
+}
+
 static const char *background_name(gsize i)
 {
     return i < G_N_ELEMENTS(backgrounds) ? _(backgrounds[i].name) : NULL;
@@ -242,7 +271,7 @@ static const char *background_name(gsize i)
 
 static void app_display_form_init(AppDisplayForm *self)
 {
-    char *palettes = join(luxel_palette_name), *grounds = join(background_name);
+    char *palettes = join(luxel_palette_name), *grounds = join(background_name), *views = join(channel_name);
     gtk_orientable_set_orientation(GTK_ORIENTABLE(self), GTK_ORIENTATION_VERTICAL);
     gtk_box_set_spacing(GTK_BOX(self), 4);
     app_display_init(&self->display);
@@ -251,7 +280,9 @@ static void app_display_form_init(AppDisplayForm *self)
         AppRowSpec spec = {.kind = fields[i].kind,
                            .label = _(fields[i].label),
                            .meaning = _(fields[i].meaning),
-                           .choices = i == FIELD_PALETTE ? palettes : grounds};
+                           .choices = i == FIELD_PALETTE   ? palettes
+                                      : i == FIELD_CHANNEL ? views
+                                                           : grounds};
         if (i == FIELD_EXPOSURE) {
             spec.legal = (luxel_parameter_range){TRUE, -40, 40, FALSE};
             spec.advised = (luxel_parameter_range){TRUE, -10, 10, FALSE};
@@ -263,6 +294,8 @@ static void app_display_form_init(AppDisplayForm *self)
     }
     g_free(palettes);
     g_free(grounds);
+    g_free(views);
+    app_display_form_tell_color(self, FALSE);
     refresh(self);
 }
 

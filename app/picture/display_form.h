@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * How the picture is shown: colours, range, exposure, background, marks.
+ * How the picture is shown: channel, colours, range, exposure, background, marks.
  *
  * Signal: "changed" when the user changed something.
  */
@@ -19,6 +19,8 @@ const AppDisplay *app_display_form_get(AppDisplayForm *self);
 void app_display_form_set(AppDisplayForm *self, const AppDisplay *display);
 /* The range that the picture has now: what locking keeps. */
 void app_display_form_tell_range(AppDisplayForm *self, double low, double high);
+/* Whether the picture is one in colour, of which a channel can be chosen. */
+void app_display_form_tell_color(AppDisplayForm *self, gboolean colored);
 
 /* The keys of viewers: brighter or darker by half a stop, the range locked to the picture's, all as at the start. */
 void app_display_form_expose(AppDisplayForm *self, double stops);

@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "../base/runner.h"
+#include "color.h"
 
 enum {
     REST_MS = 120,
@@ -31,20 +32,22 @@ typedef struct Kept {
 
 static void drop(Kept *kept)
 {
-    luxel_evaluator_free(kept->evaluator);
-    app_shot_unref(kept->shot);
-    g_free(kept->grey);
-    kept->shot = NULL;
-    kept->evaluator = NULL;
-    kept->grey = NULL;
+    g_clear_pointer(&kept->evaluator, luxel_evaluator_free);
+    g_clear_pointer(&kept->shot, app_shot_unref);
+    g_clear_pointer(&kept->grey, g_free);
 }
 
+/* Another picture, or channel, of the same scene has other pixels only. */
 static void keep(Kept *kept, AppShot *shot)
 {
     if (kept->shot == shot)
         return;
+    luxel_evaluator *evaluator = kept->shot && kept->shot->moment == shot->moment ? kept->evaluator : NULL;
+    if (evaluator)
+        kept->evaluator = NULL;
     drop(kept);
     kept->shot = app_shot_ref(shot);
+    kept->evaluator = evaluator;
 }
 
 /* The shot that is asked about, and the one that is taken off. */
@@ -92,6 +95,11 @@ static const luxel_evaluator *evaluator_of(Kept *kept, AppRunner *runner, AppSho
     if (!kept->evaluator && luxel_evaluator_new(shot->moment->scene, &settings, NULL, &kept->evaluator) != LUXEL_OK)
         kept->evaluator = NULL;
     return kept->evaluator;
+}
+
+static gboolean is_grey(const AppShot *shot)
+{
+    return luxel_field_channels(app_shot_light(shot)) == 1;
 }
 
 /* The grey level of a pixel of a fine shot. */
@@ -154,10 +162,11 @@ static AppPoint point_of(Kept *kept, AppShot *shot, const luxel_probe *probe)
         .error = probe->error,
         .has_pixel = probe->has_pixel && probe->has_pixel_value,
         .pixel_value = probe->pixel_value,
+        .color = probe->color,
         .column = probe->column,
         .row = probe->row,
     };
-    point.has_grey = point.has_pixel && shot->is_fine;
+    point.has_grey = point.has_pixel && shot->is_fine && is_grey(shot);
     if (point.has_grey)
         point.grey = grey_at(kept, shot, point.column, point.row);
     return point;
@@ -166,7 +175,7 @@ static AppPoint point_of(Kept *kept, AppShot *shot, const luxel_probe *probe)
 /* Takes off what the other shot has at the same place. */
 static void take_off(AppPoint *point, const luxel_probe *probe)
 {
-    point->has_grey = FALSE;
+    point->has_grey = point->color.exists = FALSE;
     point->on_surface = point->on_surface && probe->on_surface;
     point->source_on_element = point->source_on_element || probe->source_on_element;
     point->has_value = point->has_value && probe->has_value;
@@ -339,15 +348,19 @@ static void measure_statistics(AppRunner *runner, const AppQuestion *question, c
     if (question->minus)
         luxel_compare(question->minus->field, question->shot->field, NULL, &comparison, &difference);
     const luxel_field *field = difference ? difference : question->shot->field;
+    const gboolean is_light = !difference && question->shot->channel <= APP_CHANNEL_LUMINANCE;
     const gboolean logarithmic = question->logarithmic && !difference;
     measures->has_statistics = luxel_field_summary(field, NULL, NULL, &measures->summary) == LUXEL_OK;
     if (luxel_field_histogram(field, NULL, logarithmic ? LUXEL_HISTOGRAM_LOGARITHMIC : LUXEL_HISTOGRAM_LINEAR,
                               (double)NAN, (double)NAN, BINS, NULL, &measures->histogram) != LUXEL_OK)
         measures->histogram = NULL;
     measures->is_difference = difference != NULL;
-    if (!difference && !app_runner_is_outdated(runner))
-        measures->has_extrema = luxel_find_extrema(evaluator, field, NULL, NULL, &measures->extrema) == LUXEL_OK;
-    if (!difference && !app_runner_is_outdated(runner))
+    if (!difference)
+        measures->mean = app_color_mean(app_shot_light(question->shot));
+    if (is_light && !app_runner_is_outdated(runner))
+        measures->has_extrema =
+            luxel_find_extrema(evaluator, app_shot_light(question->shot), NULL, NULL, &measures->extrema) == LUXEL_OK;
+    if (is_light && !app_runner_is_outdated(runner))
         measures->reached = find_reached(question->shot, kept);
     luxel_field_free(difference);
     app_runner_report(runner, measures);
@@ -356,7 +369,7 @@ static void measure_statistics(AppRunner *runner, const AppQuestion *question, c
 /* The balance of the flux, which takes as long as the picture. */
 static void measure_balance(AppRunner *runner, const AppQuestion *question, Kept *kept)
 {
-    const luxel_statistics *statistics = luxel_field_statistics(question->shot->field);
+    const luxel_statistics *statistics = luxel_field_statistics(app_shot_light(question->shot));
     if (!statistics->has_reflected || question->minus || app_runner_is_outdated(runner))
         return;
     luxel_settings settings = settings_of(question->shot, kept);
@@ -484,6 +497,21 @@ struct AppPointer {
     gpointer owner;
 };
 
+/* The channels of the value that was read. */
+static luxel_color read_color(const Place *place, Kept *kept)
+{
+    luxel_settings settings = settings_of(place->shot, kept);
+    luxel_color color = {.exists = FALSE};
+    luxel_probe *probe;
+    settings.skip_reflected_pixels = true;
+    if (luxel_scene_has_color(place->shot->moment->scene) &&
+        luxel_probe_screen(place->shot->moment->scene, &settings, place->x_mm, place->y_mm, NULL, &probe) == LUXEL_OK) {
+        color = probe->color;
+        luxel_probe_free(probe);
+    }
+    return color;
+}
+
 static void read_place(AppRunner *runner, gpointer job, gpointer state)
 {
     const Place *place = job;
@@ -506,7 +534,10 @@ static void read_place(AppRunner *runner, gpointer job, gpointer state)
         luxel_evaluate_screen(minus, place->x_mm, place->y_mm, &reading->minus, NULL);
     reading->has_pixel = place->shot->is_fine && !place->minus &&
                          app_pixel_at(place->shot->field, place->x_mm, place->y_mm, &reading->column, &reading->row);
-    if (reading->has_pixel)
+    if (reading->value.has_value && !minus)
+        reading->color = read_color(place, &both->shot);
+    reading->has_grey = reading->has_pixel && is_grey(place->shot);
+    if (reading->has_grey)
         reading->grey = grey_at(&both->shot, place->shot, reading->column, reading->row);
     app_runner_report(runner, reading);
 }

@@ -30,9 +30,10 @@ typedef struct AppPoint {
     double x_mm, y_mm;
     gboolean on_surface, has_value, has_pixel, source_on_element;
     double value, error, pixel_value;
+    luxel_color color; /* of the value, in a scene in colour */
     guint column, row;
     gboolean has_grey;
-    guint8 grey; /* of the pixel, where has_grey */
+    guint8 grey; /* of the pixel, where has_grey: of a grey picture */
 } AppPoint;
 
 /* A source. */
@@ -58,6 +59,7 @@ typedef struct AppMeasures {
     double section_mm[2];
     gboolean has_statistics, has_extrema;
     luxel_summary summary;
+    luxel_color mean; /* of the pixels' channels */
     luxel_extrema extrema;
     luxel_extremum reached; /* the least value where light arrives */
     luxel_histogram *histogram;
@@ -84,9 +86,11 @@ typedef struct AppReading {
     gsize share_count;
     gboolean has_minus;
     luxel_value minus; /* of the shot that is taken off */
+    luxel_color color; /* of the value, in a scene in colour */
     gboolean has_pixel;
     guint column, row; /* of the field */
-    guint8 grey;
+    gboolean has_grey;
+    guint8 grey; /* where the picture is grey */
     AppMoment *moment;
     luxel_quantity quantity;
     AppVersion version;

@@ -28,6 +28,7 @@ static void clear_shot(gpointer data)
     AppShot *shot = data;
     app_moment_unref(shot->moment);
     luxel_field_free(shot->field);
+    app_shot_unref(shot->whole);
 }
 
 AppShot *app_shot_ref(AppShot *shot)
@@ -41,14 +42,32 @@ void app_shot_unref(AppShot *shot)
         g_atomic_rc_box_release_full(shot, clear_shot);
 }
 
+AppShot *app_shot_view(AppShot *shot, AppChannel channel)
+{
+    AppShot *whole = shot->whole ? shot->whole : shot;
+    luxel_field *field = channel == shot->channel ? NULL : app_display_view(whole->field, channel);
+    if (!field)
+        return app_shot_ref(channel == shot->channel ? shot : whole);
+    AppShot *made = g_atomic_rc_box_new0(AppShot);
+    *made =
+        (AppShot){app_moment_ref(whole->moment), field, whole->is_fine, whole->seconds, channel, app_shot_ref(whole)};
+    return made;
+}
+
+const luxel_field *app_shot_light(const AppShot *shot)
+{
+    return shot->whole ? shot->whole->field : shot->field;
+}
+
 AppVersion app_version_of(const AppShot *shot, const AppShot *minus)
 {
-    return (AppVersion){shot->moment->serial, minus ? minus->moment->serial : 0, shot->moment->is_direct};
+    return (AppVersion){shot->moment->serial, minus ? minus->moment->serial : 0, shot->moment->is_direct,
+                        shot->channel};
 }
 
 gboolean app_version_equal(const AppVersion *a, const AppVersion *b)
 {
-    return a->shot == b->shot && a->minus == b->minus && a->is_direct == b->is_direct;
+    return a->shot == b->shot && a->minus == b->minus && a->is_direct == b->is_direct && a->channel == b->channel;
 }
 
 AppMoment *app_moment_new(luxel_scene *scene, guint64 serial, gssize solo, luxel_diagnostics *faults)

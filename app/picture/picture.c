@@ -29,6 +29,7 @@ struct AppPainter {
 typedef struct Work {
     AppPainter *painter;
     AppShot *last;            /* the last fine one, of direct light as well */
+    AppShot *seen;            /* of which this channel was painted last; NULL: none was */
     double seconds_per_pixel; /* of the last picture; 0: not known */
     luxel_quantity quantity;  /* that is wished */
 } Work;
@@ -120,7 +121,7 @@ static guint milliseconds(gint64 time)
     return (guint)(time / 1000);
 }
 
-static void paint_and_report(AppRunner *runner, const AppWish *wish, AppShot *shot);
+static void paint_and_report(Work *work, AppRunner *runner, const AppWish *wish, AppShot *shot);
 
 /* Whether a wish is for the light that another one is for, shown in another way. */
 static gboolean is_same_light(gconstpointer job, gconstpointer data)
@@ -141,7 +142,7 @@ static gboolean take_over(const Watch *watch)
     watch->wish->frame = newer->frame;
     free_wish(newer);
     if (watch->work->last)
-        paint_and_report(watch->runner, watch->wish, watch->work->last);
+        paint_and_report(watch->work, watch->runner, watch->wish, watch->work->last);
     return TRUE;
 }
 
@@ -188,7 +189,10 @@ static AppShot *compute(Work *work, AppRunner *runner, AppMoment *moment, guint 
     if (status != LUXEL_OK)
         return NULL;
     AppShot *shot = g_atomic_rc_box_new0(AppShot);
-    *shot = (AppShot){app_moment_ref(moment), field, stride == 1, seconds_since(watched.started)};
+    *shot = (AppShot){.moment = app_moment_ref(moment),
+                      .field = field,
+                      .is_fine = stride == 1,
+                      .seconds = seconds_since(watched.started)};
     work->seconds_per_pixel = shot->seconds / ((double)luxel_field_columns(field) * luxel_field_rows(field));
     return shot;
 }
@@ -223,15 +227,15 @@ static const luxel_field *choose_field(const AppWish *wish, const AppShot *shot,
     *difference = NULL;
     if (!wish->pinned)
         return shot->field;
-    picture->pinned = app_shot_ref(wish->pinned);
-    picture->has_comparison = luxel_compare(wish->pinned->field, shot->field, NULL, &picture->comparison,
+    picture->pinned = app_shot_view(wish->pinned, shot->channel);
+    picture->has_comparison = luxel_compare(picture->pinned->field, shot->field, NULL, &picture->comparison,
                                             wish->side == APP_SIDE_DIFFERENCE ? difference : NULL) == LUXEL_OK;
     picture->side = wish->side;
     if (*difference)
         return *difference;
     if (wish->side == APP_SIDE_DIFFERENCE)
         picture->side = APP_SIDE_LIVE; /* they cannot be compared */
-    return picture->side == APP_SIDE_PINNED ? wish->pinned->field : shot->field;
+    return picture->side == APP_SIDE_PINNED ? picture->pinned->field : shot->field;
 }
 
 /* From four bytes a pixel to three, in place: what the toolkit puts on the screen fastest. */
@@ -300,20 +304,7 @@ static void fit_to_frame(AppPicture *picture, const luxel_field *field, const Ap
     pack(picture);
 }
 
-/* The least value on a surface. */
-static double least_value(const luxel_field *field)
-{
-    const guint columns = luxel_field_columns(field), rows = luxel_field_rows(field);
-    const guint8 *mask = luxel_field_mask(field);
-    double least = (double)INFINITY;
-    for (guint row = 0; row < rows; row++)
-        for (guint column = 0; column < columns; column++)
-            if (mask[(gsize)row * columns + column])
-                least = MIN(least, luxel_field_value(field, column, row));
-    return isfinite(least) ? least : 0;
-}
-
-/* Shown as the grey PNG has it, the colours have the range of the scene's `picture`. */
+/* Shown as the PNG has it, the colours have the range of the scene's `picture`. */
 static void take_plain_range(AppPicture *picture, const luxel_field *field)
 {
     char *range = NULL;
@@ -328,20 +319,34 @@ static void take_plain_range(AppPicture *picture, const luxel_field *field)
         shown.high = pair[1];
     }
     app_display_range(&shown, field, &picture->low, &picture->high);
-    if (strcmp(range, "minmax") == 0)
-        picture->low = MIN(least_value(field), picture->high * (1 - 1e-9));
+    if (strcmp(range, "minmax") == 0) {
+        app_display_ends(&shown, field, pair);
+        picture->low = MIN(pair[0], picture->high * (1 - 1e-9));
+    }
     picture->display.logarithmic = shown.logarithmic;
     luxel_text_free(range);
 }
 
-static void paint_and_report(AppRunner *runner, const AppWish *wish, AppShot *shot)
+/* The shot as it shows the channel that is wished; that of the last one is kept. */
+static AppShot *see(Work *work, AppShot *shot, AppChannel channel)
+{
+    AppShot *seen = work->seen && work->seen->whole == shot ? work->seen : shot;
+    AppShot *next = app_shot_view(seen, channel);
+    app_shot_unref(work->seen);
+    work->seen = next;
+    return app_shot_ref(next);
+}
+
+static void paint_and_report(Work *work, AppRunner *runner, const AppWish *wish, AppShot *shot)
 {
     AppPicture *picture = new_picture(wish);
     luxel_field *difference;
-    const luxel_field *field = choose_field(wish, shot, picture, &difference);
+    const gboolean is_grey = wish->pinned && luxel_field_channels(app_shot_light(wish->pinned)) == 1;
+    picture->shot = see(work, shot, is_grey ? APP_CHANNEL_COLORS : wish->display.channel);
+    picture->display.channel = picture->shot->channel;
+    const luxel_field *field = choose_field(wish, picture->shot, picture, &difference);
     if (difference)
-        picture->display = display_of_difference(&wish->display, picture->comparison.largest.value);
-    picture->shot = app_shot_ref(shot);
+        picture->display = display_of_difference(&picture->display, picture->comparison.largest.value);
     picture->serial = shot->moment->serial; /* whatever was wished meanwhile */
     picture->columns = luxel_field_columns(field);
     picture->rows = luxel_field_rows(field);
@@ -376,7 +381,7 @@ static guint stride_for(const Work *work, double pixels)
 /* Keeps and shows a fine picture. */
 static void finish(Work *work, AppRunner *runner, const AppWish *wish, AppShot *shot)
 {
-    paint_and_report(runner, wish, shot);
+    paint_and_report(work, runner, wish, shot);
     app_shot_unref(work->last);
     work->last = shot;
 }
@@ -395,7 +400,7 @@ static void compute_and_paint(Work *work, AppRunner *runner, const AppWish *wish
         /* most often it was the first picture, of which nothing was known, and the whole takes no longer */
         stride = stride_for(work, pixels);
         if (stride > 1)
-            paint_and_report(runner, wish, coarse);
+            paint_and_report(work, runner, wish, coarse);
         app_shot_unref(coarse);
         if (stride > 1 && app_runner_is_outdated(runner))
             return;
@@ -428,7 +433,7 @@ static void do_wish(AppRunner *runner, gpointer job, gpointer state)
     AppWish *wish = job;
     Work *work = state;
     if (is_last(work, wish)) {
-        paint_and_report(runner, wish, work->last);
+        paint_and_report(work, runner, wish, work->last);
         return;
     }
     work->quantity = wish->quantity;
@@ -458,6 +463,7 @@ static void free_work(gpointer data)
 {
     Work *work = data;
     app_shot_unref(work->last);
+    app_shot_unref(work->seen);
     g_free(work);
 }
 

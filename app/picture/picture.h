@@ -32,8 +32,10 @@ typedef struct AppMoment {
 typedef struct AppShot {
     AppMoment *moment;
     luxel_field *field;
-    gboolean is_fine; /* every pixel; else a quick look */
-    double seconds;   /* that it took */
+    gboolean is_fine;      /* every pixel; else a quick look */
+    double seconds;        /* that it took */
+    AppChannel channel;    /* that the field has, of a picture in colour, */
+    struct AppShot *whole; /* which is this one; NULL: it is that itself, or grey */
 } AppShot;
 
 /* Which picture is shown, where one was pinned. */
@@ -58,6 +60,7 @@ typedef struct AppPicture {
 typedef struct AppVersion {
     guint64 shot, minus; /* the serial of what it was read off, and of what was taken off that; 0: nothing was */
     gboolean is_direct;  /* direct light alone of a scene that reflects */
+    AppChannel channel;  /* of a picture in colour */
 } AppVersion;
 
 AppVersion app_version_of(const AppShot *shot, const AppShot *minus);
@@ -67,6 +70,10 @@ AppMoment *app_moment_ref(AppMoment *moment);
 void app_moment_unref(AppMoment *moment); /* NULL is harmless, as below */
 AppShot *app_shot_ref(AppShot *shot);
 void app_shot_unref(AppShot *shot);
+/* The shot, or the whole that it is a channel of, as it shows that channel; a reference, the caller's. */
+AppShot *app_shot_view(AppShot *shot, AppChannel channel);
+/* The field as it was computed, whichever channel is shown. */
+const luxel_field *app_shot_light(const AppShot *shot);
 AppPicture *app_picture_ref(AppPicture *picture);
 void app_picture_unref(AppPicture *picture);
 

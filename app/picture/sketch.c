@@ -48,13 +48,10 @@ static luxel_scene *open_scene(const char *name)
 
 static GBytes *paint(const luxel_field *field)
 {
-    const gsize count = (gsize)luxel_field_columns(field) * luxel_field_rows(field);
-    guint8 *grey = g_malloc(count), *pixels = g_malloc(3 * count);
-    luxel_field_grey(field, grey);
-    for (gsize i = 0; i < 3 * count; i++)
-        pixels[i] = grey[i / 3];
-    g_free(grey);
-    return g_bytes_new_take(pixels, 3 * count);
+    const gsize size = 3 * (gsize)luxel_field_columns(field) * luxel_field_rows(field);
+    guint8 *pixels = g_malloc(size);
+    luxel_field_srgb(field, pixels);
+    return g_bytes_new_take(pixels, size);
 }
 
 static AppSketch *draw(AppRunner *runner, const char *name)

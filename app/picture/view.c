@@ -217,6 +217,14 @@ void app_view_set_read(AppView *self, const double place_mm[2])
     gtk_widget_queue_draw(GTK_WIDGET(self));
 }
 
+void app_view_set_kept(AppView *self, const double place_mm[2])
+{
+    self->is_kept = place_mm != NULL;
+    if (place_mm)
+        memcpy(self->kept_mm, place_mm, sizeof self->kept_mm);
+    gtk_widget_queue_draw(GTK_WIDGET(self));
+}
+
 void app_view_select(AppView *self, AppMarkKind kind, gsize index)
 {
     self->selected_kind = kind;
@@ -331,6 +339,8 @@ static void app_view_snapshot(GtkWidget *widget, GtkSnapshot *snapshot)
         app_draw_section(snapshot, &self->map, self->section_mm, width, height);
     if (self->section_shown && self->is_read)
         app_draw_read(snapshot, widget, &self->map, self->read_mm);
+    if (self->is_kept)
+        app_draw_read(snapshot, widget, &self->map, self->kept_mm);
     if (is_whole && display->maximum && !self->is_stale)
         draw_maximum(self, snapshot);
     if (display->marks)

@@ -28,15 +28,17 @@ void app_view_set_isophotes(AppView *self, luxel_isophotes *isophotes, guint64 s
 void app_view_set_section(AppView *self, gboolean shown, const double section_mm[2]);
 /* Rings the place at which a section is read; NULL: none is. */
 void app_view_set_read(AppView *self, const double place_mm[2]);
+/* Rings the place at which “Why?” is kept; NULL: it is not. */
+void app_view_set_kept(AppView *self, const double place_mm[2]);
 /* Which source is marked as the chosen one. */
 void app_view_select(AppView *self, AppMarkKind kind, gsize index);
 /* The sources that are chosen together (gsize), which are moved together. */
 void app_view_choose(AppView *self, const GArray *lights);
 /* Which mark is lit up, as the pointer is on its line in a list; kind APP_MARK_NONE: none. */
 void app_view_hover(AppView *self, AppMarkKind kind, gsize index);
-/* Dims the picture: it is of an earlier scene, as the present one cannot be computed. */
 /* Another scene is opened: nothing is left of the one before, and what was held is let go. */
 void app_view_forget(AppView *self);
+/* Dims the picture: it is of an earlier scene, as the present one cannot be computed. */
 void app_view_set_stale(AppView *self, gboolean stale);
 /* Which surface was under the pointer, -1 for none: what a press there takes. */
 void app_view_set_surface(AppView *self, gssize surface);

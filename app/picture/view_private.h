@@ -21,6 +21,8 @@ struct _AppView {
     double section_mm[2];
     gboolean is_read; /* a section, at this place */
     double read_mm[2];
+    gboolean is_kept; /* a place, where “Why?” is kept */
+    double kept_mm[2];
     AppMarkKind selected_kind;
     gsize selected_index;
     GArray *chosen;           /* gsize: the sources that are chosen together */

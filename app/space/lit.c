@@ -114,8 +114,10 @@ static luxel_scene *seen_scene(const AppLitWish *wish, double dots)
     return seen;
 }
 
-static void paint(AppLit *lit, const AppLitWish *wish, const luxel_field *field)
+static void paint(AppLit *lit, const AppLitWish *wish, const luxel_field *whole)
 {
+    luxel_field *view = app_display_view(whole, wish->display.channel);
+    const luxel_field *field = view ? view : whole;
     AppDisplay display = wish->display;
     const guint8 *mask = luxel_field_mask(field);
     lit->columns = luxel_field_columns(field);
@@ -126,6 +128,7 @@ static void paint(AppLit *lit, const AppLitWish *wish, const luxel_field *field)
     for (gsize i = 0; i < count; i++)
         if (!mask[i])
             lit->pixels[i] = 0;
+    luxel_field_free(view);
 }
 
 static void find_depth(AppLit *lit, const AppLitWish *wish, double dots, const luxel_settings *settings)

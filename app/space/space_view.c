@@ -7,12 +7,11 @@
 
 #include "../../front/words.h"
 #include "../base/touch.h"
-#include "hold.h"
 #include "space_view_private.h"
 
 enum { REACH = 16, STILL = 4 /* within which a press is no drag */, EDGE = 18, STEP = 15 /* dots of a turn by keys */ };
 
-enum { SELECTED, HOVERED, TOGGLED, POINTED, PRESSED, SIGNALS };
+enum { POINTED, PRESSED, SIGNALS };
 static guint signals[SIGNALS];
 
 G_DEFINE_FINAL_TYPE(AppSpaceView, app_space_view, GTK_TYPE_WIDGET)
@@ -90,9 +89,8 @@ static void read_space(AppSpaceView *self)
 static void let_go(AppSpaceView *self)
 {
     if (self->doing == APP_SPACE_MOVES)
-        app_document_end_gesture(self->document);
+        app_sight_let_go(&self->sight);
     self->doing = APP_SPACE_RESTS;
-    g_clear_pointer(&self->turn, app_turn_free);
 }
 
 void app_space_view_set_picture(AppSpaceView *self, AppPicture *picture)
@@ -107,7 +105,7 @@ void app_space_view_set_picture(AppSpaceView *self, AppPicture *picture)
         let_go(self);
         g_clear_pointer(&self->lit, app_lit_unref);
         g_clear_object(&self->texture);
-        self->is_own = self->has_place = FALSE;
+        self->is_own = self->sight.has_place = FALSE;
         self->orbit.scale = 0;
     }
     if (!is_same)
@@ -119,47 +117,9 @@ void app_space_view_set_picture(AppSpaceView *self, AppPicture *picture)
     gtk_widget_queue_draw(GTK_WIDGET(self));
 }
 
-gboolean app_space_view_is_chosen(const AppSpaceView *self, gsize light)
+AppSight *app_space_view_sight(AppSpaceView *self)
 {
-    for (guint i = 0; i < self->chosen->len; i++)
-        if (g_array_index(self->chosen, gsize, i) == light)
-            return TRUE;
-    return FALSE;
-}
-
-void app_space_view_choose(AppSpaceView *self, const GArray *lights, gsize selected)
-{
-    self->selected = (gssize)selected;
-    g_array_set_size(self->chosen, 0);
-    g_array_append_vals(self->chosen, lights->data, lights->len);
-    gtk_widget_queue_draw(GTK_WIDGET(self));
-}
-
-void app_space_view_hover(AppSpaceView *self, gssize light)
-{
-    if (light == self->hovered)
-        return;
-    self->hovered = light;
-    gtk_widget_queue_draw(GTK_WIDGET(self));
-}
-
-void app_space_view_set_reading(AppSpaceView *self, const AppReading *reading)
-{
-    const gboolean has = reading && reading->value.on_surface;
-    if (!has && !self->has_place)
-        return;
-    self->has_place = has;
-    if (has) {
-        memcpy(self->place_mm, reading->value.position_mm, sizeof self->place_mm);
-        memcpy(self->normal, reading->value.normal, sizeof self->normal);
-    }
-    gtk_widget_queue_draw(GTK_WIDGET(self));
-}
-
-void app_space_view_set_stale(AppSpaceView *self, gboolean stale)
-{
-    self->is_stale = stale;
-    gtk_widget_queue_draw(GTK_WIDGET(self));
+    return &self->sight;
 }
 
 /* ---- how it is looked at ---- */
@@ -251,15 +211,6 @@ static gboolean screen_at(const AppSpaceView *self, double x, double y, double s
 
 /* ---- the hand ---- */
 
-static void tell_hovered(AppSpaceView *self, const AppThing *thing)
-{
-    if (thing->kind == self->thing.kind && thing->index == self->thing.index)
-        return;
-    self->thing = *thing;
-    g_signal_emit(self, signals[HOVERED], 0, (int)thing->kind, (guint)thing->index);
-    gtk_widget_queue_draw(GTK_WIDGET(self));
-}
-
 static void tell_pointed(AppSpaceView *self, gboolean inside, const double screen_mm[2])
 {
     if (inside || self->was_inside)
@@ -277,9 +228,9 @@ static void pointer_moved(GtkEventControllerMotion *controller, double x, double
     if (self->doing != APP_SPACE_RESTS)
         return;
     const gboolean is_thing = thing_at(self, x, y, &thing);
-    const gboolean is_place = !is_thing && !self->is_stale && screen_at(self, x, y, screen_mm);
+    const gboolean is_place = !is_thing && !self->sight.is_stale && screen_at(self, x, y, screen_mm);
     gtk_widget_set_cursor_from_name(GTK_WIDGET(self), is_thing ? "grab" : is_place ? "crosshair" : "default");
-    tell_hovered(self, &thing);
+    app_sight_point(&self->sight, &thing);
     tell_pointed(self, is_place, screen_mm);
 }
 
@@ -290,35 +241,28 @@ static void pointer_left(GtkEventControllerMotion *controller, AppSpaceView *sel
     (void)controller;
     if (self->doing != APP_SPACE_RESTS)
         return;
-    tell_hovered(self, &none);
+    app_sight_point(&self->sight, &none);
     tell_pointed(self, FALSE, nowhere);
-}
-
-static gboolean is_lamp(const AppThing *thing)
-{
-    return thing->kind == APP_THING_LAMP || thing->kind == APP_THING_DIRECTION;
-}
-
-static void select_thing(AppSpaceView *self)
-{
-    g_signal_emit(self, signals[SELECTED], 0, (int)self->thing.kind, (guint)self->thing.index);
 }
 
 static void take(AppSpaceView *self, const AppThing *thing, GdkModifierType state)
 {
     double seen[3];
-    self->thing = *thing;
     self->doing = APP_SPACE_MOVES;
-    memcpy(self->start_mm, thing->at_mm, sizeof self->start_mm);
     app_orbit_see(app_space_view_orbit(self), thing->at_mm, seen);
     self->pixel_mm = app_orbit_pixel(app_space_view_orbit(self), seen[2]);
-    self->is_toggling = is_lamp(thing) && (state & (GDK_CONTROL_MASK | GDK_SHIFT_MASK));
-    self->was_chosen = is_lamp(thing) && self->chosen->len > 1 && app_space_view_is_chosen(self, thing->index);
-    g_clear_pointer(&self->turn, app_turn_free);
-    self->turn = self->was_chosen ? app_turn_begin(self->document, self->chosen, thing->index) : NULL;
-    app_document_begin_gesture(self->document);
-    if (!self->was_chosen && !self->is_toggling)
-        select_thing(self);
+    app_sight_take(&self->sight, thing, state);
+}
+
+/* The size of a dot of the view where the hand is: at the thing or the body that it presses, else in the middle. */
+static double pixel_at(const AppSpaceView *self, double x, double y)
+{
+    const AppOrbit *orbit = app_space_view_orbit(self);
+    double seen[3] = {x, y, self->lit ? app_lit_depth(self->lit, x, y) : 0}, angle;
+    AppThing thing;
+    if (thing_at(self, x, y, &thing) && app_space_view_mark(self, &thing, seen, &angle))
+        seen[2] = 0; /* which is elsewhere, and has an arrow there */
+    return app_orbit_pixel(orbit, seen[2] > 0 ? seen[2] : orbit->distance_mm);
 }
 
 static void drag_begin(GtkGestureDrag *gesture, double x, double y, AppSpaceView *self)
@@ -327,39 +271,38 @@ static void drag_begin(GtkGestureDrag *gesture, double x, double y, AppSpaceView
     const gboolean is_first = gtk_gesture_single_get_current_button(GTK_GESTURE_SINGLE(gesture)) == GDK_BUTTON_PRIMARY;
     AppThing thing;
     gtk_widget_grab_focus(GTK_WIDGET(self));
-    self->has_moved = FALSE;
+    self->sight.has_moved = FALSE;
     self->last[0] = self->last[1] = 0;
-    if (is_first && !self->is_stale && thing_at(self, x, y, &thing))
+    if (is_first && !self->sight.is_stale && thing_at(self, x, y, &thing))
         take(self, &thing, state);
-    else
+    else {
         self->doing = is_first ? APP_SPACE_TURNS : APP_SPACE_PANS;
+        self->pixel_mm = pixel_at(self, x, y);
+    }
 }
 
 static void drag_update(GtkGestureDrag *gesture, double dx, double dy, AppSpaceView *self)
 {
     const GdkModifierType state = gtk_event_controller_get_current_event_state(GTK_EVENT_CONTROLLER(gesture));
     const AppOrbit *orbit = app_space_view_orbit(self);
-    const gboolean fine = (state & GDK_SHIFT_MASK) != 0;
-    const double gain = self->pixel_mm * (fine ? 0.1 : 1), way[2] = {dx - self->last[0], dy - self->last[1]};
+    const double gain = self->pixel_mm * ((state & GDK_SHIFT_MASK) ? 0.1 : 1),
+                 way[2] = {dx - self->last[0], dy - self->last[1]};
     double to[3];
-    if (self->doing == APP_SPACE_RESTS || (!self->has_moved && hypot(dx, dy) < STILL))
+    if (self->doing == APP_SPACE_RESTS || (!self->sight.has_moved && hypot(dx, dy) < STILL))
         return;
-    self->has_moved = TRUE;
+    self->sight.has_moved = TRUE;
     self->last[0] = dx;
     self->last[1] = dy;
     if (self->doing != APP_SPACE_MOVES) {
-        (self->doing == APP_SPACE_TURNS ? app_orbit_turn : app_orbit_pan)(&self->orbit, way[0], way[1]);
+        const double dots = self->doing == APP_SPACE_TURNS ? 1 : self->pixel_mm * self->orbit.scale;
+        (self->doing == APP_SPACE_TURNS ? app_orbit_turn : app_orbit_pan)(&self->orbit, dots * way[0], dots * way[1]);
         self->is_own = TRUE;
         ask(self);
         return;
     }
-    if (self->is_toggling && !self->was_chosen) /* it is a drag, which chooses nothing but what it moves */
-        select_thing(self);
-    self->is_toggling = FALSE;
     for (int k = 0; k < 3; k++)
-        to[k] = self->start_mm[k] + gain * (dx * orbit->right[k] - dy * orbit->up[k]);
-    app_hold_move(&self->thing, NULL, to, app_hold_grain(self->pixel_mm, fine, (state & GDK_CONTROL_MASK) != 0),
-                  self->was_chosen && is_lamp(&self->thing) ? self->chosen : NULL, self->turn, self->document);
+        to[k] = self->sight.start_mm[k] + gain * (dx * orbit->right[k] - dy * orbit->up[k]);
+    app_sight_move(&self->sight, NULL, to, self->pixel_mm, state);
 }
 
 static void drag_end(GtkGestureDrag *gesture, double dx, double dy, AppSpaceView *self)
@@ -369,12 +312,10 @@ static void drag_end(GtkGestureDrag *gesture, double dx, double dy, AppSpaceView
     (void)dx;
     (void)dy;
     let_go(self);
-    if (self->has_moved)
+    if (self->sight.has_moved)
         return;
-    if (doing == APP_SPACE_MOVES && self->is_toggling)
-        g_signal_emit(self, signals[TOGGLED], 0, (guint)self->thing.index);
-    else if (doing == APP_SPACE_MOVES && self->was_chosen)
-        select_thing(self);
+    if (doing == APP_SPACE_MOVES)
+        app_sight_click(&self->sight);
     else if (doing == APP_SPACE_TURNS && gtk_gesture_drag_get_start_point(gesture, &x, &y) &&
              screen_at(self, x, y, screen_mm))
         g_signal_emit(self, signals[PRESSED], 0, screen_mm[0], screen_mm[1]);
@@ -425,12 +366,8 @@ static gboolean key_pressed(GtkEventControllerKey *controller, guint key, guint 
 static gboolean query_tooltip(AppSpaceView *self, int x, int y, gboolean by_keys, GtkTooltip *tooltip)
 {
     AppThing thing;
-    if (by_keys || self->doing != APP_SPACE_RESTS || !thing_at(self, x, y, &thing))
-        return FALSE;
-    char *text = app_thing_tell(&thing);
-    gtk_tooltip_set_text(tooltip, text);
-    g_free(text);
-    return TRUE;
+    return !by_keys && self->doing == APP_SPACE_RESTS && thing_at(self, x, y, &thing) &&
+           app_sight_tell(&thing, tooltip);
 }
 
 /* ---- the class ---- */
@@ -456,7 +393,7 @@ static void app_space_view_snapshot(GtkWidget *widget, GtkSnapshot *snapshot)
     append_backdrop(widget, snapshot, &area);
     if (!self->space || !(self->orbit.scale > 0))
         return;
-    if (self->is_stale)
+    if (self->sight.is_stale)
         gtk_snapshot_push_opacity(snapshot, 0.3);
     gtk_snapshot_push_clip(snapshot, &area);
     if (self->texture) {
@@ -467,7 +404,7 @@ static void app_space_view_snapshot(GtkWidget *widget, GtkSnapshot *snapshot)
     app_space_view_draw(self, cairo);
     cairo_destroy(cairo);
     gtk_snapshot_pop(snapshot);
-    if (self->is_stale)
+    if (self->sight.is_stale)
         gtk_snapshot_pop(snapshot);
 }
 
@@ -494,7 +431,6 @@ static void app_space_view_dispose(GObject *object)
     g_clear_pointer(&self->lighter, app_lighter_free);
     g_clear_pointer(&self->lit, app_lit_unref);
     g_clear_object(&self->texture);
-    g_clear_object(&self->document);
     g_clear_pointer(&self->space, app_space_free);
     g_clear_pointer(&self->picture, app_picture_unref);
     G_OBJECT_CLASS(app_space_view_parent_class)->dispose(object);
@@ -502,8 +438,7 @@ static void app_space_view_dispose(GObject *object)
 
 static void app_space_view_finalize(GObject *object)
 {
-    g_array_unref(APP_SPACE_VIEW(object)->chosen);
-    app_turn_free(APP_SPACE_VIEW(object)->turn);
+    app_sight_clear(&APP_SPACE_VIEW(object)->sight);
     G_OBJECT_CLASS(app_space_view_parent_class)->finalize(object);
 }
 
@@ -518,12 +453,7 @@ static void app_space_view_class_init(AppSpaceViewClass *class)
     widget->map = app_space_view_map;
     gtk_widget_class_set_css_name(widget, "luxelspace");
     gtk_widget_class_set_accessible_role(widget, GTK_ACCESSIBLE_ROLE_IMG);
-    signals[SELECTED] =
-        g_signal_new("selected", type, G_SIGNAL_RUN_LAST, 0, NULL, NULL, NULL, G_TYPE_NONE, 2, G_TYPE_INT, G_TYPE_UINT);
-    signals[HOVERED] =
-        g_signal_new("hovered", type, G_SIGNAL_RUN_LAST, 0, NULL, NULL, NULL, G_TYPE_NONE, 2, G_TYPE_INT, G_TYPE_UINT);
-    signals[TOGGLED] =
-        g_signal_new("toggled", type, G_SIGNAL_RUN_LAST, 0, NULL, NULL, NULL, G_TYPE_NONE, 1, G_TYPE_UINT);
+    app_sight_add_signals(type);
     signals[POINTED] = g_signal_new("pointed", type, G_SIGNAL_RUN_LAST, 0, NULL, NULL, NULL, G_TYPE_NONE, 3,
                                     G_TYPE_DOUBLE, G_TYPE_DOUBLE, G_TYPE_BOOLEAN);
     signals[PRESSED] = g_signal_new("pressed", type, G_SIGNAL_RUN_LAST, 0, NULL, NULL, NULL, G_TYPE_NONE, 2,
@@ -556,8 +486,7 @@ static void add_controllers(AppSpaceView *self)
 static void app_space_view_init(AppSpaceView *self)
 {
     GtkWidget *widget = GTK_WIDGET(self);
-    self->selected = self->hovered = -1;
-    self->chosen = g_array_new(FALSE, FALSE, sizeof(gsize));
+    app_sight_init(&self->sight, widget);
     gtk_widget_set_focusable(widget, TRUE);
     gtk_widget_set_hexpand(widget, TRUE);
     gtk_widget_set_vexpand(widget, TRUE);
@@ -570,6 +499,6 @@ static void app_space_view_init(AppSpaceView *self)
 GtkWidget *app_space_view_new(AppDocument *document)
 {
     AppSpaceView *self = g_object_new(APP_TYPE_SPACE_VIEW, NULL);
-    self->document = g_object_ref(document);
+    self->sight.document = g_object_ref(document);
     return GTK_WIDGET(self);
 }

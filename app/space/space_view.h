@@ -5,18 +5,13 @@
  * button moves it, the wheel zooms; lamps, aims and the observer are taken by the hand and move in the plane of the
  * view.
  *
- * Signals: "selected" and "hovered" (kind of AppThing, index) when a thing was taken, or the pointer comes to it; 0: it
- * has left.  "toggled" (index) when a lamp is to be chosen beside the others, or no longer.  "pointed" (x_mm, y_mm,
- * is_inside) when the pointer is on a body, at the point of the observer's screen where that place is seen, or leaves
- * it; "pressed" (x_mm, y_mm) when such a place was clicked.
+ * Signals: those of sights; "pointed" (x_mm, y_mm, is_inside) when the pointer is on a body, at the point of the
+ * observer's screen where that place is seen, or leaves it; "pressed" (x_mm, y_mm) when such a place was clicked.
  */
 #ifndef LUXEL_APP_SPACE_VIEW_H
 #define LUXEL_APP_SPACE_VIEW_H
 
-#include <gtk/gtk.h>
-
-#include "../picture/measures.h"
-#include "space.h"
+#include "sight.h"
 
 #define APP_TYPE_SPACE_VIEW (app_space_view_get_type())
 G_DECLARE_FINAL_TYPE(AppSpaceView, app_space_view, APP, SPACE_VIEW, GtkWidget)
@@ -25,14 +20,8 @@ GtkWidget *app_space_view_new(AppDocument *document);
 
 /* Shows the scene of the observer's picture, in its colours and range; NULL: none, as another scene is opened. */
 void app_space_view_set_picture(AppSpaceView *self, AppPicture *picture);
-/* Which lamps are chosen together (gsize), and which of them is the one that the form shows. */
-void app_space_view_choose(AppSpaceView *self, const GArray *lights, gsize selected);
-/* Which lamp is lit up; -1: none. */
-void app_space_view_hover(AppSpaceView *self, gssize light);
-/* Shows the vectors of the formula at the place that was read; NULL: none. */
-void app_space_view_set_reading(AppSpaceView *self, const AppReading *reading);
-/* Dims it: it is of an earlier scene. */
-void app_space_view_set_stale(AppSpaceView *self, gboolean stale);
+/* What is chosen, lit up and read there. */
+AppSight *app_space_view_sight(AppSpaceView *self);
 
 /* Takes all of the scene into view; looks from the front; zooms around the middle. */
 void app_space_view_fit(AppSpaceView *self);

@@ -66,7 +66,7 @@ static void set_lamp(const Sheet *sheet, gsize light, double opacity)
 
 static gboolean is_marked(const Sheet *sheet, gsize light)
 {
-    return app_space_view_is_chosen(sheet->view, light) || (gssize)light == sheet->view->hovered;
+    return app_sight_is_chosen(&sheet->view->sight, light) || (gssize)light == sheet->view->sight.hovered;
 }
 
 /* ---- words ---- */
@@ -399,9 +399,10 @@ static void draw_edge_arrow(const Sheet *sheet, const double at[2], double angle
 
 static void draw_badge(const Sheet *sheet, const AppThing *thing, const double at[2], double opacity)
 {
-    const AppBadge badge = {
-        .light = thing->index, .is_on = thing->is_on, .selected = app_space_view_is_chosen(sheet->view, thing->index)};
-    const double grown = (gssize)thing->index == sheet->view->hovered ? 1.25 : 1.1;
+    const AppBadge badge = {.light = thing->index,
+                            .is_on = thing->is_on,
+                            .selected = app_sight_is_chosen(&sheet->view->sight, thing->index)};
+    const double grown = (gssize)thing->index == sheet->view->sight.hovered ? 1.25 : 1.1;
     cairo_save(sheet->cairo);
     cairo_translate(sheet->cairo, at[0], at[1]);
     cairo_scale(sheet->cairo, grown, grown);
@@ -422,7 +423,7 @@ static void draw_lamp(const Sheet *sheet, const AppThing *thing, gsize lamps)
     const gboolean hidden = !is_outside && is_hidden(sheet, at), bold = is_marked(sheet, thing->index);
     if (thing->is_on && !is_outside && lamps <= MOST_GLOWS)
         draw_glow(sheet, at, thing->index, hidden ? 0.25 : 0.75);
-    if (app_space_view_is_chosen(sheet->view, thing->index) && !is_outside)
+    if (app_sight_is_chosen(&sheet->view->sight, thing->index) && !is_outside)
         draw_plumb(sheet, thing);
     if (is_outside)
         draw_edge_arrow(sheet, at, angle, thing->index);
@@ -490,10 +491,10 @@ static void draw_vector(const Sheet *sheet, const char *name, const double vecto
                         const double color[3])
 {
     double from[3], to[3], end[3];
-    see(sheet, sheet->view->place_mm, from);
+    see(sheet, sheet->view->sight.place_mm, from);
     const double length_mm = share * VECTOR * app_orbit_pixel(sheet->orbit, from[2]);
     for (int k = 0; k < 3; k++)
-        end[k] = sheet->view->place_mm[k] + length_mm * vector[k];
+        end[k] = sheet->view->sight.place_mm[k] + length_mm * vector[k];
     see(sheet, end, to);
     const double length = hypot(to[0] - from[0], to[1] - from[1]), head = MIN(11, 0.6 * length);
     const double u[2] = {length > 0 ? (to[0] - from[0]) / length : 1, length > 0 ? (to[1] - from[1]) / length : 0};
@@ -520,12 +521,12 @@ static void draw_vectors(const Sheet *sheet)
     const AppSpaceView *view = sheet->view;
     double towards[3], light[3], at[3];
     int vectors = 0;
-    app_space_view(view->space, view->place_mm, towards);
+    app_space_view(view->space, view->sight.place_mm, towards);
     for (guint i = 0; i < view->space->things->len; i++) {
         const AppThing *thing = &g_array_index(view->space->things, AppThing, i);
         double color[3], half[3];
-        if (!app_space_light(thing, view->place_mm, view->normal, light) ||
-            (vectors >= MOST_VECTORS && (gssize)thing->index != view->selected))
+        if (!app_space_light(thing, view->sight.place_mm, view->sight.normal, light) ||
+            (vectors >= MOST_VECTORS && (gssize)thing->index != view->sight.selected))
             continue;
         char *name = g_strdup_printf("L%zu", thing->index + 1);
         app_lamp_color(thing->index, color);
@@ -534,12 +535,12 @@ static void draw_vectors(const Sheet *sheet)
         vectors++;
         for (int k = 0; k < 3; k++)
             half[k] = light[k] + towards[k];
-        if ((gssize)thing->index == view->selected && app_unit(half, half))
+        if ((gssize)thing->index == view->sight.selected && app_unit(half, half))
             draw_vector(sheet, "H", half, 1.05, halfway);
     }
     draw_vector(sheet, "V", towards, 0.9, seeing);
-    draw_vector(sheet, "N", view->normal, 1.1, normal);
-    see(sheet, view->place_mm, at);
+    draw_vector(sheet, "N", view->sight.normal, 1.1, normal);
+    see(sheet, view->sight.place_mm, at);
     cairo_arc(sheet->cairo, at[0], at[1], 7, 0, 2 * G_PI);
     cairo_set_source_rgb(sheet->cairo, 1, 1, 1);
     stroke_cased(sheet, 2);
@@ -556,7 +557,7 @@ void app_space_view_draw(AppSpaceView *self, cairo_t *cairo)
     draw_lines(&sheet);
     draw_cones(&sheet);
     draw_things(&sheet);
-    if (self->has_place && !self->is_stale)
+    if (self->sight.has_place && !self->sight.is_stale)
         draw_vectors(&sheet);
     if (self->lit && self->lit->moment && self->lit->moment->direct) {
         cairo_set_source_rgb(cairo, 1, 1, 1);

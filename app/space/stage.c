@@ -8,7 +8,6 @@
 #include "../../front/words.h"
 #include "../base/number.h"
 #include "../base/touch.h"
-#include "hold.h"
 #include "stage_private.h"
 
 enum {
@@ -18,9 +17,6 @@ enum {
     LEAST_SIDE = 40,
     STILL = 4 /* within which a press is no drag */
 };
-
-enum { SELECTED, HOVERED, TOGGLED, SIGNALS };
-static guint signals[SIGNALS];
 
 G_DEFINE_FINAL_TYPE(AppStage, app_stage, GTK_TYPE_WIDGET)
 
@@ -65,21 +61,6 @@ static void read_space(AppStage *self)
     fit(self);
 }
 
-/* ---- which are chosen ---- */
-
-gboolean app_stage_is_chosen(const AppStage *self, gsize light)
-{
-    for (guint i = 0; i < self->chosen->len; i++)
-        if (g_array_index(self->chosen, gsize, i) == light)
-            return TRUE;
-    return FALSE;
-}
-
-static gboolean is_lamp(const AppThing *thing)
-{
-    return thing->kind == APP_THING_LAMP || thing->kind == APP_THING_DIRECTION;
-}
-
 /* ---- the hand ---- */
 
 static AppProjection projection_at(const AppStage *self, double y)
@@ -108,25 +89,16 @@ static gboolean thing_at(const AppStage *self, double x, double y, AppThing *fou
     return found->kind != APP_THING_NONE;
 }
 
-static void tell_hovered(AppStage *self, const AppThing *thing)
-{
-    if (thing->kind == self->thing.kind && thing->index == self->thing.index)
-        return;
-    self->thing = *thing;
-    gtk_widget_set_cursor_from_name(GTK_WIDGET(self), thing->kind == APP_THING_NONE ? "default" : "grab");
-    g_signal_emit(self, signals[HOVERED], 0, (int)thing->kind, (guint)thing->index);
-    gtk_widget_queue_draw(GTK_WIDGET(self));
-}
-
 static void pointer_moved(GtkEventControllerMotion *controller, double x, double y, AppStage *self)
 {
     AppThing thing;
     (void)controller;
     if (self->is_held)
         return;
-    thing_at(self, x, y, &thing);
+    const gboolean is_thing = thing_at(self, x, y, &thing);
     self->projection = projection_at(self, y);
-    tell_hovered(self, &thing);
+    gtk_widget_set_cursor_from_name(GTK_WIDGET(self), is_thing ? "grab" : "default");
+    app_sight_point(&self->sight, &thing);
 }
 
 static void pointer_left(GtkEventControllerMotion *controller, AppStage *self)
@@ -134,12 +106,7 @@ static void pointer_left(GtkEventControllerMotion *controller, AppStage *self)
     const AppThing none = {.kind = APP_THING_NONE};
     (void)controller;
     if (!self->is_held)
-        tell_hovered(self, &none);
-}
-
-static void select_thing(AppStage *self)
-{
-    g_signal_emit(self, signals[SELECTED], 0, (int)self->thing.kind, (guint)self->thing.index);
+        app_sight_point(&self->sight, &none);
 }
 
 static void drag_begin(GtkGestureDrag *gesture, double x, double y, AppStage *self)
@@ -147,22 +114,13 @@ static void drag_begin(GtkGestureDrag *gesture, double x, double y, AppStage *se
     const GdkModifierType state = gtk_event_controller_get_current_event_state(GTK_EVENT_CONTROLLER(gesture));
     AppThing thing;
     gtk_widget_grab_focus(GTK_WIDGET(self));
-    if (self->is_stale || !thing_at(self, x, y, &thing)) {
+    if (self->sight.is_stale || !thing_at(self, x, y, &thing)) {
         gtk_gesture_set_state(GTK_GESTURE(gesture), GTK_EVENT_SEQUENCE_DENIED);
         return;
     }
-    self->thing = thing;
     self->projection = projection_at(self, y);
-    memcpy(self->start_mm, thing.at_mm, sizeof self->start_mm);
     self->is_held = TRUE;
-    self->has_moved = FALSE;
-    self->is_toggling = is_lamp(&thing) && (state & (GDK_CONTROL_MASK | GDK_SHIFT_MASK));
-    self->was_chosen = is_lamp(&thing) && self->chosen->len > 1 && app_stage_is_chosen(self, thing.index);
-    g_clear_pointer(&self->turn, app_turn_free);
-    self->turn = self->was_chosen ? app_turn_begin(self->document, self->chosen, thing.index) : NULL;
-    app_document_begin_gesture(self->document);
-    if (!self->was_chosen && !self->is_toggling)
-        select_thing(self);
+    app_sight_take(&self->sight, &thing, state);
 }
 
 static void drag_update(GtkGestureDrag *gesture, double dx, double dy, AppStage *self)
@@ -170,57 +128,39 @@ static void drag_update(GtkGestureDrag *gesture, double dx, double dy, AppStage 
     const GdkModifierType state = gtk_event_controller_get_current_event_state(GTK_EVENT_CONTROLLER(gesture));
     const double gain = ((state & GDK_SHIFT_MASK) ? 0.1 : 1) / self->map.scale;
     double to[3];
-    if (!self->is_held || (!self->has_moved && hypot(dx, dy) < STILL))
+    if (!self->is_held || (!self->sight.has_moved && hypot(dx, dy) < STILL))
         return;
-    if (self->is_toggling && !self->was_chosen) /* it is a drag, which chooses nothing but what it moves */
-        select_thing(self);
-    self->is_toggling = FALSE;
-    self->has_moved = TRUE;
-    memcpy(to, self->start_mm, sizeof to);
+    memcpy(to, self->sight.start_mm, sizeof to);
     to[0] += dx * gain;
     to[app_projection_up(self->projection)] -= dy * gain;
-    app_hold_move(&self->thing, &self->projection, to,
-                  app_hold_grain(1 / self->map.scale, (state & GDK_SHIFT_MASK) != 0, (state & GDK_CONTROL_MASK) != 0),
-                  self->was_chosen && is_lamp(&self->thing) ? self->chosen : NULL, self->turn, self->document);
+    app_sight_move(&self->sight, &self->projection, to, 1 / self->map.scale, state);
+}
+
+/* What is held is let go; where it is of a scene that is no longer there, too. */
+static void let_go(AppStage *self)
+{
+    if (self->is_held)
+        app_sight_let_go(&self->sight);
+    self->is_held = FALSE;
 }
 
 static void drag_end(GtkGestureDrag *gesture, double dx, double dy, AppStage *self)
 {
+    const gboolean was_held = self->is_held;
     (void)gesture;
     (void)dx;
     (void)dy;
-    if (!self->is_held)
-        return;
-    self->is_held = FALSE;
-    g_clear_pointer(&self->turn, app_turn_free);
-    app_document_end_gesture(self->document);
-    if (!self->has_moved && self->is_toggling)
-        g_signal_emit(self, signals[TOGGLED], 0, (guint)self->thing.index);
-    else if (!self->has_moved && self->was_chosen)
-        select_thing(self);
+    let_go(self);
+    if (was_held && !self->sight.has_moved)
+        app_sight_click(&self->sight);
     fit(self);
     gtk_widget_queue_draw(GTK_WIDGET(self));
-}
-
-/* The mark that is held is let go: it is of a scene that is no longer there. */
-static void let_go(AppStage *self)
-{
-    if (!self->is_held)
-        return;
-    self->is_held = FALSE;
-    g_clear_pointer(&self->turn, app_turn_free);
-    app_document_end_gesture(self->document);
 }
 
 static gboolean query_tooltip(AppStage *self, int x, int y, gboolean by_keys, GtkTooltip *tooltip)
 {
     AppThing thing;
-    if (by_keys || !thing_at(self, x, y, &thing))
-        return FALSE;
-    char *text = app_thing_tell(&thing);
-    gtk_tooltip_set_text(tooltip, text);
-    g_free(text);
-    return TRUE;
+    return !by_keys && thing_at(self, x, y, &thing) && app_sight_tell(&thing, tooltip);
 }
 
 /* ---- what is shown ---- */
@@ -240,39 +180,9 @@ void app_stage_set_moment(AppStage *self, AppMoment *moment)
     gtk_widget_queue_draw(GTK_WIDGET(self));
 }
 
-void app_stage_choose(AppStage *self, const GArray *lights, gsize selected)
+AppSight *app_stage_sight(AppStage *self)
 {
-    self->selected = (gssize)selected;
-    g_array_set_size(self->chosen, 0);
-    g_array_append_vals(self->chosen, lights->data, lights->len);
-    gtk_widget_queue_draw(GTK_WIDGET(self));
-}
-
-void app_stage_hover(AppStage *self, gssize light)
-{
-    if (light == self->hovered)
-        return;
-    self->hovered = light;
-    gtk_widget_queue_draw(GTK_WIDGET(self));
-}
-
-void app_stage_set_reading(AppStage *self, const AppReading *reading)
-{
-    const gboolean has = reading && reading->value.on_surface;
-    if (!has && !self->has_place)
-        return;
-    self->has_place = has;
-    if (has) {
-        memcpy(self->place_mm, reading->value.position_mm, sizeof self->place_mm);
-        memcpy(self->normal, reading->value.normal, sizeof self->normal);
-    }
-    gtk_widget_queue_draw(GTK_WIDGET(self));
-}
-
-void app_stage_set_stale(AppStage *self, gboolean stale)
-{
-    self->is_stale = stale;
-    gtk_widget_queue_draw(GTK_WIDGET(self));
+    return &self->sight;
 }
 
 static void app_stage_snapshot(GtkWidget *widget, GtkSnapshot *snapshot)
@@ -282,12 +192,12 @@ static void app_stage_snapshot(GtkWidget *widget, GtkSnapshot *snapshot)
     const graphene_rect_t area = GRAPHENE_RECT_INIT(0, 0, (float)width, (float)height);
     if (!self->space || !(self->map.scale > 0))
         return;
-    if (self->is_stale)
+    if (self->sight.is_stale)
         gtk_snapshot_push_opacity(snapshot, 0.3);
     cairo_t *cairo = gtk_snapshot_append_cairo(snapshot, &area);
     app_stage_draw(self, cairo, width, height);
     cairo_destroy(cairo);
-    if (self->is_stale)
+    if (self->sight.is_stale)
         gtk_snapshot_pop(snapshot);
 }
 
@@ -310,7 +220,6 @@ static void app_stage_size_allocate(GtkWidget *widget, int width, int height, in
 static void app_stage_dispose(GObject *object)
 {
     AppStage *self = APP_STAGE(object);
-    g_clear_object(&self->document);
     g_clear_pointer(&self->space, app_space_free);
     g_clear_pointer(&self->moment, app_moment_unref);
     G_OBJECT_CLASS(app_stage_parent_class)->dispose(object);
@@ -318,8 +227,7 @@ static void app_stage_dispose(GObject *object)
 
 static void app_stage_finalize(GObject *object)
 {
-    g_array_unref(APP_STAGE(object)->chosen);
-    app_turn_free(APP_STAGE(object)->turn);
+    app_sight_clear(&APP_STAGE(object)->sight);
     app_outlines_free(APP_STAGE(object)->outlines);
     G_OBJECT_CLASS(app_stage_parent_class)->finalize(object);
 }
@@ -334,12 +242,7 @@ static void app_stage_class_init(AppStageClass *class)
     widget->map = app_stage_map;
     gtk_widget_class_set_css_name(widget, "luxelstage");
     gtk_widget_class_set_accessible_role(widget, GTK_ACCESSIBLE_ROLE_IMG);
-    signals[SELECTED] = g_signal_new("selected", APP_TYPE_STAGE, G_SIGNAL_RUN_LAST, 0, NULL, NULL, NULL, G_TYPE_NONE, 2,
-                                     G_TYPE_INT, G_TYPE_UINT);
-    signals[HOVERED] = g_signal_new("hovered", APP_TYPE_STAGE, G_SIGNAL_RUN_LAST, 0, NULL, NULL, NULL, G_TYPE_NONE, 2,
-                                    G_TYPE_INT, G_TYPE_UINT);
-    signals[TOGGLED] =
-        g_signal_new("toggled", APP_TYPE_STAGE, G_SIGNAL_RUN_LAST, 0, NULL, NULL, NULL, G_TYPE_NONE, 1, G_TYPE_UINT);
+    app_sight_add_signals(APP_TYPE_STAGE);
 }
 
 static void app_stage_init(AppStage *self)
@@ -347,8 +250,7 @@ static void app_stage_init(AppStage *self)
     GtkWidget *widget = GTK_WIDGET(self);
     GtkEventController *motion = gtk_event_controller_motion_new();
     GtkGesture *drag = gtk_gesture_drag_new();
-    self->selected = self->hovered = -1;
-    self->chosen = g_array_new(FALSE, FALSE, sizeof(gsize));
+    app_sight_init(&self->sight, widget);
     self->outlines = app_outlines_new();
     gtk_widget_set_focusable(widget, TRUE);
     gtk_widget_set_hexpand(widget, TRUE);
@@ -368,6 +270,6 @@ static void app_stage_init(AppStage *self)
 GtkWidget *app_stage_new(AppDocument *document)
 {
     AppStage *self = g_object_new(APP_TYPE_STAGE, NULL);
-    self->document = g_object_ref(document);
+    self->sight.document = g_object_ref(document);
     return GTK_WIDGET(self);
 }

@@ -63,8 +63,8 @@ static void set_look(const Sheet *sheet, const AppLine *line)
     static const double dashes[] = {3, 3};
     cairo_t *cairo = sheet->cairo;
     const AppStage *stage = sheet->stage;
-    const gboolean is_chosen = line->kind == APP_LINE_LAMP &&
-                               (app_stage_is_chosen(stage, line->index) || (gssize)line->index == stage->hovered);
+    const gboolean is_chosen = line->kind == APP_LINE_LAMP && (app_sight_is_chosen(&stage->sight, line->index) ||
+                                                               (gssize)line->index == stage->sight.hovered);
     cairo_set_line_width(cairo, is_chosen ? 2.2 : 1.3);
     cairo_set_dash(cairo, dashes, line->kind == APP_LINE_SIGHT ? 2 : 0, 0);
     switch (line->kind) {
@@ -173,11 +173,11 @@ static void draw_badge(const Sheet *sheet, const AppThing *thing, const double a
 {
     const AppStage *stage = sheet->stage;
     const AppBadge badge = {
-        .light = thing->index, .is_on = thing->is_on, .selected = app_stage_is_chosen(stage, thing->index)};
+        .light = thing->index, .is_on = thing->is_on, .selected = app_sight_is_chosen(&stage->sight, thing->index)};
     cairo_save(sheet->cairo);
     cairo_translate(sheet->cairo, at[0], at[1]);
     app_lamp_draw_badge(sheet->cairo, &badge);
-    if ((gssize)thing->index == stage->hovered) {
+    if ((gssize)thing->index == stage->sight.hovered) {
         set_ink(sheet, 1);
         cairo_set_line_width(sheet->cairo, 1.6);
         cairo_arc(sheet->cairo, 0, 0, APP_BADGE_RADIUS + 4.5, 0, 2 * G_PI);
@@ -223,7 +223,7 @@ static void draw_things(const Sheet *sheet)
 static void draw_vector(const Sheet *sheet, const char *name, const double vector[3])
 {
     double from[2];
-    place(sheet, sheet->stage->place_mm, from);
+    place(sheet, sheet->stage->sight.place_mm, from);
     const double to[2] = {from[0] + VECTOR * vector[0],
                           from[1] - VECTOR * vector[app_projection_up(sheet->projection)]};
     cairo_set_line_width(sheet->cairo, 2);
@@ -239,19 +239,19 @@ static void draw_vectors(const Sheet *sheet)
     const GArray *things = stage->space->things;
     double view[3], light[3];
     guint lamps = 0;
-    app_space_view(stage->space, stage->place_mm, view);
+    app_space_view(stage->space, stage->sight.place_mm, view);
     for (guint i = 0; i < things->len; i++) {
         const AppThingKind kind = g_array_index(things, AppThing, i).kind;
         lamps += kind == APP_THING_LAMP || kind == APP_THING_DIRECTION;
     }
     for (guint i = 0; i < things->len; i++) {
         const AppThing *thing = &g_array_index(things, AppThing, i);
-        if (!app_space_light(thing, stage->place_mm, stage->normal, light))
+        if (!app_space_light(thing, stage->sight.place_mm, stage->sight.normal, light))
             continue;
         set_lamp(sheet, thing->index, 1);
         draw_vector(sheet, "L", light);
         double halfway[3] = {light[0] + view[0], light[1] + view[1], light[2] + view[2]};
-        if ((lamps <= MOST_HALFWAYS || (gssize)thing->index == stage->selected) && app_unit(halfway, halfway)) {
+        if ((lamps <= MOST_HALFWAYS || (gssize)thing->index == stage->sight.selected) && app_unit(halfway, halfway)) {
             set_lamp(sheet, thing->index, 0.6);
             draw_vector(sheet, "H", halfway);
         }
@@ -259,7 +259,7 @@ static void draw_vectors(const Sheet *sheet)
     set_ink(sheet, 0.6);
     draw_vector(sheet, "V", view);
     set_ink(sheet, 1);
-    draw_vector(sheet, "N", stage->normal);
+    draw_vector(sheet, "N", stage->sight.normal);
 }
 
 /* ---- the sheet itself ---- */
@@ -304,7 +304,7 @@ void app_stage_draw(AppStage *self, cairo_t *cairo, double width, double height)
         cairo_rectangle(cairo, 0, top, width, bottom - top);
         cairo_clip(cairo);
         draw_lines(&sheet);
-        if (self->has_place)
+        if (self->sight.has_place)
             draw_vectors(&sheet);
         draw_things(&sheet);
         draw_title(&sheet, top);

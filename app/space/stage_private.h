@@ -3,7 +3,6 @@
 #ifndef LUXEL_APP_STAGE_PRIVATE_H
 #define LUXEL_APP_STAGE_PRIVATE_H
 
-#include "../picture/turn.h"
 #include "outlines.h"
 #include "stage.h"
 
@@ -17,28 +16,16 @@ typedef struct AppStageMap {
 
 struct _AppStage {
     GtkWidget parent;
-    AppDocument *document;
+    AppSight sight;
     AppMoment *moment; /* NULL: none yet */
     AppSpace *space;   /* of it; NULL: not read off yet */
     AppOutlines *outlines;
     AppStageMap map;
-    gboolean is_held; /* something is dragged: the map stays */
-    gboolean is_stale;
-    gssize selected, hovered; /* lights */
-    GArray *chosen;           /* gsize: the lights that are chosen together, the selected one among them */
-    gboolean was_chosen;      /* what was pressed, with others */
-    AppTurn *turn;            /* of light from far away that is chosen with it, while it is held; NULL: none */
-    gboolean is_toggling;     /* pressed to be chosen beside the others, or no longer */
-    gboolean has_moved;       /* since it was pressed */
-    AppThing thing;           /* that is held, or that the pointer is on */
-    AppProjection projection; /* in which it is */
-    double start_mm[3];       /* where it was taken */
-    gboolean has_place;       /* the vectors are shown */
-    double place_mm[3], normal[3];
+    gboolean is_held;         /* something is dragged: the map stays */
+    AppProjection projection; /* in which the thing is that is held, or that the pointer is on */
 };
 
 /* stage.c */
-gboolean app_stage_is_chosen(const AppStage *self, gsize light);
 void app_stage_place(const AppStageMap *map, AppProjection projection, const double place_mm[3], double at[2]);
 /* stage_draw.c */
 void app_stage_draw(AppStage *self, cairo_t *cairo, double width, double height);

@@ -47,6 +47,7 @@ static const struct {
     {"win.source-up", {"<Alt>Up"}},
     {"win.source-down", {"<Alt>Down"}},
     {"win.gallery", {"F2"}},
+    {"win.search", {"<Control>k", "<Control>Cyrillic_el"}},
     {"win.numbers", {"F9"}},
     {"win.pane(uint32 0)", {"<Control>1", "<Control>KP_1"}},
     {"win.pane(uint32 1)", {"<Control>2", "<Control>KP_2"}},

@@ -90,6 +90,8 @@ static luxel_status write_figure(const Work *work, const luxel_settings *setting
     figure.bands = work->display.isophotes ? LUXEL_BANDS_CONTOURS : LUXEL_BANDS_SMOOTH;
     figure.extrema = work->display.maximum;
     figure.language = &language;
+    if (luxel_scene_has_color(work->scene) && work->display.channel != APP_CHANNEL_COLORS)
+        figure.view = (luxel_color_view)(work->display.channel - APP_CHANNEL_LUMINANCE + LUXEL_VIEW_LUMINANCE);
     if (work->display.is_locked) {
         figure.low = work->display.low;
         figure.high = work->display.high;

@@ -12,7 +12,6 @@
 #include "../../front/words.h"
 #include "../base/choices.h"
 #include "../base/pulse.h"
-#include "../base/reveal.h"
 #include "../base/row.h"
 #include "../space/space_view.h"
 #include "window_private.h"
@@ -180,8 +179,8 @@ void app_window_show_chosen(AppWindow *self)
     const GArray *chosen = app_sources_chosen(APP_SOURCES(self->sources));
     const gsize shown = app_sources_shown(APP_SOURCES(self->sources));
     app_view_choose(self->view, chosen);
-    app_stage_choose(APP_STAGE(self->stage), chosen, shown);
-    app_space_view_choose(APP_SPACE_VIEW(self->space_view), chosen, shown);
+    for (int i = 0; i < APP_SIGHTS; i++)
+        app_sight_choose(app_window_sight(self, i), chosen, shown);
     app_why_choose(APP_WHY(self->why), shown);
 }
 
@@ -219,8 +218,7 @@ static void view_pointed(GtkWidget *view, double x_mm, double y_mm, gboolean ins
         app_window_rest(self);
         app_dial_set_needle(APP_DIAL(self->bar), (double)NAN);
         app_sources_show_shares(APP_SOURCES(self->sources), NULL);
-        app_stage_set_reading(APP_STAGE(self->stage), NULL);
-        app_space_view_set_reading(APP_SPACE_VIEW(self->space_view), NULL);
+        app_window_show_vectors(self, NULL);
     }
     app_window_ask_pointer(self);
     app_window_judge(self);
@@ -234,8 +232,31 @@ static void view_selected(AppView *view, int kind, guint index, AppWindow *self)
         app_window_show_chosen(self);
     } else if (kind == APP_MARK_SURFACE) {
         gtk_drop_down_set_selected(GTK_DROP_DOWN(self->surface_list), index);
-        app_window_pin_why(self, self->pointer_mm);
+        app_window_pin_why(self, self->pointer_mm, -1);
+    } else if (kind == APP_MARK_POINT) {
+        const luxel_scene *scene = self->picture ? self->picture->shot->moment->scene : NULL;
+        double place_mm[2];
+        if (scene && luxel_scene_point(scene, index, &place_mm[0], &place_mm[1]) == LUXEL_OK)
+            app_window_pin_why(self, place_mm, (gssize)index);
     }
+}
+
+/* A second click at a place of a surface asks why its value is what it is. */
+static void camera_clicked(GtkGestureClick *gesture, int count, double x, double y, AppWindow *self)
+{
+    (void)gesture;
+    (void)x;
+    (void)y;
+    if (count == 2 && self->pointer_inside && self->is_on_surface)
+        app_window_ask_why(self, -1);
+}
+
+/* The place at which the card is kept is ringed, and the list tells what the sources give there. */
+static void why_kept(AppWindow *self)
+{
+    double place_mm[2];
+    app_view_set_kept(self->view, app_why_pinned(APP_WHY(self->why), place_mm) ? place_mm : NULL);
+    app_window_ask_numbers(self);
 }
 
 /* On the picture or in space. */
@@ -350,21 +371,6 @@ static gboolean panel_scrolled(GtkEventControllerScroll *controller, double dx, 
 
 /* ---- making it ---- */
 
-static void add_group(AppWindow *self, const char *title, gboolean expanded, GtkWidget *first, GtkWidget *second,
-                      GtkWidget *third)
-{
-    GtkWidget *expander = gtk_expander_new(title), *box = gtk_box_new(GTK_ORIENTATION_VERTICAL, 6);
-    GtkWidget *const children[] = {first, second, third};
-    for (gsize i = 0; i < G_N_ELEMENTS(children); i++)
-        if (children[i])
-            gtk_box_append(GTK_BOX(box), children[i]);
-    gtk_expander_set_child(GTK_EXPANDER(expander), box);
-    app_name_control(expander, title);
-    gtk_expander_set_expanded(GTK_EXPANDER(expander), expanded);
-    gtk_box_append(GTK_BOX(self->left_box), expander);
-    app_reveal_when_opened(GTK_EXPANDER(expander), GTK_SCROLLED_WINDOW(self->left_scroll));
-}
-
 static GtkWidget *new_surface_list(AppWindow *self)
 {
     self->surface_list = gtk_drop_down_new_from_strings((const char *const[]){NULL});
@@ -385,19 +391,22 @@ static void make_left(AppWindow *self)
     self->sources = app_sources_new(self->document, self->parameters);
     self->points = app_points_new(self->document);
     self->display_form = app_display_form_new();
-    add_group(self, _("Sources"), TRUE, self->sources, NULL, NULL);
-    add_group(self, _("Material"), TRUE, self->material_form, NULL, NULL);
-    add_group(self, _("Surfaces"), TRUE, app_window_new_surface_bar(self), new_surface_list(self), self->surface_form);
-    add_group(self, _("Screen and observer"), FALSE, self->screen_form, NULL, NULL);
-    add_group(self, _("Points"), FALSE, self->points, NULL, NULL);
-    add_group(self, _("Picture"), FALSE, self->picture_form, gtk_separator_new(GTK_ORIENTATION_HORIZONTAL),
-              self->display_form);
+    app_window_add_search(self);
+    app_window_add_section(self, "sources", _("Sources"), self->sources, NULL, NULL);
+    app_window_add_section(self, "surfaces", _("Surfaces"), app_window_new_surface_bar(self), new_surface_list(self),
+                           self->surface_form);
+    app_window_add_section(self, "material", _("Material"), self->material_form, NULL, NULL);
+    app_window_add_section(self, "screen", _("Screen and observer"), self->screen_form, NULL, NULL);
+    app_window_add_section(self, "points", _("Points"), self->points, NULL, NULL);
+    app_window_add_section(self, "picture", _("Picture"), self->picture_form,
+                           gtk_separator_new(GTK_ORIENTATION_HORIZONTAL), self->display_form);
 }
 
 static void connect_parts(AppWindow *self)
 {
     GtkEventController *buttons = gtk_event_controller_legacy_new();
     GtkEventController *wheel = gtk_event_controller_scroll_new(GTK_EVENT_CONTROLLER_SCROLL_VERTICAL);
+    GtkGesture *click = gtk_gesture_click_new();
     gtk_event_controller_set_propagation_phase(buttons, GTK_PHASE_CAPTURE);
     gtk_event_controller_set_propagation_phase(wheel, GTK_PHASE_CAPTURE);
     g_signal_connect(buttons, "event", G_CALLBACK(legacy_event), self);
@@ -421,7 +430,9 @@ static void connect_parts(AppWindow *self)
     g_signal_connect(self->numbers, "read", G_CALLBACK(section_read), self);
     g_signal_connect_swapped(self->numbers, "wanted", G_CALLBACK(page_turned), self);
     g_signal_connect_swapped(self->fault_bar, "response", G_CALLBACK(close_faults), self);
-    g_signal_connect_swapped(self->why, "kept", G_CALLBACK(app_window_ask_numbers), self);
+    g_signal_connect_swapped(self->why, "kept", G_CALLBACK(why_kept), self);
+    g_signal_connect(click, "pressed", G_CALLBACK(camera_clicked), self);
+    gtk_widget_add_controller(self->cameras, GTK_EVENT_CONTROLLER(click));
     app_dial_set_form(APP_DIAL(self->bar), APP_DISPLAY_FORM(self->display_form));
 }
 
@@ -447,6 +458,7 @@ AppWindow *app_window_new(AppApplication *application)
     AppWindow *self = g_object_new(APP_TYPE_WINDOW, "application", application, NULL);
     bind_settings(self);
     app_window_watch_panes(self);
+    app_window_open_sections(self);
     app_window_init_report(self);
     app_window_fill_menus(self);
     app_window_begin_hint(self);
@@ -474,7 +486,7 @@ static void app_window_dispose(GObject *object)
     g_clear_handle_id(&self->say_timer, g_source_remove);
     g_clear_handle_id(&self->late_timer, g_source_remove);
     app_window_end_watch(self);
-    for (int i = 0; i < 2; i++)
+    for (int i = 0; i < APP_STATUS_KINDS; i++)
         g_clear_pointer(&self->status_tabs[i], pango_tab_array_free);
     g_clear_pointer(&self->painter, app_painter_free);
     g_clear_pointer(&self->meter, app_meter_free);
@@ -486,6 +498,7 @@ static void app_window_dispose(GObject *object)
     g_clear_pointer(&self->repair, g_ptr_array_unref);
     g_clear_pointer(&self->report, g_hash_table_unref);
     g_clear_object(&self->settings);
+    g_clear_pointer(&self->found, gtk_widget_unparent);
     gtk_widget_dispose_template(GTK_WIDGET(self), APP_TYPE_WINDOW);
     G_OBJECT_CLASS(app_window_parent_class)->dispose(object);
 }
@@ -516,7 +529,6 @@ static void app_window_class_init(AppWindowClass *class)
     BIND(left_box);
     BIND(right_box);
     BIND(view_overlay);
-    BIND(bars_box);
     BIND(compare_box);
     BIND(compare_label);
     BIND(bar);
@@ -528,7 +540,7 @@ static void app_window_class_init(AppWindowClass *class)
     BIND(outside_bar);
     BIND(outside_label);
     BIND(direct_label);
-    BIND(stale_box);
+    BIND(stale_bar);
     BIND(stale_label);
     BIND(repair_button);
     BIND(repair_label);

@@ -115,23 +115,27 @@ static void change_why(GSimpleAction *action, GVariant *state, gpointer data)
     g_simple_action_set_state(action, state);
 }
 
-void app_window_pin_why(AppWindow *self, const double place_mm[2])
+void app_window_pin_why(AppWindow *self, const double place_mm[2], gssize point)
 {
     if (app_why_is_shown(APP_WHY(self->why)) && app_window_shot(self))
-        app_why_pin(APP_WHY(self->why), app_window_shot(self), place_mm[0], place_mm[1]);
+        app_why_pin(APP_WHY(self->why), app_window_shot(self), place_mm, point);
+}
+
+void app_window_ask_why(AppWindow *self, gssize point)
+{
+    double place_mm[2] = {self->pointer_mm[0], self->pointer_mm[1]};
+    if (!app_window_shot(self) || (point >= 0 && luxel_scene_point(app_window_shot(self)->moment->scene, (gsize)point,
+                                                                   &place_mm[0], &place_mm[1]) != LUXEL_OK))
+        return;
+    g_action_group_change_action_state(G_ACTION_GROUP(self), "why", g_variant_new_boolean(TRUE));
+    app_window_pin_why(self, place_mm, point);
 }
 
 /* Why? at a point of the scene, by its number. */
 static void go_to_point(GSimpleAction *action, GVariant *index, gpointer data)
 {
-    AppWindow *self = data;
-    double place_mm[2];
     (void)action;
-    if (!app_window_shot(self) || luxel_scene_point(app_window_shot(self)->moment->scene, g_variant_get_uint32(index),
-                                                    &place_mm[0], &place_mm[1]) != LUXEL_OK)
-        return;
-    g_action_group_change_action_state(G_ACTION_GROUP(self), "why", g_variant_new_boolean(TRUE));
-    app_window_pin_why(self, place_mm);
+    app_window_ask_why(data, (gssize)g_variant_get_uint32(index));
 }
 
 static void change_quantity(GSimpleAction *action, GVariant *state, gpointer data)
@@ -345,6 +349,8 @@ static gboolean letter_pressed(GtkEventControllerKey *controller, guint key, gui
         return FALSE;
     if (digit >= '1' && digit <= '9')
         return gtk_widget_activate_action(GTK_WIDGET(self), "win.source-choose", "u", digit - '1');
+    if (key == GDK_KEY_Escape && app_why_is_shown(APP_WHY(self->why)))
+        return gtk_widget_activate_action(GTK_WIDGET(self), "win.why", NULL);
     for (gsize i = 0; i < G_N_ELEMENTS(letters); i++) {
         if ((lower != letters[i].latin && lower != letters[i].cyrillic) ||
             ((state & GDK_SHIFT_MASK) != 0) != letters[i].shifted)

@@ -300,7 +300,7 @@ static void show_offer(AppWindow *self)
         char *text = g_strdup_printf(self->is_discarded ? _("Unsaved work was discarded: %s, of %s")
                                                         : _("Unsaved work was found: %s, of %s"),
                                      name, when);
-        gtk_label_set_text(GTK_LABEL(self->unsaved_label), text);
+        app_window_set_message(self->unsaved_label, text);
         gtk_button_set_label(GTK_BUTTON(self->discard_button), self->is_discarded ? _("Close") : _("Discard"));
         g_free(name);
         g_free(text);
@@ -309,7 +309,7 @@ static void show_offer(AppWindow *self)
             g_date_time_unref(time);
     }
     if (!unsaved)
-        gtk_label_set_text(GTK_LABEL(self->unsaved_label), ""); /* what is no longer shown is not read out either */
+        app_window_set_message(self->unsaved_label, ""); /* what is no longer shown is not read out either */
     app_window_reveal_bar(self, self->unsaved_bar, unsaved != NULL);
 }
 

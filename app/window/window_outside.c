@@ -14,7 +14,7 @@ enum { SETTLED_MS = 300 };
 
 static void close_question(AppWindow *self)
 {
-    gtk_label_set_text(GTK_LABEL(self->outside_label), ""); /* what is no longer shown is not read out either */
+    app_window_set_message(self->outside_label, ""); /* what is no longer shown is not read out either */
     app_window_reveal_bar(self, self->outside_bar, FALSE);
 }
 
@@ -22,7 +22,7 @@ static void ask_what_holds(AppWindow *self)
 {
     char *text = g_strdup_printf(_("Another program has changed %s, and here there is unsaved work."),
                                  app_document_name(self->document));
-    gtk_label_set_text(GTK_LABEL(self->outside_label), text);
+    app_window_set_message(self->outside_label, text);
     app_window_reveal_bar(self, self->outside_bar, TRUE);
     g_free(text);
 }

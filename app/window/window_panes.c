@@ -69,8 +69,6 @@ static void show_right(AppWindow *self)
     gtk_widget_set_visible(self->right_box, is_wanted(self));
     if (action)
         g_simple_action_set_state(G_SIMPLE_ACTION(action), g_variant_new_boolean(is_wanted(self)));
-    /* what stands on the picture stands beside the drawer */
-    gtk_widget_set_margin_end(self->bars_box, self->is_narrow && self->is_drawer_open ? DRAWER_WIDTH : 0);
 }
 
 void app_window_show_right(AppWindow *self, gboolean shown)

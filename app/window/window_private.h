@@ -16,6 +16,8 @@
 #include "export.h"
 #include "window.h"
 
+enum { APP_STATUS_KINDS = 3 };
+
 struct _AppWindow {
     GtkApplicationWindow parent;
     AppDocument *document;
@@ -45,8 +47,9 @@ struct _AppWindow {
     double section_mm[2];
     double pointer_mm[2];
     gboolean pointer_inside;
-    GPtrArray *unsaved;    /* AppUnsaved's that are still to be offered */
-    gboolean is_discarded; /* the first of them, which can be taken back until the bar is closed */
+    gboolean is_on_surface; /* what was read there last */
+    GPtrArray *unsaved;     /* AppUnsaved's that are still to be offered */
+    gboolean is_discarded;  /* the first of them, which can be taken back until the bar is closed */
     guint progress_timer, pulse_timer, say_timer, late_timer, outside_timer;
     GFileMonitor *monitor;       /* of the document's file, */
     GFile *watched;              /* which is this one; NULL: it has none */
@@ -63,20 +66,21 @@ struct _AppWindow {
     /* of the template */
     AppView *view;
     GtkWidget *pages, *left_pane, *right_pane, *left_scroll, *left_box, *right_box, *compare_box, *compare_label, *bar;
-    GtkWidget *cameras;                 /* picture and space, of which one is seen, */
-    GtkWidget *view_overlay, *bars_box; /* and what lies over them */
+    GtkWidget *cameras;      /* picture and space, of which one is seen, */
+    GtkWidget *view_overlay; /* and what lies over them */
     GtkWidget *unsaved_bar, *unsaved_label, *discard_button, *fault_bar, *fault_label, *outside_bar, *outside_label;
     GtkWidget *direct_label; /* what the picture is, before reflected light has come */
     GtkWidget *progress_label, *stop_button;
-    GtkWidget *stale_box, *stale_label, *repair_button, *repair_label;
+    GtkWidget *stale_bar, *stale_label, *repair_button, *repair_label;
     GtkWidget *status_label, *message_label, *zoom_label, *progress;
-    PangoTabArray *status_tabs[2]; /* of its columns: all, and without the normal, where there is no room for it */
-    int status_width;              /* of all columns with the sources' shares, dots */
+    PangoTabArray *status_tabs[APP_STATUS_KINDS]; /* of its columns: all, without the normal, and of colours */
+    int status_widths[APP_STATUS_KINDS];          /* of all columns with the sources' shares, dots */
     GMenu *builtin_menu, *recent_menu, *export_menu;
     /* made by hand */
     GtkWidget *screen_form, *surface_list, *surface_form, *material_form, *picture_form;
     GtkWidget *sources, *points, *display_form, *numbers, *stage, *space_view, *why;
-    GtkWidget *gallery; /* NULL: it was not asked for yet */
+    GtkWidget *search, *found, *found_list; /* of rows of the form */
+    GtkWidget *gallery;                     /* NULL: it was not asked for yet */
 };
 
 /* Whether the window is still there for what was begun in it: a file, a paste. */
@@ -104,6 +108,8 @@ void app_window_say(AppWindow *self, const char *text);
 void app_window_mention(AppWindow *self, const char *text);
 /* Shows what went wrong with a file or a paste; NULL: nothing. */
 void app_window_show_fault(AppWindow *self, const char *text);
+/* A text that may be longer than its line, where its tooltip has all of it. */
+void app_window_set_message(GtkWidget *label, const char *text);
 /* Shows or hides a bar; where the keyboard was in one that goes, the picture has it, and no form is scrolled to. */
 void app_window_reveal_bar(AppWindow *self, GtkWidget *bar, gboolean revealed);
 /* The picture that the numbers are of, and the one that is taken off it; NULL: none. */
@@ -129,6 +135,11 @@ void app_window_offer_turn(AppWindow *self, const AppPicture *picture);
 void app_window_add_space(AppWindow *self);
 /* What the hand does in space, plan and elevation is told to the others. */
 void app_window_connect_spaces(AppWindow *self);
+/* The sights of plan and elevation, and of space, of which there are so many. */
+enum { APP_SIGHTS = 2 };
+AppSight *app_window_sight(AppWindow *self, int i);
+/* Both show the vectors of the formula at the place that was read; NULL: none. */
+void app_window_show_vectors(AppWindow *self, const AppReading *reading);
 /* A lamp that the pointer is on, or -1, is lit up wherever it is shown, but for the picture. */
 void app_window_hover_light(AppWindow *self, gssize light);
 gboolean app_window_is_in_space(AppWindow *self);
@@ -140,6 +151,13 @@ void app_window_watch_panes(AppWindow *self);
 /* The numbers at the side come or go. */
 void app_window_show_right(AppWindow *self, gboolean shown);
 
+/* window_sections.c: the sections of the form at the left, which of them are open, and the search for a key in them. */
+/* One more, under the name that the settings have of it, with up to three parts (NULL: none). */
+void app_window_add_section(AppWindow *self, const char *name, const char *title, GtkWidget *first, GtkWidget *second,
+                            GtkWidget *third);
+void app_window_open_sections(AppWindow *self);
+void app_window_add_search(AppWindow *self);
+
 /* window_focus.c: the keyboard goes from pane to pane. */
 void app_window_add_focus_actions(AppWindow *self);
 /* A dialog has gone: the keyboard is in the window again, on the picture where it was nowhere. */
@@ -150,8 +168,10 @@ void app_window_ask_report(AppWindow *self, void (*done)(AppWindow *self));
 void app_window_init_report(AppWindow *self);
 void app_window_load_report(AppWindow *self, AppReport *report);
 
-/* Where the card “Why?” is shown, it is kept at a place of the screen. */
-void app_window_pin_why(AppWindow *self, const double place_mm[2]);
+/* Where the card “Why?” is shown, it is kept at a place of the screen, and with a point (-1: none) where that is. */
+void app_window_pin_why(AppWindow *self, const double place_mm[2], gssize point);
+/* The card is opened, at a point of the scene, or where the pointer is. */
+void app_window_ask_why(AppWindow *self, gssize point);
 
 /* window_actions.c */
 void app_window_add_actions(AppWindow *self);

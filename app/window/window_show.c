@@ -7,6 +7,7 @@
 #include "../base/lamp.h"
 #include "../base/number.h"
 #include "../base/pulse.h"
+#include "../picture/color.h"
 #include "../space/space_view.h"
 #include "export.h"
 #include "window_private.h"
@@ -36,18 +37,36 @@ void app_window_mention(AppWindow *self, const char *text)
     self->say_timer = g_timeout_add_seconds(SAID_SECONDS, forget_said, self);
 }
 
+/* Messages have the line at the edge, so that none lies over anything: the first that is due, the others wait. */
+static void choose_message(AppWindow *self)
+{
+    GtkWidget *const bars[] = {self->stale_bar, self->fault_bar, self->outside_bar, self->unsaved_bar};
+    gboolean is_free = TRUE;
+    for (gsize i = 0; i < G_N_ELEMENTS(bars); i++) {
+        const gboolean is_due = gtk_info_bar_get_revealed(GTK_INFO_BAR(bars[i]));
+        gtk_widget_set_visible(bars[i], is_due && is_free);
+        is_free = is_free && !is_due;
+    }
+}
+
 void app_window_reveal_bar(AppWindow *self, GtkWidget *bar, gboolean revealed)
 {
     GtkWidget *focus = gtk_window_get_focus(GTK_WINDOW(self));
     if (!revealed && focus && gtk_widget_is_ancestor(focus, bar))
         gtk_widget_grab_focus(app_window_camera(self));
     gtk_info_bar_set_revealed(GTK_INFO_BAR(bar), revealed);
+    choose_message(self);
+}
+
+void app_window_set_message(GtkWidget *label, const char *text)
+{
+    gtk_label_set_text(GTK_LABEL(label), text);
+    gtk_widget_set_tooltip_text(label, *text ? text : NULL);
 }
 
 void app_window_show_fault(AppWindow *self, const char *text)
 {
-    /* what is no longer shown is not read out either */
-    gtk_label_set_text(GTK_LABEL(self->fault_label), text ? text : "");
+    app_window_set_message(self->fault_label, text ? text : ""); /* what is no longer shown is not read out either */
     app_window_reveal_bar(self, self->fault_bar, text != NULL);
 }
 
@@ -99,7 +118,7 @@ static void show_zoom(AppWindow *self)
 void app_window_rest(AppWindow *self)
 {
     const luxel_statistics *statistics =
-        self->picture && !self->is_stale ? luxel_field_statistics(self->picture->shot->field) : NULL;
+        self->picture && !self->is_stale ? luxel_field_statistics(app_shot_light(self->picture->shot)) : NULL;
     if (!statistics || !statistics->has_reflected || statistics->reflected_reached) {
         gtk_label_set_text(GTK_LABEL(self->status_label), "");
         return;
@@ -143,6 +162,8 @@ void app_window_show_picture(AppPicture *picture, gpointer owner)
     app_view_set_picture(self->view, picture);
     app_stage_set_moment(APP_STAGE(self->stage), picture->shot->moment);
     app_space_view_set_picture(APP_SPACE_VIEW(self->space_view), picture);
+    app_display_form_tell_color(APP_DISPLAY_FORM(self->display_form),
+                                luxel_scene_has_color(picture->shot->moment->scene));
     app_display_form_tell_range(APP_DISPLAY_FORM(self->display_form), picture->low, picture->high);
     app_form_suggest(APP_FORM(self->picture_form), "picture.range", picture->low, picture->high);
     app_numbers_set_colors(APP_NUMBERS(self->numbers), picture->display.palette, picture->low, picture->high,
@@ -207,6 +228,16 @@ static void add_difference(GString *text, const AppReading *reading)
                            gettext(app_moment_unit(reading->moment, reading->quantity)));
 }
 
+/* The channels and what they mean, as `luxel probe` tells them. */
+static void add_color(GString *text, const luxel_color *color)
+{
+    char *channels = app_color_channels(color), *place = app_color_place(color), *kelvin = app_color_temperature(color);
+    g_string_append_printf(text, "\t%s\t%s\t%s", channels, place, kelvin);
+    g_free(channels);
+    g_free(place);
+    g_free(kelvin);
+}
+
 static void add_value(GString *text, const AppReading *reading, gboolean is_short)
 {
     const luxel_value *value = &reading->value;
@@ -224,22 +255,33 @@ static void add_value(GString *text, const AppReading *reading, gboolean is_shor
                                gettext(app_moment_unit(reading->moment, reading->quantity)));
     else
         g_string_append(text, _("a source lies here"));
-    if (reading->has_pixel)
+    if (reading->color.exists)
+        add_color(text, &reading->color);
+    else if (reading->has_grey)
         g_string_append_printf(text, "\t%s %u", _("grey"), reading->grey);
 }
 
-/* The value, or at the difference how far apart both are; NaN: there is none. */
+/* The value as the picture shows it, or at the difference how far apart both are; NaN: there is none. */
 static double shown_value(const AppReading *reading)
 {
     const luxel_value *value = &reading->value, *minus = &reading->minus;
     if (!value->on_surface || !value->has_value)
         return (double)NAN;
     if (!reading->has_minus)
-        return value->value;
+        return app_color_number(&reading->color, value->value, reading->version.channel);
     return minus->on_surface && minus->has_value ? value->value - minus->value : (double)NAN;
 }
 
-enum { NORMAL = 2, COLUMNS = 5 }; /* of the line at the edge, before the sources' shares */
+/* Columns of the line at the edge, and which of them its kinds have: all of a grey scene, those where there is no room,
+ * and those in colour. */
+enum { PLACE, POINT, NORMAL, VALUE, GREY, CHANNELS, CHROMATICITY, TEMPERATURE, SHARES, COLUMNS };
+enum Kind { KIND_ALL, KIND_SHORT, KIND_COLOR };
+static const guint columns_of[APP_STATUS_KINDS] = {
+    [KIND_ALL] = 1 << PLACE | 1 << POINT | 1 << NORMAL | 1 << VALUE | 1 << GREY | 1 << SHARES,
+    [KIND_SHORT] = 1 << PLACE | 1 << POINT | 1 << VALUE | 1 << GREY | 1 << SHARES,
+    [KIND_COLOR] =
+        1 << PLACE | 1 << POINT | 1 << VALUE | 1 << CHANNELS | 1 << CHROMATICITY | 1 << TEMPERATURE | 1 << SHARES,
+};
 
 /* Readings stand in columns, as wide as the widest of each that is usual, so that no number moves another. */
 void app_window_set_columns(AppWindow *self)
@@ -248,26 +290,34 @@ void app_window_set_columns(AppWindow *self)
     char *value = g_strdup_printf("0.000000e-00 %s  ", gettext("W/(sr·m²)")); /* the widest of the units */
     char *grey = g_strdup_printf("%s 255   ", _("grey"));
     char *shares = g_strdup_printf("%s 1: 0.0000, 2: 0.0000", _("sources"));
-    const char *const widest[COLUMNS + 1] = {
-        place, "P (−000.000, −000.000, 0000.000)  ", "N (−0.000, −0.000, −0.000)  ", value, grey, shares};
+    char *kelvin = g_strdup_printf(_("%s K, Duv %s"), "00000", "−0.0000  ");
+    const char *const widest[COLUMNS] = {[PLACE] = place,
+                                         [POINT] = "P (−000.000, −000.000, 0000.000)  ",
+                                         [NORMAL] = "N (−0.000, −0.000, −0.000)  ",
+                                         [VALUE] = value,
+                                         [GREY] = grey,
+                                         [CHANNELS] = "R, G, B 0.000000, 0.000000, 0.000000  ",
+                                         [CHROMATICITY] = "x, y 0.00000, 0.00000  ",
+                                         [TEMPERATURE] = kelvin,
+                                         [SHARES] = shares};
     PangoLayout *layout = gtk_widget_create_pango_layout(self->status_label, NULL);
     int width;
-    for (int is_short = 0; is_short < 2; is_short++) {
-        PangoTabArray *tabs = pango_tab_array_new(COLUMNS - is_short, TRUE);
+    for (int kind = 0; kind < APP_STATUS_KINDS; kind++) {
+        PangoTabArray *tabs = pango_tab_array_new(0, TRUE);
         int end = 0, tab = 0;
-        for (int i = 0; i <= COLUMNS; i++) {
-            if (is_short && i == NORMAL)
+        for (int i = 0; i < COLUMNS; i++) {
+            if (!(columns_of[kind] >> i & 1))
                 continue;
             pango_layout_set_text(layout, widest[i], -1);
             pango_layout_get_pixel_size(layout, &width, NULL);
             end += width;
-            if (i < COLUMNS)
+            if (i < SHARES)
                 pango_tab_array_set_tab(tabs, tab++, PANGO_TAB_LEFT, end);
         }
-        self->status_tabs[is_short] = tabs;
-        if (!is_short)
-            self->status_width = end;
+        self->status_tabs[kind] = tabs;
+        self->status_widths[kind] = end;
     }
+    g_free(kelvin);
     g_object_unref(layout);
     g_free(shares);
     g_free(grey);
@@ -288,8 +338,13 @@ void app_window_show_reading(const AppReading *reading, gpointer owner)
     GString *text = g_string_new(NULL);
     const luxel_value *value = &reading->value;
     const gboolean pinned = self->picture && self->picture->side == APP_SIDE_PINNED;
-    /* The shares of several sources are worth more than the normal, which Why? tells. */
-    const gboolean is_short = reading->share_count > 1 && gtk_widget_get_width(self->status_label) < self->status_width;
+    /* The shares of several sources, and colours, are worth more than the normal, which Why? tells. */
+    const int width = gtk_widget_get_width(self->status_label);
+    const enum Kind kind = reading->color.exists                                               ? KIND_COLOR
+                           : reading->share_count > 1 && width < self->status_widths[KIND_ALL] ? KIND_SHORT
+                                                                                               : KIND_ALL;
+    const gboolean has_room = kind != KIND_COLOR || width >= self->status_widths[kind]; /* the list has them, too */
+    self->is_on_surface = value->on_surface;
     app_view_set_surface(self->view, value->on_surface ? (gssize)value->surface : -1);
     g_string_append_printf(text, "x %s  y %s %s%s", app_number_show(reading->x_mm, 5, n[0]),
                            app_number_show(reading->y_mm, 5, n[1]), _("mm"), pinned ? "   A:" : "");
@@ -298,20 +353,19 @@ void app_window_show_reading(const AppReading *reading, gpointer owner)
     else if (!value->on_surface)
         g_string_append_printf(text, "\t%s", _("off the surface"));
     else
-        add_value(text, reading, is_short);
+        add_value(text, reading, kind != KIND_ALL);
     char *markup = g_markup_escape_text(text->str, -1);
     g_string_assign(text, markup);
     g_free(markup);
-    if (!reading->has_minus && reading->share_count > 1 && value->on_surface && value->has_value) {
+    if (has_room && !reading->has_minus && reading->share_count > 1 && value->on_surface && value->has_value) {
         g_string_append_printf(text, "\t%s ", _("sources"));
         add_shares(text, reading);
     }
-    gtk_label_set_tabs(GTK_LABEL(self->status_label), self->status_tabs[is_short]);
+    gtk_label_set_tabs(GTK_LABEL(self->status_label), self->status_tabs[kind]);
     gtk_label_set_markup(GTK_LABEL(self->status_label), text->str);
     app_dial_set_needle(APP_DIAL(self->bar), shown_value(reading));
     app_sources_show_shares(APP_SOURCES(self->sources), reading);
-    app_stage_set_reading(APP_STAGE(self->stage), reading);
-    app_space_view_set_reading(APP_SPACE_VIEW(self->space_view), reading);
+    app_window_show_vectors(self, reading);
     if (value->on_surface && value->has_value)
         app_why_point(APP_WHY(self->why), app_window_shot(self), reading->x_mm, reading->y_mm);
     app_window_judge(self);

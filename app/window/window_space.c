@@ -25,7 +25,7 @@ static void pressed(AppSpaceView *view, double x_mm, double y_mm, AppWindow *sel
 {
     const double place_mm[2] = {x_mm, y_mm};
     (void)view;
-    app_window_pin_why(self, place_mm);
+    app_window_pin_why(self, place_mm, -1);
 }
 
 static void change_space(GSimpleAction *action, GVariant *state, gpointer data)
@@ -44,12 +44,23 @@ static void look_from_front(GSimpleAction *action, GVariant *argument, gpointer 
     app_space_view_front(space_of(data));
 }
 
+AppSight *app_window_sight(AppWindow *self, int i)
+{
+    return i == 0 ? app_stage_sight(APP_STAGE(self->stage)) : app_space_view_sight(space_of(self));
+}
+
+void app_window_show_vectors(AppWindow *self, const AppReading *reading)
+{
+    for (int i = 0; i < APP_SIGHTS; i++)
+        app_sight_set_reading(app_window_sight(self, i), reading);
+}
+
 /* Wherever the pointer is on a lamp, or -1 on none, it is lit up everywhere else. */
 void app_window_hover_light(AppWindow *self, gssize light)
 {
     app_sources_hover(APP_SOURCES(self->sources), light);
-    app_stage_hover(APP_STAGE(self->stage), light);
-    app_space_view_hover(APP_SPACE_VIEW(self->space_view), light);
+    for (int i = 0; i < APP_SIGHTS; i++)
+        app_sight_hover(app_window_sight(self, i), light);
 }
 
 static gboolean is_of_lamp(int kind)

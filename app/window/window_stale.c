@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /*
  * A document that cannot be computed.  The picture of before stays to be worked on, but it is dimmed, as are the
- * numbers, and over it stands that it is not of this scene, why, and what would mend it.
+ * numbers, and in the line at the edge stands that it is not of this scene, why, and what would mend it.
  */
 #include <string.h>
 
@@ -67,24 +67,21 @@ void app_window_set_stale(AppWindow *self, const luxel_diagnostics *faults)
     mark_faults(self, faults);
     if (faults) {
         char *fault = first_fault(faults), *text = g_strdup_printf(_("Not this scene: %s"), fault ? fault : "");
-        gtk_label_set_text(GTK_LABEL(self->stale_label), text);
+        app_window_set_message(self->stale_label, text);
         gtk_label_set_text(GTK_LABEL(self->status_label), "");
         luxel_text_free(fault);
         g_free(text);
         offer_repair(self, faults);
     } else {
         g_clear_pointer(&self->repair, g_ptr_array_unref);
-        /* what is no longer shown is not read out either */
-        gtk_label_set_text(GTK_LABEL(self->stale_label), "");
-        if (gtk_widget_get_focus_child(self->stale_box))
-            gtk_widget_grab_focus(GTK_WIDGET(self->view));
+        app_window_set_message(self->stale_label, ""); /* what is no longer shown is not read out either */
     }
-    gtk_widget_set_visible(self->stale_box, self->is_stale);
+    app_window_reveal_bar(self, self->stale_bar, self->is_stale);
 }
 
 void app_window_offer_turn(AppWindow *self, const AppPicture *picture)
 {
-    if (luxel_field_statistics(picture->shot->field)->maximum.exists)
+    if (luxel_field_statistics(app_shot_light(picture->shot))->maximum.exists)
         return;
     luxel_diagnostics *advice = luxel_diagnostics_new();
     AppRepair *repair = NULL;
@@ -97,14 +94,14 @@ void app_window_offer_turn(AppWindow *self, const AppPicture *picture)
         repair = app_repair_of_hint(hint ? hint : "");
         if (repair->len == 0)
             g_clear_pointer(&repair, g_ptr_array_unref);
-        gtk_label_set_text(GTK_LABEL(self->stale_label), text);
+        app_window_set_message(self->stale_label, text);
         luxel_text_free(text);
         luxel_text_free(hint);
     }
     luxel_diagnostics_free(advice);
     if (repair)
         show_repair(self, repair);
-    gtk_widget_set_visible(self->stale_box, repair != NULL);
+    app_window_reveal_bar(self, self->stale_bar, repair != NULL);
 }
 
 void app_window_make_repair(AppWindow *self)

@@ -50,8 +50,7 @@ void app_window_await_reading(AppWindow *self)
     g_free(text);
     app_dial_set_needle(APP_DIAL(self->bar), (double)NAN);
     app_sources_show_shares(APP_SOURCES(self->sources), NULL);
-    app_stage_set_reading(APP_STAGE(self->stage), NULL);
-    app_space_view_set_reading(APP_SPACE_VIEW(self->space_view), NULL);
+    app_window_show_vectors(self, NULL);
 }
 
 static gboolean grow_late(gpointer data);
@@ -66,8 +65,8 @@ static guint tell_parts(AppWindow *self)
     const gboolean is_dim = self->is_stale || (self->picture && !is_followed(self));
     app_why_set_version(APP_WHY(self->why), version.shot);
     app_view_set_stale(self->view, is_dim);
-    app_stage_set_stale(APP_STAGE(self->stage), is_dim);
-    app_space_view_set_stale(APP_SPACE_VIEW(self->space_view), is_dim);
+    for (int i = 0; i < APP_SIGHTS; i++)
+        app_sight_set_stale(app_window_sight(self, i), is_dim);
     app_set_stale(self->bar, is_dim);
     app_set_stale(self->status_label, self->pointer_inside && !app_version_equal(&self->reading, &version));
     return (is_latest(self) ? 0 : BEHIND_PICTURE) | (has_numbers && has_sources ? 0 : BEHIND_NUMBERS) |
@@ -107,8 +106,7 @@ void app_window_forget(AppWindow *self)
     app_view_forget(self->view);
     app_stage_set_moment(APP_STAGE(self->stage), NULL);
     app_space_view_set_picture(APP_SPACE_VIEW(self->space_view), NULL);
-    app_space_view_set_reading(APP_SPACE_VIEW(self->space_view), NULL);
-    app_stage_set_reading(APP_STAGE(self->stage), NULL);
+    app_window_show_vectors(self, NULL);
     app_dial_set_picture(APP_DIAL(self->bar), NULL);
     app_dial_set_needle(APP_DIAL(self->bar), (double)NAN);
     app_numbers_forget(APP_NUMBERS(self->numbers));

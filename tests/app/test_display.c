@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* Painting fields: every colour is the palette's at the value's place in the range, and nothing but numbers decides. */
+#include <luxel/colour.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -329,6 +330,55 @@ static void moves_ends(void **state)
     assert_true(app_range_move(&decades, FALSE, 3).low < decades.high);
 }
 
+/* In colour the picture has the levels of its file, and with another exposure channels by the curve of sRGB. */
+static void paints_colors(void **state)
+{
+    (void)state;
+    Painting painting = begin("warm-and-cold", NULL, NULL);
+    guint8 *levels = g_malloc(3 * painting.count);
+    const float *rgb = luxel_field_rgb_single(painting.field);
+    double ends[2], greatest = 0;
+    luxel_field_srgb(painting.field, levels);
+    paint(&painting);
+    for (gsize i = 0; i < painting.count; i++)
+        for (gsize c = 0; c < 3; c++) {
+            assert_int_equal(painting.pixels[4 * i + 2 - c], levels[3 * i + c]);
+            greatest = fmax(greatest, (double)rgb[3 * i + c]);
+        }
+    app_display_ends(&painting.display, painting.field, ends);
+    assert_true(ends[1] == greatest && painting.high == greatest);
+    painting.display.exposure = 1;
+    paint(&painting);
+    for (gsize i = 0; i < painting.count; i++) {
+        double color[3];
+        for (gsize c = 0; c < 3; c++)
+            color[c] = luxel_srgb_curve(CLAMP(2 * (double)rgb[3 * i + c] / greatest, 0, 1));
+        expect_color(painting.pixels + 4 * i, color,
+                     3); /* where the curve is steep, a step of the table is three levels */
+    }
+    g_free(levels);
+    finish(&painting);
+}
+
+/* Temperatures have the range from the least to the greatest; what is grey has no channels. */
+static void shows_channels(void **state)
+{
+    (void)state;
+    Painting painting = begin("warm-and-cold", NULL, NULL), grey = begin("sphere", NULL, NULL);
+    luxel_field *view = app_display_view(painting.field, APP_CHANNEL_CCT);
+    AppDisplay display = painting.display;
+    double low, high;
+    assert_null(app_display_view(painting.field, APP_CHANNEL_COLORS));
+    assert_null(app_display_view(grey.field, APP_CHANNEL_RED));
+    display.channel = APP_CHANNEL_CCT;
+    assert_false(app_display_is_plain(&display));
+    app_display_range(&display, view, &low, &high);
+    assert_true(fabs(low - 2700) < 1 && fabs(high - 6500) < 1);
+    luxel_field_free(view);
+    finish(&painting);
+    finish(&grey);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -344,6 +394,8 @@ int main(void)
         cmocka_unit_test(shows_differences_alike_both_ways),
         cmocka_unit_test(paints_either_precision),
         cmocka_unit_test(moves_ends),
+        cmocka_unit_test(paints_colors),
+        cmocka_unit_test(shows_channels),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

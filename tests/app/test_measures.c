@@ -3,6 +3,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "../../app/picture/color.h"
 #include "../../app/picture/measures.h"
 #include "scenes.h"
 
@@ -150,8 +151,10 @@ static void expect_points(const AppMeasures *measures, const AppShot *shot)
             assert_true(point->pixel_value == probe->pixel_value);
             assert_int_equal(point->column, probe->column);
             assert_int_equal(point->row, probe->row);
-            assert_int_equal(point->grey, grey[point->row * 100 + point->column]);
+            assert_int_equal(point->has_grey, luxel_field_channels(shot->field) == 1);
+            assert_int_equal(point->grey, point->has_grey ? grey[point->row * 100 + point->column] : 0);
         }
+        assert_memory_equal(&point->color, &probe->color, sizeof point->color);
         luxel_probe_free(probe);
     }
     g_free(grey);
@@ -445,6 +448,41 @@ static void reads_what_is_under_the_pointer(void **state)
     app_shot_unref(shot);
 }
 
+/* In colour the channels are those of luxel probe, and the mean that of the picture's pixels, whichever is shown. */
+static void reads_colors(void **state)
+{
+    (void)state;
+    AppShot *shot = small_shot("warm-and-cold", LUXEL_BRIGHTNESS), *red = app_shot_view(shot, APP_CHANNEL_RED);
+    const luxel_settings settings = settings_of(shot);
+    const float *rgb = luxel_field_rgb_single(shot->field);
+    luxel_chromaticity seen;
+    luxel_probe *probe;
+    assert_ptr_equal(red->whole, shot);
+    assert_ptr_equal(app_shot_light(red), shot->field);
+    assert_true(luxel_field_single(red->field)[1234] == rgb[3 * 1234]);
+    Desk *desk = open_desk();
+    app_pointer_ask(desk->pointer, red, NULL, -120, 10);
+    wait_until(has_reading, desk);
+    assert_int_equal(luxel_probe_screen(shot->moment->scene, &settings, -120, 10, NULL, &probe), LUXEL_OK);
+    assert_true(probe->color.exists && desk->reading.value.value == probe->value);
+    assert_memory_equal(&desk->reading.color, &probe->color, sizeof probe->color);
+    assert_false(desk->reading.has_grey);
+    luxel_find_chromaticity(probe->color.rgb, &seen);
+    assert_true(app_color_number(&probe->color, probe->value, APP_CHANNEL_COLORS) == probe->value);
+    assert_true(app_color_number(&probe->color, probe->value, APP_CHANNEL_BLUE) == probe->color.rgb[2]);
+    assert_true(app_color_number(&probe->color, probe->value, APP_CHANNEL_CCT) == seen.cct_k);
+    luxel_probe_free(probe);
+    const luxel_color mean = app_color_mean(shot->field);
+    double sum = 0;
+    for (gsize i = 0; i < 100 * 80; i++)
+        sum += (double)rgb[3 * i + 2];
+    assert_true(mean.exists && fabs(mean.rgb[2] - sum / (100 * 80)) <= 1e-9 * sum);
+    assert_false(app_color_mean(red->field).exists);
+    close_desk(desk);
+    app_shot_unref(red);
+    app_shot_unref(shot);
+}
+
 static void finds_pixels(void **state)
 {
     (void)state;
@@ -499,6 +537,7 @@ int main(void)
         cmocka_unit_test(answers_the_newest_question),
         cmocka_unit_test(finds_the_balance),
         cmocka_unit_test(reads_what_is_under_the_pointer),
+        cmocka_unit_test(reads_colors),
         cmocka_unit_test(finds_pixels),
         cmocka_unit_test(stops_while_measuring),
     };

@@ -239,6 +239,9 @@ static void shows_with_the_mark(void **state)
     assert_string_equal(shown, "N = (P − C) / R = (0,2; −0,06666667; 3), lights[0].axis = 1,5, 2,5; v. 2 (see 3; 4)");
     g_free(shown);
     assert_string_equal(app_number_show(2.5, 4, number), "2,5");
+    assert_string_equal(app_number_show(13361.7, 4, number), "13360");
+    assert_string_equal(app_number_show(-99.96, 2, number), "-100");
+    assert_string_equal(app_number_show(1.5e7, 4, number), "1,5e+07");
     assert_string_equal(app_number_show_all(1e-7, number), "1e-07");
     assert_string_equal(app_number_place(-12.25, 500, number), "-12,25");
     assert_string_equal(app_amount_write(208.3341, 0.0853, amount), "208,334 \u00b1 0,086");

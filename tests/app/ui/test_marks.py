@@ -5,6 +5,7 @@ import re
 from desk import luxel, trial
 from waiting import wait
 
+NEAR = 24  # levels, within which a dot at an edge has the colour
 SHARE = re.compile(r"Share (\S+), (\S+) %")
 MARK = 40  # dots that a mark and its ring are wide at the most
 
@@ -113,10 +114,11 @@ def shares(tap, desk):
     def dots(color):
         area = [round(number) for number in (left + list_area[0], top + list_area[1], list_area[2], list_area[3])]
         data = desk.screen(*area)
-        return sum(1 for i in range(0, len(data), 3) if tuple(data[i:i + 3]) == color)
+        return sum(1 for i in range(0, len(data), 3)
+                   if all(abs(data[i + k] - color[k]) <= NEAR for k in range(3)))
 
     for color in ((201, 130, 24), (16, 156, 229)):
-        tap.ok(wait("its colour", lambda: dots(color) > 15), "the list has a badge in the colour of the curve", color)
+        tap.ok(wait("its colour", lambda: dots(color) > 40), "the list has a badge in the colour of the curve", color)
     tap.equal(window.widget.find("list").names(None, "Share"), ["Share", "Share"],
               "without a pointer there is no share")
     window.pointed(*window.pixel(0, 0))

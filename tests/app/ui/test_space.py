@@ -28,7 +28,7 @@ def dots_of(desk, window, is_such):
 
 
 FIRST = (201, 130, 24)  # the colour of the first lamp
-BADGE = 18  # dots, of its height; its plumb line hangs below
+BADGE = 12  # dots, more than its colour is high, and less than its plumb line hangs below it
 
 
 def badge(desk, window):
@@ -80,11 +80,11 @@ def turns(tap, desk):
     desk.drag(corner, (corner[0] + 80, corner[1]))
     turned = wait("another view", lambda: next((at for at in [resting(desk, window)] if at and at != lamp), None))
     tap.ok(abs(turned[0] - lamp[0]) > 10, "a drag on nothing turns the view", (lamp, turned))
-    desk.drag(corner, (corner[0] + 50, corner[1] + 20), button=3)
+    desk.drag(turned, (turned[0] + 50, turned[1] + 20), button=3)
     panned = wait("a view that moved",
                   lambda: next((at for at in [resting(desk, window)] if at and at != turned), None))
-    tap.ok(abs(panned[0] - turned[0] - 50) < 8 and abs(panned[1] - turned[1] - 20) < 8,
-           "the right button moves it with the hand", (turned, panned))
+    tap.ok(abs(panned[0] - turned[0] - 50) < 3 and abs(panned[1] - turned[1] - 20) < 3,
+           "the right button moves what it presses with the hand", (turned, panned))
     desk.click(x + width / 2, y + height / 2, 4, 3)
     zoomed = wait("a larger view", lambda: next((at for at in [resting(desk, window)] if at != panned), None))
     desk.key("f")
@@ -120,4 +120,23 @@ def points(tap, desk):
     tap.ok(True, "the list tells E at the place where Why? is kept")
 
 
-trial(lamps, turns, values, points)
+def clicks(tap, desk):
+    """Why? at a double click, and at a point, with which it goes."""
+    window = desk.start().window()
+    at = window.pixel(40, 40)
+    desk.click(*at, count=2)
+    tap.ok(wait("the card", lambda: window.says("x = ", "y = ")), "a double click asks why")
+    tap.ok(wait("the place", lambda: re.match(r"x = 40(\.|,)?|x = (39|40)\.", window.says("x = ", "y = "))),
+           "at the place that is clicked", window.says("x = ", "y = "))
+    desk.key("Escape")
+    wait("no card", lambda: not window.says("x = ", "y = "))
+    tap.equal(window.state("why"), False, "Esc closes the card")
+    desk.key("alt+2")
+    tap.ok(wait("P2", lambda: window.says("P2  x = 150, y = 0")), "the card has the name of its point")
+    desk.drag(window.pixel(150, 0), window.pixel(120, 30))
+    moved = wait("another place", lambda: next((text for text in [window.says("P2  x = ")]
+                                                if text and "x = 150" not in text), None))
+    tap.ok(moved, "and goes where that is moved", moved)
+
+
+trial(lamps, turns, values, points, clicks)

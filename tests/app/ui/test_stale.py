@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""A scene that cannot be computed: the old picture is dimmed, a banner over it says so and offers what mends it."""
+"""A scene that cannot be computed: the old picture is dimmed, the line below it says so and offers what mends it."""
 from desk import trial
 from waiting import wait
 
@@ -23,6 +23,7 @@ def observer_too_low(tap, desk):
     window.act("new", "report")
     x, y = window.pixel(100, 60)
     desk.move(x, window.picture_area()[1] + window.picture_area()[3] + 20)
+    before_area = window.picture_area()
     before, bright = window.save(), wait("a bright place", lambda: desk.color(x, y)[0])
     slider = window.control("spin button", "Centre, z")
     slider.value = 2620
@@ -33,8 +34,8 @@ def observer_too_low(tap, desk):
     left, top, width, height = window.picture_area()
     area = window.control("label", said).area()
     edges = window.edges()
-    tap.ok(left <= edges[0] + area[0] and edges[0] + area[0] + area[2] <= left + width and
-           top <= edges[1] + area[1] <= top + height, "it stands over the picture", area, (left, top, width, height))
+    tap.ok(edges[1] + area[1] > top + height and window.picture_area() == (left, top, width, height) == before_area,
+           "it stands in the line below the picture, which stays where it was", area, before_area)
     desk.key("Escape")
     window.act("zoom-in")
     window.act("fit")
@@ -58,7 +59,7 @@ def observer_too_low(tap, desk):
 
 
 def a_back(tap, desk):
-    """A plate that shows its back leaves nothing to be seen: a banner says so, and one click turns it."""
+    """A plate that shows its back leaves nothing to be seen: the line below says so, and one click turns it."""
     path = desk.path("back.yaml")
     with open(path, "w") as file:
         file.write(BACK)
@@ -154,8 +155,9 @@ def bars(tap, desk):
     before = wait("the panel to rest", lambda: label.area()[1])
     top = window.edges()[1]
     area = next(part for part in window.widget.all("label") if "nowhere.yaml" in part.name).area()
-    picture = window.picture_area()
-    desk.click(picture[0] + picture[2] - 24, top + area[1] + area[3] / 2)  # its x, over the picture
+    left, whole = window.edges()[0], window.widget.area()
+    close = next(part for part in window.edge_buttons() if part.area()[2] > 0)  # the bar's own
+    desk.click(left + close.area()[0] + close.area()[2] / 2, top + area[1] + area[3] / 2)
     wait("the bar to go", lambda: not window.says("nowhere.yaml"))
     desk.hand("sleep", "0.5")
     tap.ok(abs(label.area()[1] - before) < 70, "the form is not scrolled", before, label.area()[1])

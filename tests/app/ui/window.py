@@ -146,6 +146,10 @@ class Window:
         """The labels of the line at the lower edge."""
         return self.widget.children()[0].children()[-1].all("label")
 
+    def edge_buttons(self):
+        """The buttons in it."""
+        return self.widget.children()[0].children()[-1].all("button")
+
     def place_said(self):
         """The place under the pointer, in millimetres, as that line says it; None where it says none."""
         return next((tuple(float(number.replace(",", ".")) for number in match.groups())
