@@ -64,7 +64,7 @@ const LATEST = 1000; // milliseconds after which the second part is fetched, whe
 
 // Whose turn is next: what changes the scene, then the number under the pointer, the picture, and all else.
 const TURNS: Partial<Record<keyof Questions, number>> = {
-    probe: 1, render: 2, stageProbe: 2, stage: 3, parameters: 3, isophotes: 3, explain: 3, line: 3, lit: 3, values: 4,
+    probe: 1, render: 2, stageProbe: 2, stage: 3, isophotes: 3, explain: 3, line: 3, lit: 3, values: 4,
     file: 5, summary: 5, extrema: 5, balance: 6, grids: 6,
 };
 

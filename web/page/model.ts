@@ -402,7 +402,6 @@ export class Model {
         this.files = files;
         this.stale = !facts;
         if (facts) {
-            if (!this.picture) void this.render(); // nothing is seen yet: so it goes before numbers
             this.tell('geometry');
             void this.render();
         }

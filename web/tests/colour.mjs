@@ -21,6 +21,10 @@ async function showsColours(page, tool) {
     const card = await page.locator('.colour-card').textContent();
     const [probe] = told(tool, 'probe', SCENE, '-p', POINT.join()).points;
     check(card.includes(`${Math.round(probe.cct)} K`) && card.includes('nearest black body'), card);
+    await page.getByLabel('Language').selectOption('ru');
+    await page.locator('.colour-card', { hasText: /x, y 0,\d{4}; 0,\d{4};.*Duv −?0,\d{4} / }).waitFor();
+    await page.getByLabel('Язык').selectOption('en');
+    await page.locator('.colour-card', { hasText: 'nearest black body' }).waitFor();
     await shot(page, 'colour');
     await look(page, 'space');
     await shot(page, 'colour-space');

@@ -31,16 +31,20 @@ function timeOf(process) {
     return times;
 }
 
-/** The process of the page: that which works when it does. */
+/** The process of the page: that which works when it does, and far more than any other. */
 async function processOf(browser, page) {
     const session = await browser.newBrowserCDPSession();
     const all = async () => (await session.send('SystemInfo.getProcessInfo')).processInfo.filter(({ type }) => type === 'renderer');
-    const before = new Map((await all()).map(({ id, cpuTime }) => [id, cpuTime]));
-    await page.evaluate(() => {
-        for (const end = performance.now() + 300; performance.now() < end; );
-    });
-    const grown = (await all()).map(({ id, cpuTime }) => [id, cpuTime - (before.get(id) ?? 0)]);
-    return grown.sort(([, a], [, b]) => b - a)[0][0];
+    for (let i = 0; i < 30; i++) {
+        const before = new Map((await all()).map(({ id, cpuTime }) => [id, cpuTime]));
+        await page.evaluate(() => {
+            for (const end = performance.now() + 300; performance.now() < end; );
+        });
+        const grown = (await all()).map(({ id, cpuTime }) => [id, cpuTime - (before.get(id) ?? 0)]);
+        const [[id, most], other] = grown.sort(([, a], [, b]) => b - a);
+        if (most > 0.05 && most > 3 * (other?.[1] ?? 0)) return id;
+    }
+    throw new Error('the process of the page is not to be told from others');
 }
 
 /** What a frame and a picture cost while a lamp is dragged, or, with Shift, the view is turned. */
@@ -78,8 +82,9 @@ async function dragged(page, process, isTurning = false) {
     if (isTurning) await page.keyboard.up('Shift');
     const { frames, pictures } = await page.evaluate(() => window.counted);
     const spent = (name) => (after[name] ?? 0) - (before[name] ?? 0);
-    const frame = spent('main') / Math.max(frames, 1);
-    return { frame, picture: frame + Math.max(0, spent('DedicatedWorker')) / Math.max(pictures, 1), pictures };
+    check(frames > 0 && spent('main') > 0, `${frames} frames took ${spent('main')} ms`);
+    const frame = spent('main') / frames;
+    return { frame, picture: frame + spent('DedicatedWorker') / Math.max(pictures, 1), pictures };
 }
 
 /** A frame while the camera goes around a scene. */
@@ -108,6 +113,7 @@ async function isQuick(browser, page) {
         for (let i = 0; i < TRIES && !(best.frame <= MOST_OF_FRAME && best.picture <= MOST_OF_PICTURE); i++) {
             await page.waitForTimeout(400);
             const found = await dragged(page, process);
+            check(found.pictures > 0 && found.picture > found.frame, `${found.pictures} pictures of ${scene}, ${found.picture} ms`);
             if (found.picture < best.picture) best = found;
         }
         told.push(`${scene} ${best.frame.toFixed(0)} + ${(best.picture - best.frame).toFixed(0)}`);
