@@ -49,9 +49,9 @@ async function processOf(browser, page) {
 
 /** What a frame and a picture cost while a lamp is dragged, or, with Shift, the view is turned. */
 async function dragged(page, process, isTurning = false) {
-    const [x, y] = await inside(
+    const [x, y, isLamp] = await inside(
         page,
-        "(() => { const thing = ['light', 'direction', 'aim'].map((kind) => model.things.find((each) => each.kind === kind)).find(Boolean); return thing ? (thing.kind === 'light' ? space.markPlace(thing) : space.seen(thing.at)) : [200, 120]; })()",
+        "(() => { const thing = ['light', 'direction', 'aim'].map((kind) => model.things.find((each) => each.kind === kind)).find(Boolean); return thing ? [...(thing.kind === 'light' ? space.markPlace(thing) : space.seen(thing.at)), true] : [200, 120, false]; })()",
     );
     const box = await boxOf(page.locator('canvas.space'));
     const move = (i) => page.mouse.move(box.x + x + 8 + 1.5 * Math.min(i, STEPS - i), box.y + y + 8);
@@ -82,9 +82,11 @@ async function dragged(page, process, isTurning = false) {
     if (isTurning) await page.keyboard.up('Shift');
     const { frames, pictures } = await page.evaluate(() => window.counted);
     const spent = (name) => (after[name] ?? 0) - (before[name] ?? 0);
-    check(frames > 0 && spent('main') > 0, `${frames} frames took ${spent('main')} ms`);
+    // Where nothing was drawn, or a worker has ended and taken its time with it, nothing was measured.
+    const isMeasured = frames > 0 && spent('main') > 0 && spent('DedicatedWorker') > 0 && (pictures > 0 || !isLamp || isTurning);
+    if (!isMeasured) return { frame: Infinity, picture: Infinity };
     const frame = spent('main') / frames;
-    return { frame, picture: frame + spent('DedicatedWorker') / Math.max(pictures, 1), pictures };
+    return { frame, picture: frame + spent('DedicatedWorker') / Math.max(pictures, 1) };
 }
 
 /** A frame while the camera goes around a scene. */
@@ -113,7 +115,6 @@ async function isQuick(browser, page) {
         for (let i = 0; i < TRIES && !(best.frame <= MOST_OF_FRAME && best.picture <= MOST_OF_PICTURE); i++) {
             await page.waitForTimeout(400);
             const found = await dragged(page, process);
-            check(found.pictures > 0 && found.picture > found.frame, `${found.pictures} pictures of ${scene}, ${found.picture} ms`);
             if (found.picture < best.picture) best = found;
         }
         told.push(`${scene} ${best.frame.toFixed(0)} + ${(best.picture - best.frame).toFixed(0)}`);
