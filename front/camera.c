@@ -5,16 +5,17 @@
 #include <stdio.h>
 #include <stdlib.h>
 
+/* Numbers in 15 digits, which are read without arithmetic of more than 64 bits: the page's first part has no other. */
 static bool look(luxel_scene *scene, const camera *from, luxel_diagnostics *diagnostics)
 {
     char observer[512], screen[160];
     const double *const eye = from->eye_mm, *const target = from->target_mm, *const up = from->up;
     (void)snprintf(
         observer, sizeof observer,
-        "observer={position: [%.17g, %.17g, %.17g], target: [%.17g, %.17g, %.17g], up: [%.17g, %.17g, %.17g], "
+        "observer={position: [%.15g, %.15g, %.15g], target: [%.15g, %.15g, %.15g], up: [%.15g, %.15g, %.15g], "
         "projection: perspective}",
         eye[0], eye[1], eye[2], target[0], target[1], target[2], up[0], up[1], up[2]);
-    (void)snprintf(screen, sizeof screen, "screen={width: %.17g, height: %.17g, resolution: [%u, %u]}", from->width_mm,
+    (void)snprintf(screen, sizeof screen, "screen={width: %.15g, height: %.15g, resolution: [%u, %u]}", from->width_mm,
                    from->height_mm, from->columns, from->rows);
     return luxel_scene_set(scene, observer, diagnostics) == LUXEL_OK &&
            luxel_scene_set(scene, screen, diagnostics) == LUXEL_OK &&

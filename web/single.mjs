@@ -18,6 +18,7 @@ const html = read('index.html')
     .replace("script-src 'self'", () => `script-src 'sha256-${hash}'`)
     .replace("style-src 'self'", () => `style-src 'sha256-${styleHash}'`)
     .replace(/<link rel="stylesheet"[^>]*>/, () => `<style>${style}</style>`)
+    .replaceAll(/\s*<link rel="preload"[^>]*>/g, '')
     .replace(/<script type="module"[^>]*><\/script>/, '')
     .replace('</body>', () =>
         [

@@ -46,10 +46,16 @@ const element = {
     },
 };
 
+// What the script asks for first comes with it rather than after it.
+const early = (name) => `<link rel="preload" as="fetch" crossorigin href="./${name}" />`;
+
 const core = {
     name: 'luxel-core',
     transformIndexHtml: (html) =>
-        html.replace('<!-- licences -->', licences).replace('content="card.png"', `content="${address}card.png"`),
+        html
+            .replace('<!-- licences -->', licences)
+            .replace('content="card.png"', `content="${address}card.png"`)
+            .replace('</title>', () => ['</title>', ...['luxel-core.wasm', 'worker.js'].map(early)].join('\n    ')),
     generateBundle() {
         const take = (fileName) =>
             this.emitFile({ type: 'asset', fileName, source: fs.readFileSync(path.join(folder, fileName)) });

@@ -126,8 +126,10 @@ static luxel_status set(luxel_scene *scene, const char *assignment, luxel_diagno
 /* Where an assignment names all elements of a list; NULL: nowhere. */
 static const char *find_all(const char *assignment)
 {
-    const char *all = strstr(assignment, "[*]"), *equals = strchr(assignment, '=');
-    return all && equals && all < equals ? all : NULL;
+    for (const char *at = assignment; *at && *at != '='; at++)
+        if (strncmp(at, "[*]", 3) == 0)
+            return strchr(at, '=') ? at : NULL;
+    return NULL;
 }
 
 /* How many elements the list before `all` has; what is wrong with it is reported at the assignment. */

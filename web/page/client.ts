@@ -19,8 +19,13 @@ async function fetched(name: string | URL, options: RequestInit = {}): Promise<R
     return response;
 }
 
+/** A part of the core, compiled while it comes where the server says what it is. */
 async function compiled(id: string, name: string, options: RequestInit = {}): Promise<WebAssembly.Module> {
-    return WebAssembly.compile(embedded(id) ?? (await (await fetched(name, options)).arrayBuffer()));
+    const own = embedded(id);
+    if (own) return WebAssembly.compile(own);
+    const response = await fetched(name, options);
+    const isTyped = response.headers.get('content-type') === 'application/wasm';
+    return isTyped ? WebAssembly.compileStreaming(response) : WebAssembly.compile(await response.arrayBuffer());
 }
 
 /** The smallest module with an operation on vectors. */
@@ -55,6 +60,7 @@ const LONG: (keyof Questions)[] = [
     'render', 'stage', 'probe', 'lit', 'values', 'extrema', 'grids', 'explain', 'balance', 'summary', 'isophotes', 'file',
 ];
 const PATIENCE = 1500; // milliseconds that something urgent waits for them
+const LATEST = 1000; // milliseconds after which the second part is fetched, whether there is a picture or not
 
 // Whose turn is next: what changes the scene, then the number under the pointer, the picture, and all else.
 const TURNS: Partial<Record<keyof Questions, number>> = {
@@ -104,16 +110,25 @@ export class Client {
     }
 
     async start(language: string) {
-        this.module = await compiled('embedded-core', 'luxel-core.wasm');
-        const text =
+        const worker = async () =>
             embedded('embedded-worker') ??
             (await (await fetched(new URL(workerAddress, import.meta.url))).arrayBuffer());
+        const core = compiled('embedded-core', 'luxel-core.wasm');
+        const [module, text, words] = await Promise.all([core, worker(), this.wordsOf(language)]);
+        [this.module, this.words] = [module, words];
         this.source = URL.createObjectURL(new Blob([text], { type: 'text/javascript' }));
-        this.words = await this.wordsOf(language);
-        const builtins = await this.restart();
-        void this.complete().then(() => this.wordsOf('ru').catch(() => undefined)); // so that they are there offline, too
-        return builtins;
+        setTimeout(this.fetchRest, LATEST);
+        return this.restart();
     }
+
+    private isFetching = false;
+
+    // The second part, and then all words, so that they are there offline, too: once, when it is needed or a picture has come.
+    private readonly fetchRest = () => {
+        if (this.isFetching || this.isTwin) return;
+        this.isFetching = true;
+        void this.complete().then(() => this.wordsOf('ru').catch(() => undefined));
+    };
 
     /** Gets the core's second part; where that fails, it can be tried again. */
     async complete(options: RequestInit = {}) {
@@ -241,10 +256,12 @@ export class Client {
         if (!asked || asked.id !== id) return;
         if (isWaiting) {
             this.isStuck = true;
+            this.fetchRest();
             this.onLoading('awaited');
         } else if (progress !== undefined) this.onProgress(asked.name, progress);
         else {
             this.present = null;
+            if (asked.name === 'render') this.fetchRest();
             if (failure === undefined) asked.resolve(answer);
             else if (isOutdated) asked.reject(new Outdated(failure));
             else {

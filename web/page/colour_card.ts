@@ -7,17 +7,17 @@ import { h } from './dom';
 import type { Model } from './model';
 import { swatch } from './srgb';
 import type { Of, Version } from './version';
-import { bound, exactly, number, t } from './words';
+import { currentLanguage, fixed, bound, exactly, number, t } from './words';
 
 const SHOWN = 4; // digits behind the point of x, y and Duv
 
 /** What channels mean, in one line. */
 function meaning({ xy, cct, duv }: Colour): string {
     if (!xy) return '';
-    const place = `x, y ${xy.map((part) => part.toFixed(SHOWN)).join(', ')}`;
+    const place = `x, y ${xy.map((part) => fixed(part, SHOWN)).join(currentLanguage() === 'ru' ? '; ' : ', ')}`;
     return cct === null
         ? `${place}; ${t('no colour temperature')}`
-        : `${place}; ${Math.round(cct)} ${t('K')}, Duv ${(Math.abs(duv!) < 0.5 / 10 ** SHOWN ? 0 : duv!).toFixed(SHOWN)} (${t('nearest black body in u, v')})`;
+        : `${place}; ${Math.round(cct)} ${t('K')}, Duv ${fixed(duv!, SHOWN)} (${t('nearest black body in u, v')})`;
 }
 
 export class ColourCard {

@@ -224,10 +224,16 @@ export class Form {
     }
 
     showMessages() {
+        // A row of several keys, as a lamp's colour, tells what is wrong with any of them.
+        const told = new Map<HTMLElement, { row: HTMLElement; text: string; isWrong: boolean }>();
         for (const { path, row, note, trouble } of this.fields) {
             const message = this.model.messages.find(({ key }) => key === path);
-            note.textContent = trouble || (message?.message ?? '');
-            row.classList.toggle('wrong', !!trouble || !!message?.error);
+            const text = told.get(note)?.text || trouble || (message?.message ?? '');
+            told.set(note, { row, text, isWrong: told.get(note)?.isWrong || !!trouble || !!message?.error });
+        }
+        for (const [note, { row, text, isWrong }] of told) {
+            note.textContent = text;
+            row.classList.toggle('wrong', isWrong);
         }
     }
 

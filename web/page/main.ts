@@ -116,14 +116,16 @@ class Page {
             this.fail(NO_VECTORS);
             return;
         }
+        const started = this.model.client.start(currentLanguage());
+        this.offer([]);
+        this.listen();
+        this.build(); // while the core is on its way
         try {
-            this.offer(await this.model.client.start(currentLanguage()));
+            this.offer(await started);
         } catch (error) {
             this.fail('Luxel could not be loaded.', String(error));
             return;
         }
-        this.listen();
-        this.build();
         await this.openFirst();
         this.hintFirst();
         this.embedding.begin();
@@ -577,7 +579,7 @@ class Page {
     // The address of the page is a link to what it shows, as soon as the hand rests.
     private keepAddress() {
         clearTimeout(this.linkTimer);
-        if (this.embedding.view !== 'all' || this.task.data) return;
+        if (!this.hasBegun || this.embedding.view !== 'all' || this.task.data) return;
         this.linkTimer = window.setTimeout(async () => {
             history.replaceState(null, '', (await packed(this.model.text)) + this.looks.told());
             keep(this.model);

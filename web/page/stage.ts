@@ -39,6 +39,7 @@ const STEPS = [30, 250, 1200, 6000]; // milliseconds that pictures of a view may
 const REST = 140; // milliseconds without a change after which the hand rests
 const PATIENT = 200; // milliseconds that a picture of a view that is gone may still take
 const MOST_PIXELS = 2.2e6;
+const GRAINS = 1e9; // of a mm: what is less of a camera's numbers is rounding, and takes long to be read
 const PER_PIXEL = 1.5e-4; // milliseconds, of a scene of which nothing is known yet
 const LATE = 250; // milliseconds after which what is shown is of a view that is gone
 
@@ -58,7 +59,8 @@ export function cameraOf(view: View, stride: number): { camera: number[]; column
     const columns = even(view.width / stride);
     const pixel = view.width / view.factor / columns;
     const rows = even(view.height / view.factor / pixel);
-    return { camera: [...view.eye, ...view.target, ...view.up, columns * pixel, rows * pixel], columns, rows };
+    const numbers = [...view.eye, ...view.target, ...view.up, columns * pixel, rows * pixel];
+    return { camera: numbers.map((each) => Math.round(each * GRAINS) / GRAINS), columns, rows };
 }
 
 /**

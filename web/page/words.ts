@@ -293,7 +293,16 @@ export function number(value: number | null | undefined, digits = 5): string {
     if (value === 0) return '0';
     const size = Math.abs(value);
     const rounded = Number(value.toPrecision(digits));
-    const text = size >= 1e7 || size < 1e-4 ? rounded.toExponential() : String(rounded);
+    return signed(size >= 1e7 || size < 1e-4 ? rounded.toExponential() : String(rounded));
+}
+
+/** A number with so many digits behind the decimal sign of the language. */
+export function fixed(value: number, digits: number): string {
+    return signed((Math.abs(value) < 0.5 / 10 ** digits ? 0 : value).toFixed(digits));
+}
+
+// The decimal sign of the language, and a minus rather than a hyphen.
+function signed(text: string): string {
     return (language === 'ru' ? text.replace('.', ',') : text).replace('-', '−');
 }
 

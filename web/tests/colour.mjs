@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Scenes in colour on the page: it shows their colours, and gives lamps and materials some.
 import { POINT, told } from './colour_numbers.mjs';
-import { inside, look, opened, openScene, openText, shot, until } from './hands.mjs';
+import { inside, look, opened, openScene, openText, shot, tab, until } from './hands.mjs';
 import { check, test } from './tap.mjs';
 
 const SCENE = 'warm-and-cold';
@@ -21,19 +21,25 @@ async function showsColours(page, tool) {
     const card = await page.locator('.colour-card').textContent();
     const [probe] = told(tool, 'probe', SCENE, '-p', POINT.join()).points;
     check(card.includes(`${Math.round(probe.cct)} K`) && card.includes('nearest black body'), card);
+    await page.getByLabel('Language').selectOption('ru');
+    await page.locator('.colour-card', { hasText: /x, y 0,\d{4}; 0,\d{4};.*Duv −?0,\d{4} / }).waitFor();
+    await page.getByLabel('Язык').selectOption('en');
+    await page.locator('.colour-card', { hasText: 'nearest black body' }).waitFor();
     await shot(page, 'colour');
     await look(page, 'space');
     await shot(page, 'colour-space');
-    await page.getByLabel('Channel').selectOption('cct');
+    await tab(page, 'View');
+    await page.getByLabel('Channel', { exact: true }).selectOption('cct');
     await until(page, `model.isSettled && model.picture.of.view === 'cct' && model.picture.facts.unit === 'K'`);
     check(await inside(page, 'model.picture.facts.maximum.value > 2600 && !model.picture.rgb'), 'no temperatures');
-    await page.getByLabel('Channel').selectOption('luminance');
+    await page.getByLabel('Channel', { exact: true }).selectOption('luminance');
     await until(page, `model.isSettled && !!model.picture.rgb`);
+    await tab(page, 'Light');
 }
 
 async function setsColours(page) {
     await openScene(page, 'sphere');
-    check(await page.getByLabel('Channel').isHidden(), 'a grey scene has a channel to choose');
+    check(await page.getByLabel('Channel', { exact: true }).isHidden(), 'a grey scene has a channel to choose');
     const lamp = page.locator('[data-tab=light] .lamp-colour').first();
     await lamp.locator('select').selectOption('temperature');
     await until(page, `model.isSettled && model.text.includes('temperature: 3000') && model.text.includes('channels: rgb')`);

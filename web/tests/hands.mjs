@@ -5,7 +5,7 @@ import path from 'node:path';
 import { chromium } from 'playwright-core';
 
 const CHROMIUM = process.env.LUXEL_CHROMIUM ?? '/usr/bin/chromium';
-const PATIENCE = Number(process.env.LUXEL_PATIENCE ?? 60000); // milliseconds that a busy machine may need
+export const PATIENCE = Number(process.env.LUXEL_PATIENCE ?? 60000); // milliseconds that a busy machine may need
 const SHOTS = process.env.LUXEL_SCREENSHOTS; // a folder for pictures of the page, to be looked at
 
 export function started() {

@@ -5,7 +5,7 @@ import { execFileSync } from 'node:child_process';
 import fs from 'node:fs';
 import os from 'node:os';
 import path from 'node:path';
-import { boxOf, dragBy, inside, look, opened, openScene, shot, tab, until } from './hands.mjs';
+import { boxOf, dragBy, inside, look, opened, openScene, PATIENCE, shot, tab, until } from './hands.mjs';
 import { check, equal, test } from './tap.mjs';
 
 const file = (name, content) => ({ name, mimeType: 'application/octet-stream', buffer: Buffer.from(content) });
@@ -266,7 +266,7 @@ export const COURSE = `<!doctype html><html lang="ru"><meta charset="utf-8"><tit
 async function embeds(browser, url) {
     const context = await browser.newContext({ viewport: { width: 1000, height: 1600 } });
     const page = await context.newPage();
-    page.setDefaultTimeout(20000);
+    page.setDefaultTimeout(PATIENCE);
     await page.goto(url.replace('index.html', 'course.html'));
     const whole = (frame) =>
         frame.waitForFunction(

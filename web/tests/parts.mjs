@@ -62,15 +62,27 @@ async function beginsAlone({ first, second, Core }) {
     }
 }
 
-async function refusesWhatIsMissing({ first, second, Core, PartMissing }) {
-    const alone = await Core.start(first);
-    let thrown = null;
-    try {
-        alone.open(MESH);
-    } catch (error) {
-        thrown = error;
+/** Scenes that each name one of the files that the core brings, whose bytes come with the second part. */
+const NAMING_FILES = ['knot.ply', 'pot.ply', 'office-lamp.ies'].map((name) =>
+    name.endsWith('.ply')
+        ? MESH.replace('builtin:pot.ply', `builtin:${name}`).replace(/lights: .*/, 'lights: [{type: ambient, irradiance: 1}]')
+        : MESH.replace(/surfaces: .*/, 'surfaces: [{type: sphere, center: [0, 0, 300], radius: 250}]'),
+);
+
+async function refusesWhatIsMissing({ first, second, Core, PartMissing }, folder) {
+    for (const text of [MESH, ...NAMING_FILES]) {
+        const alone = await Core.start(first);
+        let thrown = null;
+        try {
+            alone.open(text);
+        } catch (error) {
+            thrown = error;
+        }
+        check(thrown instanceof PartMissing, `instead of a refusal: ${thrown}, ${JSON.stringify(alone.messages())}`);
     }
-    check(thrown instanceof PartMissing, `instead of a refusal: ${thrown}`);
+    const pot = fs.readFileSync(new URL('../../data/files/pot.ply', import.meta.url)).subarray(-500);
+    const holds = PARTS.map((name) => fs.readFileSync(path.join(folder, name)).includes(pot));
+    equal(holds, [false, true], 'whether the parts hold a mesh');
     // A core that was not given up takes the second part while it lives.
     const late = await Core.start(first);
     check(late.open(late.builtins()[0].text) && late.render(1), 'the first part alone');
@@ -79,6 +91,7 @@ async function refusesWhatIsMissing({ first, second, Core, PartMissing }) {
     const whole = await Core.start(first, second);
     check(whole.open(MESH) && whole.render(1), JSON.stringify(whole.messages()));
     equal(late.probe(20, 30), whole.probe(20, 30), 'probe');
+    for (const text of NAMING_FILES) check(whole.open(text) && whole.render(8), JSON.stringify(whole.messages()));
 }
 
 /** A part of another build is told from this one's. */
@@ -98,7 +111,7 @@ export async function parts(folder) {
         await test('the same core gives the same parts', () => areRepeated(folder, scratch));
         const both = await partsOf(folder);
         await test('the first part makes the first pictures alone', () => beginsAlone(both));
-        await test('what the first part lacks is refused until it is there', () => refusesWhatIsMissing(both));
+        await test('what the first part lacks is refused until it is there', () => refusesWhatIsMissing(both, folder));
         await test('parts of other builds are refused', () => belong(both, folder));
     } finally {
         fs.rmSync(scratch, { recursive: true });

@@ -224,7 +224,8 @@ async function speaksOffline(browser, folder, url) {
 /** Names in links that are no scene's are told; files are called by the scene. */
 async function names(browser, url) {
     const page = await opened(browser, `${url}#scene=nonsense`);
-    await page.getByText('There is no built-in scene of this name: nonsense').waitFor();
+    // It is said for some seconds, in which a busy machine may not have got this far.
+    await page.getByText('There is no built-in scene of this name: nonsense').waitFor({ state: 'attached' });
     await page.context().close();
     const named = await opened(browser, `${url}#scene=spot`);
     const [file] = await Promise.all([
