@@ -214,17 +214,38 @@ static double beyond(const struct lx_prepared *prepared, const double place_mm[3
     return ldexp(1, ilogb(TIMES * reach) + 1);
 }
 
-/* Whether all of a triangle is below the element's horizon, as far as can be told. */
-static bool is_below(const struct lx_dome_view *view, const double place_mm[3], const double normal[3])
+/* The sine of the greatest height of a polygon's corners over the element's horizon; 1 of what has none. */
+static double highest_of(const struct lx_dome_view *view, const double place_mm[3], const double normal[3])
 {
+    double highest = view->emitter.facets ? -1 : 1;
     for (size_t i = 0; i < view->facets.corner_count; i++) {
         double way[3];
         for (int k = 0; k < 3; k++)
             way[k] = (&view->corners_mm[i].x)[k].high - place_mm[k];
-        if (!(lx_dot(normal, way) < -1e-9 * sqrt(lx_dot(way, way))))
-            return false;
+        highest = fmax(highest, lx_dot(normal, way) / sqrt(lx_dot(way, way)));
     }
-    return view->emitter.facets != NULL;
+    return highest;
+}
+
+/* A polygon no higher than that, as far as can be told, is on the horizon or below: where it is on it, as an opening is
+ * for places of its own wall, an integral to a share of next to nothing would take long. */
+static const double ON_HORIZON = 1e-9;
+
+/* Adds what a polygon on the horizon may give at most; false: it may be higher. */
+static bool add_horizon(const struct lx_dome_view *view, const struct lx_element *element, double highest,
+                        struct lx_lighting *sum)
+{
+    const struct lx_emitter *emitter = &view->emitter;
+    if (highest > ON_HORIZON || lx_lobe_shines(element->lobe) || lx_lobe_is_rough(element->lobe))
+        return highest < -ON_HORIZON;
+    if (highest < -ON_HORIZON)
+        return true;
+    const double unsure = 1e-14 + element->normal.x.error + element->normal.y.error + element->normal.z.error;
+    const double greatest = emitter->radiance.value * (emitter->sky ? lx_sky_greatest(emitter->sky) : 1);
+    const lx_bounded most = {0, 2 * M_PI * greatest * (fmax(highest, 0) + unsure)};
+    sum->irradiance = lx_add(sum->irradiance, most);
+    sum->diffuse = lx_add(sum->diffuse, lx_mul(element->lobe->diffuse, most));
+    return true;
 }
 
 /* What is nearer to a wall, of a room's size, may be on it. */
@@ -331,7 +352,7 @@ static struct lx_lighting light_through(const struct lx_prepared *prepared, cons
         find_rim(opening, place, rim);
         const size_t count = lx_dome_see_through(dome, rim, outwards, place, away_mm, views);
         for (size_t k = 0; k < count; k++) {
-            if (is_below(&views[k], place, normal))
+            if (add_horizon(&views[k], element, highest_of(&views[k], place, normal), &sum))
                 continue;
             set_panes(prepared, &views[k].emitter);
             views[k].emitter.through = opening;
@@ -364,7 +385,7 @@ static struct lx_lighting light_by_dome(const struct lx_prepared *prepared, cons
     for (size_t i = 0; i < dome->patch_count; i++) {
         struct lx_dome_view view;
         lx_dome_see(dome, i, place, away_mm, &view);
-        if (!looks_below && is_below(&view, place, normal))
+        if (!looks_below && add_horizon(&view, element, highest_of(&view, place, normal), &sum))
             continue;
         set_panes(&shared, &view.emitter);
         const struct lx_lighting part = light_by_extended(&shared, element, &view.emitter, sum.irradiance.value);
