@@ -39,7 +39,7 @@ static const double FOLDED = 1.0 / 32;
 static const double NEARBY = 1.0 / 64;
 /* How exact integrals over sources are made that samples of direct light take, as a share of the bound that is wanted:
  * errors of samples count as errors of the direct light. */
-static const double SAMPLED = 1e-3;
+static const double SAMPLED = 1e-2;
 /* Where time may be the end a solution of this bound comes first. */
 static const double QUICK_ERROR = 0.1;
 /* Samples and integrals are no finer for smaller bounds than this. */

@@ -18,6 +18,8 @@ enum lx_shown {
     LX_SHOWN_UNKNOWN  /* a mirror, in which nobody knows what is seen */
 };
 
+struct lx_open_dome; /* world/reference.h */
+
 struct lx_element {
     lx_bounded3 place_mm, normal, view;
     const struct lx_lobe *lobe;
@@ -25,6 +27,7 @@ struct lx_element {
     bool is_free;                          /* it was asked for by its place: its normal need not be its surface's */
     enum lx_shown shown;
     unsigned mirrors; /* over how many it is seen */
+    struct lx_open_dome *open_dome; /* of one thread, for elements that it asks one after another; NULL: none */
 };
 
 #endif

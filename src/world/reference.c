@@ -3,6 +3,7 @@
 #include "reference.h"
 
 #include <stdint.h>
+#include <string.h>
 
 #include "../base/vector.h"
 #include "../light/sky/dome.h"
@@ -177,17 +178,26 @@ struct lx_lighting lx_light_behind(const struct lx_prepared *prepared, const str
     return seen;
 }
 
+/* `is_open`: not NULL where somebody knows what the source gives if nothing stands before it; that is then told, and
+ * nothing else. */
 static struct lx_lighting light_by_extended(const struct lx_prepared *prepared, const struct lx_element *element,
-                                            const struct lx_emitter *emitter, double before)
+                                            const struct lx_emitter *emitter, double before, bool *is_open)
 {
     if (lx_extended_touches(emitter, element->place_mm))
         return (struct lx_lighting){.on_element = true};
-    if (!prepared->shadows_extended)
-        return light_around(prepared, element, emitter, NULL, before);
+    if (!prepared->shadows_extended) {
+        if (is_open)
+            *is_open = true;
+        return is_open ? (struct lx_lighting){.irradiance = lx_exact(0)}
+                       : light_around(prepared, element, emitter, NULL, before);
+    }
     const bool above = !lx_lobe_reaches_below(element->lobe);
     struct lx_occlusion occlusion = {.place_mm = {0}};
     struct lx_lighting lighting = {.irradiance = {0, HUGE_VAL}, .diffuse = {0, HUGE_VAL}, .specular = {0, HUGE_VAL}};
-    if (!lx_occlusion_make(prepared, element, emitter, above, &occlusion))
+    const bool failed = lx_occlusion_make(prepared, element, emitter, above, &occlusion) != 0;
+    if (!failed && is_open && !occlusion.is_dark && !lx_is_occluded(&occlusion))
+        *is_open = true;
+    else if (!failed)
         lighting = occlusion.is_dark ? (struct lx_lighting){.irradiance = lx_exact(0)}
                                      : lx_light_behind(prepared, element, emitter, &occlusion, before);
     lx_occlusion_clear(&occlusion);
@@ -213,17 +223,38 @@ double lx_beyond_all(const struct lx_prepared *prepared, const double place_mm[3
     return ldexp(1, ilogb(TIMES * reach) + 1);
 }
 
-/* Whether all of a triangle is below the element's horizon, as far as can be told. */
-static bool is_below(const struct lx_dome_view *view, const double place_mm[3], const double normal[3])
+/* The sine of the greatest height of a polygon's corners over the element's horizon; 1 of what has none. */
+static double highest_of(const struct lx_dome_view *view, const double place_mm[3], const double normal[3])
 {
+    double highest = view->emitter.facets ? -1 : 1;
     for (size_t i = 0; i < view->facets.corner_count; i++) {
         double way[3];
         for (int k = 0; k < 3; k++)
             way[k] = (&view->corners_mm[i].x)[k].high - place_mm[k];
-        if (!(lx_dot(normal, way) < -1e-9 * sqrt(lx_dot(way, way))))
-            return false;
+        highest = fmax(highest, lx_dot(normal, way) / sqrt(lx_dot(way, way)));
     }
-    return view->emitter.facets != NULL;
+    return highest;
+}
+
+/* A polygon no higher than that, as far as can be told, is on the horizon or below: where it is on it, as an opening is
+ * for places of its own wall, an integral to a share of next to nothing would take long. */
+static const double ON_HORIZON = 1e-9;
+
+/* Adds what a polygon on the horizon may give at most; false: it may be higher. */
+static bool add_horizon(const struct lx_dome_view *view, const struct lx_element *element, double highest,
+                        struct lx_lighting *sum)
+{
+    const struct lx_emitter *emitter = &view->emitter;
+    if (highest > ON_HORIZON || lx_lobe_shines(element->lobe) || lx_lobe_is_rough(element->lobe))
+        return highest < -ON_HORIZON;
+    if (highest < -ON_HORIZON)
+        return true;
+    const double unsure = 1e-14 + element->normal.x.error + element->normal.y.error + element->normal.z.error;
+    const double greatest = emitter->radiance.value * (emitter->sky ? lx_sky_greatest(emitter->sky) : 1);
+    const lx_bounded most = {0, 2 * M_PI * greatest * (fmax(highest, 0) + unsure)};
+    sum->irradiance = lx_add(sum->irradiance, most);
+    sum->diffuse = lx_add(sum->diffuse, lx_mul(element->lobe->diffuse, most));
+    return true;
 }
 
 /* What is nearer to a wall, of a room's size, may be on it. */
@@ -244,8 +275,8 @@ static bool is_in_room(const struct lx_glass_pane *opening, const double place_m
     return true;
 }
 
-/* The room on the outside of which a place lies and looks away, so that nothing of its walls stands before it; SIZE_MAX:
- * there is none. */
+/* The room on whose outside a place lies and looks away, so that none of its walls stands before it; SIZE_MAX: there is
+ * none. */
 static size_t find_room_behind(const struct lx_prepared *prepared, const double place_mm[3], const double normal[3])
 {
     size_t room = SIZE_MAX;
@@ -330,16 +361,46 @@ static struct lx_lighting light_through(const struct lx_prepared *prepared, cons
         find_rim(opening, place, rim);
         const size_t count = lx_dome_see_through(dome, rim, outwards, place, away_mm, views);
         for (size_t k = 0; k < count; k++) {
-            if (is_below(&views[k], place, normal))
+            if (add_horizon(&views[k], element, highest_of(&views[k], place, normal), &sum))
                 continue;
             set_panes(prepared, &views[k].emitter);
             views[k].emitter.through = opening;
             const struct lx_lighting part =
-                light_by_extended(&without, element, &views[k].emitter, sum.irradiance.value);
+                light_by_extended(&without, element, &views[k].emitter, sum.irradiance.value, NULL);
             add_lighting(&sum, &part);
         }
     }
     return sum;
+}
+
+/* What is remembered of a dome for elements like this one, in memory of its own where it has none; NULL: nothing is, as
+ * it depends on the place of who looks. */
+static struct lx_open_dome *remember(const struct lx_element *element, const struct lx_dome *dome,
+                                     struct lx_open_dome *own)
+{
+    struct lx_open_dome *open = element->open_dome ? element->open_dome : own;
+    if (lx_lobe_shines(element->lobe) || lx_lobe_is_rough(element->lobe))
+        return NULL;
+    if (open->dome != dome || open->lobe != element->lobe ||
+        memcmp(&open->normal, &element->normal, sizeof open->normal) != 0)
+        *open = (struct lx_open_dome){.dome = dome, .lobe = element->lobe, .normal = element->normal};
+    return open;
+}
+
+/* What a patch gives that nothing hides: the same at the origin, so that it is the same number for whoever asks. */
+static struct lx_lighting light_openly(const struct lx_prepared *prepared, const struct lx_element *element,
+                                       const struct lx_dome *dome, size_t patch, struct lx_open_dome *remembered)
+{
+    const double origin[3] = {0, 0, 0};
+    struct lx_open_patch *open = &remembered->patches[patch];
+    struct lx_element there = *element;
+    struct lx_dome_view view;
+    if (!open->is_known) {
+        there.place_mm = lx_exact3(origin);
+        lx_dome_see(dome, patch, origin, beyond(prepared, origin), &view);
+        *open = (struct lx_open_patch){true, light_around(prepared, &there, &view.emitter, NULL, 0)};
+    }
+    return open->lighting;
 }
 
 /* Patch by patch; those that the element does not look to give nothing. */
@@ -358,15 +419,20 @@ static struct lx_lighting light_by_dome(const struct lx_prepared *prepared, cons
     const size_t room = prepared->shadows_extended && !looks_below ? find_room(prepared, place, normal) : SIZE_MAX;
     if (room < SIZE_MAX && !lx_is_sun(dome))
         return light_through(&shared, element, dome, room, away_mm);
+    struct lx_open_dome own = {.dome = NULL}, *remembered = remember(element, dome, &own);
     if (!looks_below)
         shared.left_out = find_room_behind(prepared, place, normal) + 1;
     for (size_t i = 0; i < dome->patch_count; i++) {
         struct lx_dome_view view;
         lx_dome_see(dome, i, place, away_mm, &view);
-        if (!looks_below && is_below(&view, place, normal))
+        if (!looks_below && add_horizon(&view, element, highest_of(&view, place, normal), &sum))
             continue;
         set_panes(&shared, &view.emitter);
-        const struct lx_lighting part = light_by_extended(&shared, element, &view.emitter, sum.irradiance.value);
+        bool is_open = false, *asks = remembered && view.emitter.pane_count == 0 ? &is_open : NULL;
+        struct lx_lighting part =
+            light_by_extended(&shared, element, &view.emitter, sum.irradiance.value, asks);
+        if (is_open)
+            part = light_openly(&shared, element, dome, i, remembered);
         add_lighting(&sum, &part);
     }
     return sum;
@@ -378,7 +444,7 @@ struct lx_lighting lx_light_directly(const struct lx_prepared *prepared, const s
     if (lx_is_extended(emitter)) {
         struct lx_emitter beyond_glass = *emitter;
         set_panes(prepared, &beyond_glass);
-        return light_by_extended(prepared, element, &beyond_glass, 0);
+        return light_by_extended(prepared, element, &beyond_glass, 0, NULL);
     }
     if (lx_is_dome(emitter))
         return light_by_dome(prepared, element, emitter->dome);

@@ -8,6 +8,7 @@
 
 #include <luxel/probe.h>
 
+#include "../light/sky/dome.h"
 #include "element.h"
 #include "prepared.h"
 
@@ -33,6 +34,21 @@ struct lx_lighting {
     bool on_element; /* the emitter lies on the element: there is no value */
     lx_bounded irradiance, diffuse, specular;
     size_t parts; /* points of an extended emitter that were looked at; 0: a closed form did */
+};
+
+/*
+ * What patches of a dome give where nothing stands before them, remembered from one element to the next: as a dome has
+ * no distance, that is the same for all elements of one normal, as those of a flat surface.
+ */
+struct lx_open_patch {
+    bool is_known;
+    struct lx_lighting lighting;
+};
+struct lx_open_dome {
+    const struct lx_dome *dome; /* NULL: nothing is known yet */
+    const struct lx_lobe *lobe;
+    lx_bounded3 normal;
+    struct lx_open_patch patches[LX_MOST_DOME_PATCHES];
 };
 
 /* 1 where the way from the element to a point or in a direction is free, 0 where a surface stands in it. */

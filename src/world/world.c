@@ -302,8 +302,10 @@ static void add_emitter(const struct lx_world *world, const struct lx_elements *
         world->kernels->light(emitter, elements, open, wanted, received);
         return;
     }
+    struct lx_open_dome open = {.dome = NULL};
     for (size_t i = 0; i < elements->count && lx_asking_goes_on(asking); i++) {
-        const struct lx_element element = lx_elements_get(world->prepared, elements, i);
+        struct lx_element element = lx_elements_get(world->prepared, elements, i);
+        element.open_dome = &open;
         if (!received->on_element[i])
             add_one(world, &element, emitter, wanted, i, received);
     }
