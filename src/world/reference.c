@@ -397,7 +397,7 @@ static struct lx_lighting light_openly(const struct lx_prepared *prepared, const
     struct lx_dome_view view;
     if (!open->is_known) {
         there.place_mm = lx_exact3(origin);
-        lx_dome_see(dome, patch, origin, beyond(prepared, origin), &view);
+        lx_dome_see(dome, patch, origin, lx_beyond_all(prepared, origin), &view);
         *open = (struct lx_open_patch){true, light_around(prepared, &there, &view.emitter, NULL, 0)};
     }
     return open->lighting;
