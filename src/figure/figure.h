@@ -44,7 +44,7 @@ struct lx_figure {
     luxel_figure_settings settings;
     const struct lx_scene_parameters *scene;
     luxel_scene *copy;      /* of the scene, which the rest points into */
-    luxel_scene *daylit;    /* what is measured for daylight factors (api/daylight.h); NULL: the copy is */
+    luxel_scene *daylit;    /* what is measured for daylight factors (api/sun/daylight.h); NULL: the copy is */
     struct lx_rendered own; /* empty where it was given one */
     const luxel_field *field;
     luxel_field *view;             /* that, where it is a view of the picture in colour; else NULL */

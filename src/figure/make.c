@@ -6,7 +6,7 @@
 
 #include <luxel/colour.h>
 
-#include "../api/daylight.h"
+#include "../api/sun/daylight.h"
 #include "../base/diagnostics.h"
 #include "../base/memory.h"
 #include "../base/phrase.h"

@@ -11,16 +11,16 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "../base/diagnostics.h"
-#include "../base/larger.h"
-#include "../base/memory.h"
-#include "../base/phrase.h"
-#include "../light/array.h"
-#include "../light/sky/dome.h"
-#include "../scene/object.h"
-#include "../scene/scene.h"
+#include "../../base/diagnostics.h"
+#include "../../base/larger.h"
+#include "../../base/memory.h"
+#include "../../base/phrase.h"
+#include "../../light/array.h"
+#include "../../light/sky/dome.h"
+#include "../../scene/object.h"
+#include "../../scene/scene.h"
+#include "../refuse.h"
 #include "daylight.h"
-#include "refuse.h"
 
 static const double levels[LUXEL_DAYLIGHT_LEVELS] = {100, 300, 500, 750};
 
