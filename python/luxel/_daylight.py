@@ -179,7 +179,10 @@ class Daylit:
         """
         how = settings(self._carried, None, None, threads, None, None, progress=progress)
         places = [tuple(float(number) for number in element) for element in elements]
-        where = None if place is None else tuple(float(number) for number in place)
+        where = None
+        if place is not None:
+            north, east = place
+            where = (float(north), float(east))
         found: Any = _luxel.find_sunlight(self._handle, places, str(date), where, float(least_altitude), how)
         latitude, longitude, minutes, above, grids, hours = found
         return Sunlight(latitude, longitude, datetime.timedelta(minutes=minutes), _hours(above),
@@ -191,4 +194,5 @@ class Daylit:
         LuxelError: there is no sun.
         """
         found: Any = _luxel.find_sun_patches(self._handle)
-        return tuple(SunPatch(*patch[:6], floats(patch[6]).reshape(-1, 3), tuple(patch[7])) for patch in found[1])
+        return tuple(SunPatch(surface, name, part, room, opening, area, floats(corners).reshape(-1, 3), tuple(others))
+                     for surface, name, part, room, opening, area, corners, others in found[1])

@@ -23,7 +23,11 @@ def _extremum(found: Any) -> Optional[GridExtremum]:
 
 
 def _area(found: Any) -> Optional[GridArea]:
-    return None if found is None else GridArea(*found[:3], _extremum(found[3]), _extremum(found[4]), *found[5:])
+    if found is None:
+        return None
+    measured, average, average_error, minimum, maximum, *rest = found
+    error, u0, center, size = rest
+    return GridArea(measured, average, average_error, _extremum(minimum), _extremum(maximum), error, u0, center, size)
 
 
 class Grid:

@@ -49,89 +49,9 @@ struct asked {
     const luxel_scene *scenes[PARTS]; /* NULL: as the one before */
     luxel_scene *made[PARTS];
     luxel_settings settings;
-    size_t *skies;
-    size_t sky_count;
-    luxel_bounded horizontal;
+    struct lx_skies skies;
     luxel_diagnostics *diagnostics;
 };
-
-/* ---- the sky ---- */
-
-static luxel_status find_skies(const struct lx_scene_parameters *scene, struct asked *asked)
-{
-    lx_bounded sum = lx_exact(0);
-    asked->skies = lx_new_array(scene->lights.count + 1, sizeof *asked->skies);
-    if (!asked->skies)
-        return LUXEL_ERROR_MEMORY;
-    for (size_t i = 0; i < scene->lights.count; i++) {
-        const struct lx_item *light = &scene->lights.items[i];
-        struct lx_emitters emitters = {0};
-        if (!((const struct lx_light_common *)light->common)->enabled || strcmp(light->variant->name, "sky") != 0)
-            continue;
-        asked->skies[asked->sky_count++] = i;
-        const int failed = lx_light_lower(light, 1, 1, &emitters);
-        for (size_t k = 0; k < lx_item_count(&emitters); k++)
-            sum = lx_add(sum, emitters.items[k].dome->facing);
-        lx_emitters_clear(&emitters);
-        if (failed)
-            return LUXEL_ERROR_MEMORY;
-    }
-    asked->horizontal = sum;
-    if (sum.value > 0)
-        return LUXEL_OK;
-    lx_report(asked->diagnostics, LUXEL_SEVERITY_ERROR, NULL, LX_MSG_NO_SKY, NULL);
-    lx_hint(asked->diagnostics, LX_MSG_HINT_NO_SKY, NULL);
-    return LUXEL_ERROR_SCENE;
-}
-
-/* Multiplies all that tells how strong a sky is. */
-static luxel_status strengthen(luxel_scene *scene, size_t light, double factor, luxel_diagnostics *diagnostics)
-{
-    static const char *const keys[] = {"zenith", "horizontal", "diffuse", "direct", "extraterrestrial"};
-    const struct lx_item *sky = &scene->parameters.lights.items[light];
-    const struct lx_table *table = sky->variant->table;
-    char changes[LX_COUNT(keys)][96];
-    size_t count = 0;
-    luxel_status status = LUXEL_OK;
-    for (size_t i = 0; i < LX_COUNT(keys); i++) {
-        const struct lx_parameter *key = lx_find_parameter(table, keys[i]);
-        const double *value = (const double *)((const char *)sky->parameters + key->offset);
-        if (lx_is_given(table, sky->parameters, keys[i]) ||
-            (i + 1 == LX_COUNT(keys) && lx_is_given(table, sky->parameters, "diffuse")))
-            snprintf(changes[count++], sizeof changes[0], "lights[%zu].%s=%.17g", light, keys[i], factor * *value);
-    }
-    for (size_t i = 0; i < count && status == LUXEL_OK; i++)
-        status = luxel_scene_set(scene, changes[i], diagnostics);
-    return status;
-}
-
-luxel_status lx_daylit_scene(const luxel_scene *scene, luxel_diagnostics *diagnostics, luxel_scene **daylit)
-{
-    struct asked asked = {.diagnostics = diagnostics};
-    luxel_status status = find_skies(&scene->parameters, &asked);
-    luxel_scene *made = status == LUXEL_OK ? luxel_scene_copy(scene) : NULL;
-    status = status == LUXEL_OK && !made ? LUXEL_ERROR_MEMORY : status;
-    for (size_t i = 0, sky = 0; i < scene->parameters.lights.count && status == LUXEL_OK; i++) {
-        char off[64];
-        snprintf(off, sizeof off, "lights[%zu].enabled=false", i);
-        if (sky < asked.sky_count && asked.skies[sky] == i) {
-            status = strengthen(made, i, 100 / asked.horizontal.value, diagnostics);
-            sky++;
-        } else {
-            status = luxel_scene_set(made, off, diagnostics);
-        }
-    }
-    if (status == LUXEL_OK)
-        status = luxel_scene_commit(made, diagnostics);
-    free(asked.skies);
-    if (status == LUXEL_ERROR_MEMORY)
-        lx_out_of_memory(diagnostics);
-    if (status == LUXEL_OK)
-        *daylit = made;
-    else
-        luxel_scene_free(made);
-    return status;
-}
 
 /* A copy with changes, which the caller frees. */
 static luxel_status change(const luxel_scene *scene, const char *const *assignments, size_t count,
@@ -156,13 +76,13 @@ static luxel_status part_scenes(const luxel_scene *scene, struct asked *asked)
         asked->scenes[DIRECT] = asked->made[DIRECT];
     }
     asked->scenes[SKY] = asked->scenes[DIRECT];
-    for (size_t i = 0; i < asked->sky_count && status == LUXEL_OK; i++) {
-        const struct lx_item *sky = &scene->parameters.lights.items[asked->skies[i]];
+    for (size_t i = 0; i < asked->skies.count && status == LUXEL_OK; i++) {
+        const struct lx_item *sky = &scene->parameters.lights.items[asked->skies.items[i]];
         const struct lx_parameter *ground = lx_find_parameter(sky->variant->table, "ground");
         char key[64];
         if (*(const double *)((const char *)sky->parameters + ground->offset) == 0)
             continue;
-        snprintf(key, sizeof key, "lights[%zu].ground=0", asked->skies[i]);
+        snprintf(key, sizeof key, "lights[%zu].ground=0", asked->skies.items[i]);
         const char *const dark = key;
         luxel_scene *before = asked->made[SKY];
         status = change(before ? before : asked->scenes[DIRECT], &dark, 1, asked->diagnostics, &asked->made[SKY]);
@@ -182,7 +102,7 @@ static bool is_repeated(const struct asked *asked, int part)
 
 static luxel_bounded percent(const struct asked *asked, luxel_bounded irradiance)
 {
-    return lx_div(lx_mul(lx_exact(100), irradiance), asked->horizontal);
+    return lx_div(lx_mul(lx_exact(100), irradiance), asked->skies.horizontal);
 }
 
 /* What is left of a sum, which is no less than 0. */
@@ -299,7 +219,7 @@ static luxel_status find_grid(struct asked *asked, size_t i, luxel_daylight *mad
 static luxel_status find(const luxel_scene *scene, struct asked *asked, const luxel_place *places, size_t place_count,
                          double outdoor, luxel_daylight **made)
 {
-    luxel_status status = find_skies(&scene->parameters, asked);
+    luxel_status status = lx_find_skies(scene, asked->diagnostics, &asked->skies);
     if (status == LUXEL_OK)
         status = part_scenes(scene, asked);
     if (status != LUXEL_OK)
@@ -309,9 +229,9 @@ static luxel_status find(const luxel_scene *scene, struct asked *asked, const lu
         return LUXEL_ERROR_MEMORY;
     const bool is_photometric = scene->parameters.units == LX_PHOTOMETRIC;
     *daylight = (luxel_daylight){
-        .horizontal = asked->horizontal,
+        .horizontal = asked->skies.horizontal,
         .outdoor = outdoor > 0      ? outdoor
-                   : is_photometric ? asked->horizontal.value
+                   : is_photometric ? asked->skies.horizontal.value
                                     : (double)NAN,
         .grids = lx_new_array(luxel_scene_grid_count(scene) + 1, sizeof *daylight->grids),
         .elements = lx_new_array(place_count + 1, sizeof *daylight->elements),
@@ -320,8 +240,8 @@ static luxel_status find(const luxel_scene *scene, struct asked *asked, const lu
     if (!daylight->grids || !daylight->elements)
         return LUXEL_ERROR_MEMORY;
     asked->settings.quantity = LUXEL_IRRADIANCE;
-    asked->settings.lights = asked->skies;
-    asked->settings.light_count = asked->sky_count;
+    asked->settings.lights = asked->skies.items;
+    asked->settings.light_count = asked->skies.count;
     asked->settings.within /= fmax((double)(luxel_scene_grid_count(scene) + (place_count > 0)), 1); /* one each */
     daylight->element_count = place_count;
     if (place_count > 0)
@@ -347,7 +267,7 @@ luxel_status luxel_find_daylight(const luxel_scene *scene, const luxel_settings 
     const luxel_status status = find(scene, &asked, places, place_count, outdoor, daylight);
     for (int part = 0; part < PARTS; part++)
         luxel_scene_free(asked.made[part]);
-    free(asked.skies);
+    free(asked.skies.items);
     if (status == LUXEL_ERROR_MEMORY)
         lx_out_of_memory(diagnostics);
     if (status != LUXEL_OK) {

@@ -1,9 +1,21 @@
 /* SPDX-License-Identifier: MIT */
-/* A scene lit by daylight alone, for whoever shows daylight factors as what they are: a share of irradiance. */
+/* The skies of a scene; and the scene lit by them alone, for whoever shows daylight factors as what they are: a share of irradiance. */
 #ifndef LX_API_DAYLIGHT_H
 #define LX_API_DAYLIGHT_H
 
+#include <luxel/bounded.h>
 #include <luxel/scene.h>
+
+/* Lights of a scene, and what they give to a horizontal plane under the open sky. */
+struct lx_skies {
+    size_t *items;
+    size_t count;
+    luxel_bounded horizontal;
+};
+
+/* Finds the skies that shine, whose items the caller frees in any case.  LUXEL_ERROR_SCENE: there is none, or it is
+ * dark. */
+luxel_status lx_find_skies(const luxel_scene *scene, luxel_diagnostics *diagnostics, struct lx_skies *skies);
 
 /*
  * A committed copy of a committed scene in which only its skies shine, together so strong that they give 100 to a
