@@ -57,11 +57,13 @@ double lx_greatest_kernel(const struct lx_receiver *receiver, const struct lx_ma
 
 bool lx_looks_at(const struct lx_receiver *receiver, const struct lx_matte_face *flat)
 {
-    double way[3];
-    for (int i = 0; i < 3; i++)
-        way[i] = flat->sheet.center_mm[i] - receiver->place_mm[i];
-    return -flat->sheet.turn * lx_dot(flat->sheet.axis, way) > 0 &&
-           lx_greatest_kernel(receiver, flat, &flat->cell) > 0;
+    double down[3], way[3];
+    for (int i = 0; i < 3; i++) {
+        down[i] = flat->sheet.center_mm[i] - receiver->place_mm[i];
+        way[i] = flat->center_mm[i] - receiver->place_mm[i];
+    }
+    return -flat->sheet.turn * lx_dot(flat->sheet.axis, down) > 0 &&
+           lx_dot(receiver->normal, way) + flat->radius_mm > 0;
 }
 
 /* No more than so much is told wrongly of what is seen. */

@@ -56,14 +56,15 @@ static bool read_index(const char *text, size_t length, size_t *at, struct lx_se
     return *at > start;
 }
 
-/* Reads a name up to the bracket that ends it; * stands for all elements, and is no name. */
+/* Reads a name up to the bracket that ends it; * stands for all elements, and is no name, nor is what begins as a
+ * negative number. */
 static bool read_name(const char *text, size_t length, size_t *at, struct lx_segment *segment)
 {
     const size_t start = *at;
     segment->is_index = segment->is_name = true;
     while (*at < length && text[*at] != ']')
         (*at)++;
-    return *at > start && !(*at == start + 1 && text[start] == '*');
+    return *at > start && text[start] != '-' && !(*at == start + 1 && text[start] == '*');
 }
 
 static bool read_key(const char *text, size_t length, size_t *at, struct lx_segment *segment)
