@@ -219,13 +219,15 @@ def random_scenes(tap, tool):
         **made[-2][1], "reflections": "none", "mirrors": 2,
         "lights": [{"type": "sun", "irradiance": 9, "date": "2026-06-21T12:00Z", "latitude": 50, "longitude": 8,
                     "diameter": 1, "up": [0, 0, 1], "north": [0, 1, 0]},
-                   {"type": "sun", "irradiance": 9, "altitude": 40, "azimuth": 200},
+                   {"type": "sun", "irradiance": 9, "altitude": 40, "azimuth": 200, "group": "windows"},
                    {"type": "sky", "kind": 12, "sun": {"altitude": 40, "azimuth": 200}, "zenith": 9, "ground": 0.2},
                    {"type": "sky", "model": "perez", "direct": 500, "diffuse": 120, "extraterrestrial": 1361,
                     "sun": {"altitude": 40, "azimuth": 200}},
                    {"type": "sky", "kind": 12, "horizontal": 9,
                     "sun": {"date": "2026-06-21T12:00Z", "latitude": 50, "longitude": 8}}],
+        "dimming": [{"name": "windows", "factor": 0.5}],
         "grids": [{"center": [0, 0, 0], "size": [900, 600], "spacing": "en12464", "measure": "spherical"},
+                  {"center": [0, 0, 0], "size": [300, 300], "n": [2, 2], "surround": 500, "background": 900},
                   {"surface": "hall", "side": "floor", "border": 100, "n": [3, 2],
                    "limits": {"share": {"above": 3, "percent": 95}}}],
         "observers": [{"eye": [0, 0, 900], "size": [300, 300], "n": [2, 2]}],
@@ -240,7 +242,7 @@ def random_scenes(tap, tool):
                      {"type": "rectangle", "center": [0, 700, 500], "size": [300, 200], "mirror": False}]}))
     tool.write("lamp-spectrum.csv", "nm,power\n" + "".join("%d,1\n" % nm for nm in range(400, 701, 20)))
     made.append(("scene in colour", {**made[-1][1], "channels": "rgb", "lights": [
-        {"type": "point", "position": [0, 0, 1500], "intensity": 5, "color": color} for color in (
+        {"type": "point", "position": [0, 0, 1500], "intensity": 5, "group": "windows", "color": color} for color in (
             {"temperature": 2700}, {"xy": [0.4, 0.4]}, {"rgb": [1, 0.5, 0.1]}, {"spectrum": "lamp-spectrum.csv"})]}))
     used = set()
     for title, scene in made:

@@ -313,7 +313,7 @@ def reports(tap, tool):
                 value, bound = (cell.strip() for cell in told[i][2:4])
                 tap.equal(value, in_digits_of(point["value"], point["error"], 12),
                           "%s: the value of P%d" % (name, i + 1))
-                rounded = abs(float(in_digits_of(point["value"], point["error"], 17)) - point["value"])
+                rounded = abs(float(in_digits_of(point["value"], point["error"], 12)) - point["value"])
                 tap.equal(bound, "%.2g" % (point["error"] + rounded), "%s: and its error" % name)
                 tap.ok(value in text and value in page, "%s: in the other formats" % name, text[:3000])
         maximum = tool.run("stats", *scene, "--json").json()["maximum"]
