@@ -134,13 +134,15 @@ static char *shown(const Light *light)
 #define ARRAY " array array.n array.spacing array.axes"
 #define BODY "attenuation parts" ARRAY
 #define SPOT                                                                                                           \
-    "type name enabled color color.temperature position intensity attenuation aim inner outer falloff exponent" ARRAY
-#define POINT "type name enabled color color.temperature position intensity attenuation pattern" ARRAY
-#define AMBIENT "type name enabled color color.temperature irradiance"
+    "type name group enabled color color.temperature position intensity attenuation aim inner outer falloff "          \
+    "exponent" ARRAY
+#define POINT "type name group enabled color color.temperature position intensity attenuation pattern" ARRAY
+#define AMBIENT "type name group enabled color color.temperature irradiance"
 #define LUMINAIRE                                                                                                      \
-    "type name enabled color color.temperature file position attenuation axis c0 flux factor maintenance_factor "      \
+    "type name group enabled color color.temperature file position attenuation axis c0 flux factor "                   \
+    "maintenance_factor "                                                                                              \
     "interpolation opening" ARRAY
-#define DISTANT "type name enabled color color.temperature direction irradiance"
+#define DISTANT "type name group enabled color color.temperature direction irradiance"
 
 static void shows_what_has_a_say(void **state)
 {
@@ -158,26 +160,27 @@ static void shows_what_has_a_say(void **state)
         {"spot", 1, AMBIENT},
         {"three-lights", 0, POINT},
         {"three-lights", 1,
-         "type name enabled color color.temperature position intensity attenuation aim pattern" ARRAY},
+         "type name group enabled color color.temperature position intensity attenuation aim pattern" ARRAY},
         {"three-lights", 2, POINT},
         {"two-spheres", 0, POINT},
         {"two-spheres", 1, AMBIENT},
         {"ambient", 0, AMBIENT},
         {"window", 0,
-         "type name enabled color color.temperature rectangle rectangle.center rectangle.aim rectangle.size "
+         "type name group enabled color color.temperature rectangle rectangle.center rectangle.aim rectangle.size "
          "rectangle.up sides radiance " BODY},
         {"window", 1, AMBIENT},
         {"disk-lamp", 0,
-         "type name enabled color color.temperature disk disk.center disk.aim disk.radius sides power " BODY},
-        {"box-lamp", 0, "type name enabled color color.temperature box box.center box.size radiance " BODY},
+         "type name group enabled color color.temperature disk disk.center disk.aim disk.radius sides power " BODY},
+        {"box-lamp", 0, "type name group enabled color color.temperature box box.center box.size radiance " BODY},
         {"ball-lamp", 0,
-         "type name enabled color color.temperature sphere sphere.center sphere.radius sphere.facets power " BODY},
+         "type name group enabled color color.temperature sphere sphere.center sphere.radius sphere.facets "
+         "power " BODY},
         {"tube", 0,
-         "type name enabled color color.temperature cylinder cylinder.center cylinder.radius cylinder.height "
+         "type name group enabled color color.temperature cylinder cylinder.center cylinder.radius cylinder.height "
          "cylinder.axis cylinder.facets "
          "power " BODY},
         {"lampshade", 0,
-         "type name enabled color color.temperature sphere sphere.center sphere.radius sphere.facets radiance "
+         "type name group enabled color color.temperature sphere sphere.center sphere.radius sphere.facets radiance "
          "attenuation k parts" ARRAY},
         {"desk", 0, SPOT},
         {"desk", 1, AMBIENT},
@@ -188,7 +191,7 @@ static void shows_what_has_a_say(void **state)
         {"integrating-sphere", 0, POINT},
         {"integrating-sphere", 1, AMBIENT},
         {"room", 0,
-         "type name enabled color color.temperature rectangle rectangle.center rectangle.axis rectangle.size "
+         "type name group enabled color color.temperature rectangle rectangle.center rectangle.axis rectangle.size "
          "rectangle.up sides "
          "radiance " BODY},
         {"room", 1, POINT},
@@ -199,7 +202,7 @@ static void shows_what_has_a_say(void **state)
         {"office", 3, LUMINAIRE},
         {"office", 4, AMBIENT},
         {"pot", 0,
-         "type name enabled color color.temperature rectangle rectangle.center rectangle.axis rectangle.size "
+         "type name group enabled color color.temperature rectangle rectangle.center rectangle.axis rectangle.size "
          "rectangle.up sides "
          "radiance " BODY},
         {"pot", 1, AMBIENT},
@@ -208,15 +211,16 @@ static void shows_what_has_a_say(void **state)
         {"all-sources", 2, POINT},
         {"all-sources", 3, SPOT},
         {"all-sources", 4,
-         "type name enabled color color.temperature rectangle rectangle.center rectangle.aim rectangle.size "
+         "type name group enabled color color.temperature rectangle rectangle.center rectangle.aim rectangle.size "
          "rectangle.up sides radiance " BODY},
         {"all-sources", 5,
-         "type name enabled color color.temperature disk disk.center disk.aim disk.radius sides radiance " BODY},
-        {"all-sources", 6, "type name enabled color color.temperature box box.center box.size radiance " BODY},
+         "type name group enabled color color.temperature disk disk.center disk.aim disk.radius sides radiance " BODY},
+        {"all-sources", 6, "type name group enabled color color.temperature box box.center box.size radiance " BODY},
         {"all-sources", 7,
-         "type name enabled color color.temperature sphere sphere.center sphere.radius sphere.facets radiance " BODY},
+         "type name group enabled color color.temperature sphere sphere.center sphere.radius sphere.facets "
+         "radiance " BODY},
         {"all-sources", 8,
-         "type name enabled color color.temperature cylinder cylinder.center cylinder.radius cylinder.height "
+         "type name group enabled color color.temperature cylinder cylinder.center cylinder.radius cylinder.height "
          "cylinder.axis cylinder.facets "
          "radiance " BODY},
         {"warm-and-cold", 0, POINT},

@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* The skies of a scene; and the scene lit by them alone, for whoever shows daylight factors as what they are: a share of
- * irradiance. */
+/* The skies of a scene; and the scene lit by them alone, whose irradiances are daylight factors. */
 #ifndef LX_API_DAYLIGHT_H
 #define LX_API_DAYLIGHT_H
 
