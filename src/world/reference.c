@@ -226,7 +226,9 @@ double lx_beyond_all(const struct lx_prepared *prepared, const double place_mm[3
 /* The sine of the greatest height of a polygon's corners over the element's horizon; 1 of what has none. */
 static double highest_of(const struct lx_dome_view *view, const double place_mm[3], const double normal[3])
 {
-    double highest = view->emitter.facets ? -1 : 1;
+    double highest = -1;
+    if (!view->emitter.facets)
+        return 1;
     for (size_t i = 0; i < view->facets.corner_count; i++) {
         double way[3];
         for (int k = 0; k < 3; k++)
@@ -260,16 +262,25 @@ static bool add_horizon(const struct lx_dome_view *view, const struct lx_element
 /* What is nearer to a wall, of a room's size, may be on it. */
 static const double ON_WALL = 1e-6;
 
-/* Whether a place is in the room of an opening, or on a wall of it and looks inwards. */
-static bool is_in_room(const struct lx_glass_pane *opening, const double place_mm[3], const double normal[3])
+/* The way to a place from the middle of an opening's room, along the room's axes. */
+static void find_in_room(const struct lx_glass_pane *opening, const double place_mm[3], double away_mm[3])
 {
     double from[3];
     for (int k = 0; k < 3; k++)
         from[k] = place_mm[k] - opening->room_center_mm[k];
+    for (int k = 0; k < 3; k++)
+        away_mm[k] = lx_dot(from, opening->room_axes[k]);
+}
+
+/* Whether a place is in the room of an opening, or on a wall of it and looks inwards. */
+static bool is_in_room(const struct lx_glass_pane *opening, const double place_mm[3], const double normal[3])
+{
+    double away[3];
+    find_in_room(opening, place_mm, away);
     for (int k = 0; k < 3; k++) {
-        const double away = lx_dot(from, opening->room_axes[k]), half = opening->room_half_mm[k];
-        const double outwards = copysign(1, away) * lx_dot(normal, opening->room_axes[k]);
-        if (!(fabs(away) <= half * (1 + 1e-9)) || (fabs(away) > half * (1 - ON_WALL) && outwards > 1e-9))
+        const double half = opening->room_half_mm[k];
+        const double outwards = copysign(1, away[k]) * lx_dot(normal, opening->room_axes[k]);
+        if (!(fabs(away[k]) <= half * (1 + 1e-9)) || (fabs(away[k]) > half * (1 - ON_WALL) && outwards > 1e-9))
             return false;
     }
     return true;
@@ -279,20 +290,16 @@ static bool is_in_room(const struct lx_glass_pane *opening, const double place_m
  * none. */
 static size_t find_room_behind(const struct lx_prepared *prepared, const double place_mm[3], const double normal[3])
 {
-    size_t room = SIZE_MAX;
-    for (size_t i = 0; i < prepared->pane_count && room == SIZE_MAX; i++) {
+    for (size_t i = 0; i < prepared->pane_count; i++) {
         const struct lx_glass_pane *opening = &prepared->panes[i];
-        for (int k = 0; k < 3; k++) {
-            const double *axis = opening->room_axes[k], half = opening->room_half_mm[k];
-            double from[3];
-            for (int j = 0; j < 3; j++)
-                from[j] = place_mm[j] - opening->room_center_mm[j];
-            const double away = lx_dot(from, axis);
-            if (fabs(away) >= half * (1 - 1e-12) && copysign(1, away) * lx_dot(normal, axis) > 1 - 1e-12)
-                room = opening->surface;
-        }
+        double away[3];
+        find_in_room(opening, place_mm, away);
+        for (int k = 0; k < 3; k++)
+            if (fabs(away[k]) >= opening->room_half_mm[k] * (1 - 1e-12) &&
+                copysign(1, away[k]) * lx_dot(normal, opening->room_axes[k]) > 1 - 1e-12)
+                return opening->surface;
     }
-    return room;
+    return SIZE_MAX;
 }
 
 /* Whether a place is in an opening, and looks outside as well. */
@@ -429,8 +436,7 @@ static struct lx_lighting light_by_dome(const struct lx_prepared *prepared, cons
             continue;
         set_panes(&shared, &view.emitter);
         bool is_open = false, *asks = remembered && view.emitter.pane_count == 0 ? &is_open : NULL;
-        struct lx_lighting part =
-            light_by_extended(&shared, element, &view.emitter, sum.irradiance.value, asks);
+        struct lx_lighting part = light_by_extended(&shared, element, &view.emitter, sum.irradiance.value, asks);
         if (is_open)
             part = light_openly(&shared, element, dome, i, remembered);
         add_lighting(&sum, &part);
