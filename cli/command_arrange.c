@@ -96,10 +96,10 @@ static const char *text_head(const struct arranged *arranged, const luxel_layout
                              char buffer[TEXT_SIZE])
 {
     const char *name = is_named ? name_of(arranged, limit) : NULL;
-    const bool has_unit = limits_have_unit(&limit->limit);
+    const bool has_unit = luxel_limit_has_unit(&limit->limit);
 
     return text_format(buffer, "%.80s%s%.80s %s %.6g%s%.40s", name ? name : "", name ? ": " : "",
-                       limits_name(&limit->limit), limit->limit.is_most ? "≤" : "≥", limit->limit.wanted,
+                       _(luxel_limit_word(&limit->limit)), limit->limit.is_most ? "≤" : "≥", limit->limit.wanted,
                        has_unit ? " " : "", has_unit ? text_unit(arranged->unit) : "");
 }
 

@@ -27,34 +27,6 @@ struct judged limits_of_grid(const luxel_scene *scene, size_t i, const luxel_gri
     return judged;
 }
 
-const char *limits_name(const luxel_limit *limit)
-{
-    static const struct {
-        const char *key, *words;
-    } known[] = {{"average", N_("average")},
-                 {"minimum", N_("minimum")},
-                 {"maximum", N_("maximum")},
-                 {"uniformity", N_("uniformity U0")},
-                 {"share", N_("share of the area")},
-                 {"ugr", "UGR"},
-                 {"surround_average", N_("surrounding area: average")},
-                 {"surround_uniformity", N_("surrounding area: U0")},
-                 {"background_average", N_("background area: average")},
-                 {"background_uniformity", N_("background area: U0")}};
-
-    for (size_t i = 0; i < sizeof known / sizeof *known; i++)
-        if (strcmp(known[i].key, limit->name) == 0)
-            return _(known[i].words);
-    return limit->is_most ? _("maximum / minimum") : _("minimum / maximum");
-}
-
-bool limits_have_unit(const luxel_limit *limit)
-{
-    return strcmp(limit->name, "average") == 0 || strcmp(limit->name, "minimum") == 0 ||
-           strcmp(limit->name, "maximum") == 0 || strcmp(limit->name, "surround_average") == 0 ||
-           strcmp(limit->name, "background_average") == 0;
-}
-
 void limits_print(const struct judged *judged, const char *unit)
 {
     struct text_table *table;
@@ -70,9 +42,9 @@ void limits_print(const struct judged *judged, const char *unit)
             text_format(wanted, _("at least %.6g %% from %.6g %s on"), limit->wanted, limit->above, text_unit(unit));
         else
             text_format(wanted, limit->is_most ? _("at most %.6g%s%s") : _("at least %.6g%s%s"), limit->wanted,
-                        limits_have_unit(limit) ? " " : "", limits_have_unit(limit) ? text_unit(unit) : "");
+                        luxel_limit_has_unit(limit) ? " " : "", luxel_limit_has_unit(limit) ? text_unit(unit) : "");
         text_table_row(table,
-                       TEXT_CELLS(limits_name(limit), wanted,
+                       TEXT_CELLS(_(luxel_limit_word(limit)), wanted,
                                   limit->has_value ? text_value_bound(value, 6, limit->value.value, limit->value.error)
                                                    : _("none"),
                                   _(luxel_verdict_word(limit->verdict))));

@@ -16,11 +16,6 @@ struct judged {
 
 struct judged limits_of_grid(const luxel_scene *scene, size_t i, const luxel_grid *grid);
 
-/* "average", translated. */
-const char *limits_name(const luxel_limit *limit);
-/* Whether the limit is a number of the grid's unit. */
-bool limits_have_unit(const luxel_limit *limit);
-
 /* "average at least 500 lx: 517.38 ± 0.21, pass", line by line; nothing where there are none. */
 void limits_print(const struct judged *judged, const char *unit);
 /* The array "limits"; nothing where there are none. */

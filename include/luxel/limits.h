@@ -33,6 +33,12 @@ typedef struct luxel_limit {
 
 enum { LUXEL_MOST_LIMITS = 8 };
 
+/* What a limit is of, in English, for callers to translate: "uniformity U0". */
+LUXEL_API const char *luxel_limit_word(const luxel_limit *limit);
+
+/* Whether it has the unit of the values that it is of: averages, minima and maxima do. */
+LUXEL_API bool luxel_limit_has_unit(const luxel_limit *limit);
+
 /* Whether a committed scene has limits. */
 LUXEL_API bool luxel_scene_has_limits(const luxel_scene *scene);
 

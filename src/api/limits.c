@@ -4,6 +4,7 @@
 
 #include <float.h>
 #include <math.h>
+#include <string.h>
 
 #include "../base/phrase.h"
 #include "../scene/observer.h"
@@ -280,6 +281,41 @@ luxel_limit luxel_worst_limit(const luxel_limit *limits, size_t count)
             worst.verdict = limit->verdict;
     }
     return worst;
+}
+
+static const struct limit_kind {
+    const char *name, *words;
+    bool has_unit;
+} kinds[] = {{"average", LX_N("average"), true},
+             {"minimum", LX_N("minimum"), true},
+             {"maximum", LX_N("maximum"), true},
+             {"uniformity", LX_N("uniformity U0"), false},
+             {"share", LX_N("share of the area"), false},
+             {"ugr", "UGR", false},
+             {"surround_average", LX_N("surrounding area: average"), true},
+             {"surround_uniformity", LX_N("surrounding area: U0"), false},
+             {"background_average", LX_N("background area: average"), true},
+             {"background_uniformity", LX_N("background area: U0"), false}};
+
+/* NULL: it is a ratio. */
+static const struct limit_kind *kind_of(const luxel_limit *limit)
+{
+    for (size_t i = 0; i < LX_COUNT(kinds); i++)
+        if (strcmp(kinds[i].name, limit->name) == 0)
+            return &kinds[i];
+    return NULL;
+}
+
+const char *luxel_limit_word(const luxel_limit *limit)
+{
+    const struct limit_kind *kind = kind_of(limit);
+    return kind ? kind->words : limit->is_most ? LX_N("maximum / minimum") : LX_N("minimum / maximum");
+}
+
+bool luxel_limit_has_unit(const luxel_limit *limit)
+{
+    const struct limit_kind *kind = kind_of(limit);
+    return kind && kind->has_unit;
 }
 
 bool luxel_scene_has_limits(const luxel_scene *scene)

@@ -115,33 +115,13 @@ const char *lx_lighting_name(const struct lx_report *report, const char *name, c
     return buffer;
 }
 
-static const char *limit_word(const luxel_limit *limit)
-{
-    static const struct {
-        const char *key, *words;
-    } known[] = {{"average", LX_N("average")},
-                 {"minimum", LX_N("minimum")},
-                 {"maximum", LX_N("maximum")},
-                 {"uniformity", LX_N("uniformity U0")},
-                 {"share", LX_N("share of the area")},
-                 {"ugr", "UGR"},
-                 {"surround_average", LX_N("surrounding area: average")},
-                 {"surround_uniformity", LX_N("surrounding area: U0")},
-                 {"background_average", LX_N("background area: average")},
-                 {"background_uniformity", LX_N("background area: U0")}};
-    for (size_t i = 0; i < sizeof known / sizeof *known; i++)
-        if (strcmp(known[i].key, limit->name) == 0)
-            return known[i].words;
-    return limit->is_most ? LX_N("maximum / minimum") : LX_N("minimum / maximum");
-}
-
 /* `unit`: of the average, the minimum and the maximum. */
 static void add_verdicts(const struct lx_report *report, const char *name, const struct lx_judged *judged,
                          const char *unit)
 {
     for (size_t i = 0; i < judged->count; i++) {
         const luxel_limit *limit = &judged->limits[i];
-        const bool has_unit = limit->name[0] == 'a' || limit->name[0] == 'm' || strstr(limit->name, "_average");
+        const bool has_unit = luxel_limit_has_unit(limit);
         const bool is_share = strcmp(limit->name, "share") == 0;
         char wanted[LX_NUMBER_SIZE + 40], number[LX_NUMBER_SIZE], cell[LX_LIGHTING_CELL];
         snprintf(wanted, sizeof wanted, "%s %s%s%s", limit->is_most ? "≤" : "≥",
@@ -151,7 +131,7 @@ static void add_verdicts(const struct lx_report *report, const char *name, const
             snprintf(wanted, sizeof wanted, "≥ %g %%: ≥ %g %s", limit->wanted, limit->above,
                      lx_document_word(report->document, unit));
         lx_document_row(report->document,
-                        LX_SPANS(LX_PLAIN(name), LX_TERM_SPAN(limit_word(limit)), LX_PLAIN(wanted),
+                        LX_SPANS(LX_PLAIN(name), LX_TERM_SPAN(luxel_limit_word(limit)), LX_PLAIN(wanted),
                                  LX_PLAIN(limit->has_value ? lx_lighting_amount(report, limit->value, cell) : "–"),
                                  {limit->verdict == LUXEL_PASS ? LX_SPAN_TERM : LX_SPAN_STRONG,
                                   luxel_verdict_word(limit->verdict)}),
