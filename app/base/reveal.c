@@ -47,7 +47,7 @@ static void wish_part(GtkWidget *inside, GtkScrolledWindow *scrolled, GtkWidget 
     gtk_widget_add_tick_callback(inside, reveal, wish, free_wish);
 }
 
-/* What is opened with it is shown meanwhile, and scrolled by the keyboard's focus: the part has the last word. */
+/* The part has the last word: meanwhile its section is shown, too, and the keyboard's focus scrolls. */
 void app_reveal_part(GtkWidget *inside, GtkScrolledWindow *scrolled, GtkWidget *part)
 {
     enum { FRAMES = 5 };

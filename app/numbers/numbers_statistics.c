@@ -154,7 +154,7 @@ static void show_mirrored(AppNumbers *self, const luxel_statistics *statistics, 
     app_numbers_set_text(self->lines[LINE_MIRRORED], text);
 }
 
-/* What the mean of the pixels' channels is; left out of a grey picture. */
+/* The colour of the pixels' mean; left out of a grey picture. */
 static void show_mean(AppNumbers *self, const luxel_color *mean)
 {
     static char *(*const tell[])(const luxel_color *) = {app_color_channels, app_color_place, app_color_temperature};

@@ -9,7 +9,7 @@
 #include <glib.h>
 #include <luxel/figure.h>
 
-/* What is shown of a picture in colour. */
+/* The part of a picture in colour that is shown. */
 typedef enum AppChannel {
     APP_CHANNEL_COLORS, /* its colours; in false colour the luminance */
     APP_CHANNEL_LUMINANCE,

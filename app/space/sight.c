@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* What is shown of it is drawn by the widgets; here is what it is, and what the hand does with it. */
+/* The state of a sight, and what the hand does with it; widgets draw it. */
 #include "sight.h"
 
 #include <string.h>

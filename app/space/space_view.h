@@ -20,7 +20,7 @@ GtkWidget *app_space_view_new(AppDocument *document);
 
 /* Shows the scene of the observer's picture, in its colours and range; NULL: none, as another scene is opened. */
 void app_space_view_set_picture(AppSpaceView *self, AppPicture *picture);
-/* What is chosen, lit up and read there. */
+/* Its sight: lamps that are chosen or lit up, the place that was read. */
 AppSight *app_space_view_sight(AppSpaceView *self);
 
 /* Takes all of the scene into view; looks from the front; zooms around the middle. */

@@ -136,7 +136,7 @@ static void drag_update(GtkGestureDrag *gesture, double dx, double dy, AppStage 
     app_sight_move(&self->sight, &self->projection, to, 1 / self->map.scale, state);
 }
 
-/* What is held is let go; where it is of a scene that is no longer there, too. */
+/* The thing that is held is let go; where it is of a scene that is no longer there, too. */
 static void let_go(AppStage *self)
 {
     if (self->is_held)

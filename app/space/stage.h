@@ -17,7 +17,7 @@ GtkWidget *app_stage_new(AppDocument *document);
 
 /* Shows the scene of a moment, to which a reference is taken; NULL: none. */
 void app_stage_set_moment(AppStage *self, AppMoment *moment);
-/* What is chosen, lit up and read there. */
+/* Its sight: lamps that are chosen or lit up, the place that was read. */
 AppSight *app_stage_sight(AppStage *self);
 
 #endif
