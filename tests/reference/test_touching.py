@@ -451,6 +451,26 @@ def direct(tap, luxel, count, seed):
     tap.ok(hidden > answered / 8 or count < FEW, "bodies hide something of the lamp", hidden, answered)
 
 
+def through(tap, luxel):
+    """Pipes through the far side of a globe, beyond its greatest circle, over which its light comes as well."""
+    globe = {"sphere": {"center": [0.0, 0.0, 1000.0], "radius": 175.0}}
+    light = {"type": "luminaire", "file": "lamp.ies", "position": [0.0, 0.0, 1000.0], "axis": [0.0, 0.0, -1.0],
+             "c0": [1.0, 0.0, 0.0], "interpolation": "cosine", "opening": {"sphere": {"radius": 175.0}}}
+    elements, false = [([150.0, -450.0, 100.0], [float(x) for x in unit([0.31, 0.64, 0.7])])], []
+    for radius in 60, 80, 88, 95, 100:
+        pipe = {"type": "cylinder", "center": [0.0, 160.0, 1000.0], "height": 50.0, "axis": [0.0, 1.0, 0.0],
+                "radius": float(radius)}
+        scene = {"lights": [light], "surfaces": [pipe]}
+        with tempfile.TemporaryDirectory() as folder:
+            point = ask(luxel, scene, elements, folder)[0]
+        sums, whole = truth(scene, globe, None, *map(np.array, elements[0]), np.random.default_rng(radius))
+        doubt = CERTAIN * sums.std(ddof=1) / math.sqrt(SETS)
+        if abs(point["value"] - sums.mean()) > point["error"] + doubt or not sums.mean() + doubt < 0.99 * whole:
+            false.append("radius %g: told %.9g ± %.2g, is %.9g ± %.2g of %.6g" % (
+                radius, point["value"], point["error"], sums.mean(), doubt, whole))
+    tap.ok(not false, "a pipe through the far side of a globe hides what it hides", *false)
+
+
 # ---- furnaces ----
 
 ROOM_MM = (4000.0, 3000.0, 2500.0)  # around (0, 0, 1250)
@@ -589,6 +609,7 @@ def main():
     given = [int(word) for word in sys.argv[2:]] + [1000]
     counts[:len(given) - 1] = given[:-1][:3]
     tap, luxel, seed = Tap(), os.path.abspath(sys.argv[1]), given[3] if len(given) > 4 else 1000
+    tap.run(through, tap, luxel)
     tap.run(direct, tap, luxel, counts[0], seed)
     tap.run(furnaces, tap, luxel, counts[1], seed)
     tap.run(spheres, tap, luxel, counts[2], seed)

@@ -126,7 +126,10 @@ static void propose_on_ball(const struct half_plane *half, const double p[3], co
                             double radius, struct candidates *candidates)
 {
     const double size = sqrt(fmax(half->square, 0)), square = radius * radius;
-    const double middle = half->center_mm, to_near = half->sweep->wall == LX_FAR_WALL ? -size : size;
+    const bool is_far = half->sweep->wall == LX_FAR_WALL;
+    const double middle = half->center_mm, to_near = is_far ? -size : size;
+    /* the far side is more than half of the circle: it ends where lines of sight touch that */
+    const double sine = fmin(size / middle, 1 - DBL_EPSILON), last = is_far ? sqrt((1 + sine) / (1 - sine)) : 1;
     double far[3], side[3], near[3], roots[MOST_DEGREE];
     for (int k = 0; k < 3; k++) {
         near[k] = (middle - to_near) * d[k] - p[k];
@@ -136,7 +139,7 @@ static void propose_on_ball(const struct half_plane *half, const double p[3], co
     const double polynomial[MOST_DEGREE + 1] = {lx_dot(near, near) - square, 2 * lx_dot(near, side),
                                                 2 * lx_dot(near, far) + lx_dot(side, side) - 2 * square,
                                                 2 * lx_dot(side, far), lx_dot(far, far) - square};
-    const size_t count = find_roots(polynomial, MOST_DEGREE, (const double[]){-1, 1}, roots);
+    const size_t count = find_roots(polynomial, MOST_DEGREE, (const double[]){-last, last}, roots);
     for (size_t i = 0; i < count; i++) {
         const double t = roots[i], scale = 1 / (1 + t * t);
         const struct point at = {middle - to_near * (1 - t) * (1 + t) * scale, 2 * t * size * scale};
