@@ -48,11 +48,15 @@ static off_t byte_of_part(const struct folder *folder)
 
 static int refuse_second(const struct folder *folder, pid_t holder)
 {
+    char process[64] = ""; /* some systems do not tell it */
+
+    if (holder > 0)
+        snprintf(process, sizeof process, _(" (process %ld)"), (long)holder);
     if (folder->parts > 1)
-        message_error(_("%s: another luxel sweep works in this folder, or does part %u of %u (process %ld)"),
-                      folder->path, folder->part, folder->parts, (long)holder);
+        message_error(_("%s: another luxel sweep works in this folder, or does part %u of %u%s"), folder->path,
+                      folder->part, folder->parts, process);
     else
-        message_error(_("%s: another luxel sweep works in this folder (process %ld)"), folder->path, (long)holder);
+        message_error(_("%s: another luxel sweep works in this folder%s"), folder->path, process);
     message_hint(_("wait until it has ended; several processes share the work by --shard 0/N to --shard N-1/N"));
     return EXIT_FILE;
 }
@@ -175,6 +179,8 @@ void folder_close(struct folder *folder)
         unlinkat(folder->folder, folder->work_name, AT_REMOVEDIR);
     }
     if (folder->lock >= 0) {
+        lock_byte(folder->lock, F_SETLK, F_UNLCK, 0, NULL); /* its own may not be in the way of all */
+        lock_byte(folder->lock, F_SETLK, F_UNLCK, byte_of_part(folder), NULL);
         if (folder->work >= 0 && fcntl(folder->lock, F_SETLK, &all) == 0) {
             clear_beginning(folder->folder, work_beginning);
             unlinkat(folder->folder, lock_name, 0);

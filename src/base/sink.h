@@ -23,7 +23,9 @@
 #include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
+#include <stdio.h>
 #include <sys/types.h>
+#include <unistd.h> /* which may give functions, and members of their names, other names */
 
 #include "diagnostics.h"
 

@@ -1,9 +1,10 @@
 /* SPDX-License-Identifier: MIT */
 /* The state of a file, which tells it from what it was, by Windows' record of it: volume, number, size, time. */
 #include <stdint.h>
-#include <windows.h>
+#include <stdlib.h>
 
 #include "../base/builtin_file.h"
+#include "../base/windows/files.h"
 #include "kept.h"
 
 /* Ticks of 100 ns after which the times of a file tell it from a later change. */
@@ -21,8 +22,11 @@ struct lx_file_state lx_file_state_of(const char *path)
     FILETIME now;
     if (lx_builtin_file_of(path))
         return (struct lx_file_state){.is_known = true}; /* it never changes */
-    HANDLE file = CreateFileA(path, 0, FILE_SHARE_READ | FILE_SHARE_WRITE | FILE_SHARE_DELETE, NULL, OPEN_EXISTING,
-                              FILE_ATTRIBUTE_NORMAL, NULL);
+    wchar_t *wide = lx_windows_wide(path);
+    HANDLE file = wide ? CreateFileW(wide, 0, FILE_SHARE_READ | FILE_SHARE_WRITE | FILE_SHARE_DELETE, NULL,
+                                     OPEN_EXISTING, FILE_ATTRIBUTE_NORMAL, NULL)
+                       : INVALID_HANDLE_VALUE;
+    free(wide);
     if (file == INVALID_HANDLE_VALUE)
         return state;
     if (GetFileType(file) == FILE_TYPE_DISK && GetFileInformationByHandle(file, &about)) {

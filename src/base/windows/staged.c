@@ -18,11 +18,10 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include <windows.h>
-
 #include "../path.h"
+#include "files.h"
 
-enum { SLOTS = 8, ATTEMPTS = 1000, LONGEST = 32768 };
+enum { SLOTS = 8, ATTEMPTS = 1000 };
 
 static int no_unnamed(int folder, mode_t mode)
 {
@@ -32,39 +31,19 @@ static int no_unnamed(int folder, mode_t mode)
     return -1;
 }
 
-static int error_of(DWORD error)
-{
-    switch (error) {
-    case ERROR_FILE_NOT_FOUND:
-    case ERROR_PATH_NOT_FOUND:
-    case ERROR_INVALID_NAME:
-    case ERROR_BAD_NETPATH: return ENOENT;
-    case ERROR_FILE_EXISTS:
-    case ERROR_ALREADY_EXISTS: return EEXIST;
-    case ERROR_DISK_FULL:
-    case ERROR_HANDLE_DISK_FULL: return ENOSPC;
-    case ERROR_NOT_ENOUGH_MEMORY: return ENOMEM;
-    case ERROR_WRITE_PROTECT: return EROFS;
-    case ERROR_FILENAME_EXCED_RANGE: return ENAMETOOLONG;
-    case ERROR_ACCESS_DENIED:
-    case ERROR_SHARING_VIOLATION: return EACCES;
-    default: return EIO;
-    }
-}
-
 static ssize_t write_bytes(int file, const void *bytes, size_t count)
 {
     DWORD written;
     if (WriteFile((HANDLE)_get_osfhandle(file), bytes, count < INT_MAX ? (DWORD)count : INT_MAX, &written, NULL))
         return (ssize_t)written;
     const DWORD error = GetLastError();
-    errno = error == ERROR_NO_DATA || error == ERROR_BROKEN_PIPE ? EPIPE : error_of(error);
+    errno = error == ERROR_NO_DATA || error == ERROR_BROKEN_PIPE ? EPIPE : lx_windows_error(error);
     return -1;
 }
 
 static int sync_file(int file)
 {
-    return FlushFileBuffers((HANDLE)_get_osfhandle(file)) ? 0 : (errno = error_of(GetLastError()), -1);
+    return FlushFileBuffers((HANDLE)_get_osfhandle(file)) ? 0 : (errno = lx_windows_error(GetLastError()), -1);
 }
 
 static int rename_path(int folder, const char *from, const char *to)
@@ -74,14 +53,6 @@ static int rename_path(int folder, const char *from, const char *to)
 }
 
 const struct lx_sink_system lx_sink_real_system = {no_unnamed, write_bytes, sync_file, rename_path};
-
-static wchar_t *widened(const char *path)
-{
-    wchar_t *wide = malloc(LONGEST * sizeof *wide);
-    if (wide && MultiByteToWideChar(CP_UTF8, 0, path, -1, wide, LONGEST) == 0)
-        wide[0] = L'\0';
-    return wide;
-}
 
 /* The path of hidden name number `slot` of a target. */
 static char *hidden_path(struct lx_staged *staged, unsigned slot)
@@ -101,13 +72,13 @@ static char *hidden_path(struct lx_staged *staged, unsigned slot)
 static int create_hidden(struct lx_staged *staged, unsigned slot)
 {
     char *path = hidden_path(staged, slot);
-    wchar_t *wide = path ? widened(path) : NULL;
+    wchar_t *wide = path ? lx_windows_wide(path) : NULL;
     int error = wide ? 0 : ENOMEM;
     if (wide) {
         DeleteFileW(wide); /* fails while a process has it */
         HANDLE handle = CreateFileW(wide, GENERIC_READ | GENERIC_WRITE | DELETE, FILE_SHARE_READ, NULL, CREATE_NEW,
                                     FILE_ATTRIBUTE_NORMAL, NULL);
-        error = handle == INVALID_HANDLE_VALUE ? error_of(GetLastError()) : 0;
+        error = handle == INVALID_HANDLE_VALUE ? lx_windows_error(GetLastError()) : 0;
         staged->file = error == 0 ? _open_osfhandle((intptr_t)handle, _O_RDWR | _O_BINARY | _O_NOINHERIT) : -1;
         if (error == 0 && staged->file < 0) {
             CloseHandle(handle);
@@ -166,15 +137,15 @@ int lx_staged_open(struct lx_staged *staged, const char *path, const struct lx_s
         return EISDIR;
     /* The place of a link is where it leads to. */
     staged->target = exists ? realpath(path, NULL) : strdup(path);
-    return staged->target ? create(staged) : ENOMEM;
+    return staged->target ? create(staged) : errno;
 }
 
 int lx_staged_publish(struct lx_staged *staged)
 {
     if (staged->direct)
         return 0;
-    wchar_t *full = malloc(LONGEST * sizeof *full), *wide = widened(staged->target);
-    DWORD length = full && wide ? GetFullPathNameW(wide, LONGEST, full, NULL) : 0;
+    wchar_t *full = malloc(LX_LONGEST_PATH * sizeof *full), *wide = lx_windows_wide(staged->target);
+    DWORD length = full && wide ? GetFullPathNameW(wide, LX_LONGEST_PATH, full, NULL) : 0;
     FILE_RENAME_INFO *wanted = length > 0 ? calloc(1, sizeof *wanted + (length + 1) * sizeof(wchar_t)) : NULL;
     int error = ENOMEM;
     if (wanted) {
@@ -183,7 +154,7 @@ int lx_staged_publish(struct lx_staged *staged)
         memcpy(wanted->FileName, full, (length + 1) * sizeof(wchar_t));
         const DWORD size = (DWORD)(sizeof *wanted + length * sizeof(wchar_t));
         HANDLE handle = (HANDLE)_get_osfhandle(staged->file);
-        error = SetFileInformationByHandle(handle, FileRenameInfo, wanted, size) ? 0 : error_of(GetLastError());
+        error = SetFileInformationByHandle(handle, FileRenameInfo, wanted, size) ? 0 : lx_windows_error(GetLastError());
     }
     free(wanted);
     free(wide);

@@ -216,28 +216,6 @@ int lx_windows_fclose(FILE *stream)
     return is_whole ? status : EOF;
 }
 
-#undef open
-int lx_windows_open(const char *path, int flags, ...)
-{
-    struct _stat64 about;
-    va_list arguments;
-    va_start(arguments, flags);
-    const int mode = flags & O_CREAT ? va_arg(arguments, int) : 0;
-    va_end(arguments);
-    const int file = open(strcmp(path, "/dev/null") == 0 ? "NUL" : path, flags | O_BINARY, mode);
-    if (file < 0 && errno == EACCES && _stat64(path, &about) == 0 && S_ISDIR(about.st_mode))
-        errno = EISDIR;
-    return file;
-}
-
-int fcntl(int file, int command)
-{
-    if (command == F_GETFD && _get_osfhandle(file) != -1)
-        return 0;
-    errno = command == F_GETFD ? EBADF : EINVAL;
-    return -1;
-}
-
 int fallocate(int file, int mode, long long from, long long bytes)
 {
     FILE_ALLOCATION_INFO wanted = {.AllocationSize.QuadPart = from + bytes};
@@ -258,85 +236,6 @@ ssize_t pread(int file, void *bytes, size_t count, long long place)
         return 0;
     errno = EIO;
     return -1;
-}
-
-/* GetFinalPathNameByHandleW() begins with this, which other functions need not understand. */
-static const wchar_t verbatim[] = L"\\\\?\\";
-
-char *realpath(const char *path, char *buffer)
-{
-    enum { PREFIX = sizeof verbatim / sizeof verbatim[0] - 1 };
-    wchar_t wide[32768];
-    char text[PATH_MAX * 4];
-    (void)buffer;
-    HANDLE handle = INVALID_HANDLE_VALUE;
-    if (MultiByteToWideChar(CP_UTF8, MB_ERR_INVALID_CHARS, path, -1, wide, sizeof wide / sizeof wide[0]) > 0)
-        handle = CreateFileW(wide, 0, FILE_SHARE_READ | FILE_SHARE_WRITE | FILE_SHARE_DELETE, NULL, OPEN_EXISTING,
-                             FILE_FLAG_BACKUP_SEMANTICS, NULL);
-    const DWORD length = handle != INVALID_HANDLE_VALUE
-                             ? GetFinalPathNameByHandleW(handle, wide, sizeof wide / sizeof wide[0], 0)
-                             : 0;
-    if (handle != INVALID_HANDLE_VALUE)
-        CloseHandle(handle);
-    if (length == 0 || length >= sizeof wide / sizeof wide[0]) {
-        errno = ENOENT;
-        return NULL;
-    }
-    const wchar_t *start = wcsncmp(wide, verbatim, PREFIX) == 0 ? wide + PREFIX : wide;
-    if (WideCharToMultiByte(CP_UTF8, 0, start, -1, text, sizeof text, NULL, NULL) == 0) {
-        errno = ENAMETOOLONG;
-        return NULL;
-    }
-    for (char *at = text; *at; at++)
-        *at = *at == '\\' ? '/' : *at;
-    return strdup(text);
-}
-
-static void free_entries(struct dirent **entries, size_t count)
-{
-    while (count > 0)
-        free(entries[--count]);
-    free(entries);
-}
-
-static bool add_entry(struct dirent ***entries, size_t count, const struct dirent *entry)
-{
-    struct dirent **more = realloc(*entries, (count + 1) * sizeof *more), *copy = malloc(sizeof *copy);
-    if (more)
-        *entries = more;
-    if (!more || !copy) {
-        free(copy);
-        return false;
-    }
-    *copy = *entry;
-    more[count] = copy;
-    return true;
-}
-
-int scandir(const char *path, struct dirent ***entries, int (*is_wanted)(const struct dirent *),
-            int (*compare)(const struct dirent **, const struct dirent **))
-{
-    DIR *folder = opendir(path);
-    struct dirent **found = NULL;
-    size_t count = 0;
-    if (!folder)
-        return -1;
-    for (const struct dirent *entry; (entry = readdir(folder)) != NULL;) {
-        if (!is_wanted(entry))
-            continue;
-        if (!add_entry(&found, count, entry)) {
-            free_entries(found, count);
-            closedir(folder);
-            errno = ENOMEM;
-            return -1;
-        }
-        count++;
-    }
-    closedir(folder);
-    if (count > 0)
-        qsort(found, count, sizeof *found, (int (*)(const void *, const void *))(void (*)(void))compare);
-    *entries = found;
-    return (int)count;
 }
 
 int sigaction(int signal_number, const struct sigaction *action, struct sigaction *before)

@@ -5,7 +5,8 @@
 
 #include_next <signal.h>
 
-#define SIGPIPE 13 /* which nothing raises there */
+#define SIGPIPE 13 /* which nothing raises there, nor the other */
+#define SIGXFSZ 25
 
 struct sigaction {
     void (*sa_handler)(int signal_number);
