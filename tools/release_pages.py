@@ -14,9 +14,13 @@ import uuid
 
 ROOT = pathlib.Path(__file__).resolve().parents[1]
 LICENCES = {"libfyaml": "MIT", "libpng1.6": "libpng-2.0", "zlib": "Zlib", "openexr": "BSD-3-Clause",
-            "imath": "BSD-3-Clause", "musl": "MIT"}
+            "imath": "BSD-3-Clause", "musl": "MIT", "cairo": "LGPL-2.1-only OR MPL-1.1", "libffi": "MIT",
+            "pcre2": "BSD-3-Clause", "glib2.0": "LGPL-2.1-or-later", "fribidi": "LGPL-2.1-or-later",
+            "harfbuzz": "MIT", "pango1.0": "LGPL-2.0-or-later", "pixman": "MIT"}
+DRAWING = ["cairo", "libffi", "pcre2", "glib2.0", "fribidi", "harfbuzz", "pango1.0", "pixman"]
 # What is inside of which files, by how their names end or begin.
-INSIDE = [(r"\.whl$|-linux-|-windows-", ["libfyaml", "libpng1.6", "zlib", "openexr", "imath"]),
+INSIDE = [(r"-windows-", ["libfyaml", "libpng1.6", "zlib", "openexr", "imath"] + DRAWING),
+          (r"\.whl$|-linux-", ["libfyaml", "libpng1.6", "zlib", "openexr", "imath"]),
           (r"\.tgz$|\.html$|-page\.zip$", ["libfyaml", "libpng1.6", "zlib", "musl"])]
 STYLE = "body{font:16px/1.5 sans-serif;max-width:50em;margin:2em auto;padding:0 1em}code{font-size:.9em}"
 
@@ -61,9 +65,12 @@ def versions():
     """The libraries that are built here, by their sources; of emscripten's C library that of its package."""
     found = {}
     for place in ("build/linux", "build/windows", "build-web"):
-        for path in (ROOT / place).glob("libraries/sources/*/debian/changelog"):
+        sources = ROOT / place / "libraries/sources"
+        for path in [*sources.glob("*/debian/changelog"), *sources.glob("drawing/*/debian/changelog")]:
             name, version = re.match(r"(\S+) \(([^)]+)\)", path.read_text(encoding="utf-8")).groups()
             found[name] = version
+        for path in sources.glob("drawing/pixman-*/"):  # which comes without Debian's changes
+            found["pixman"] = path.name.removeprefix("pixman-")
     query = ["dpkg-query", "-W", "-f=${Version}", "emscripten"]
     told = subprocess.run(query, capture_output=True, text=True, check=False)
     if told.returncode == 0:
@@ -74,7 +81,7 @@ def versions():
 def component(name, version):
     source = "emscripten" if name == "musl" else name
     return {"type": "library", "bom-ref": name, "name": name, "version": version,
-            "licenses": [{"license": {"id": LICENCES[name]}}], "purl": f"pkg:deb/debian/{source}@{version}?arch=source"}
+            "licenses": [{"expression": LICENCES[name]}], "purl": f"pkg:deb/debian/{source}@{version}?arch=source"}
 
 
 def materials(folder, version, seconds):

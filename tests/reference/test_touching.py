@@ -143,6 +143,11 @@ def truth(scene, shape, material, place, normal, rng):
     return np.array(sums), np.mean(whole)
 
 
+def doubt_of(sums, whole):
+    """How far the mean of sums may be off; all points may miss a sliver."""
+    return CERTAIN * (sums.std(ddof=1) / math.sqrt(SETS) + whole / (SETS * SIDE * SIDE))
+
+
 # ---- scenes ----
 
 def number(rng, low, high, is_round):
@@ -346,7 +351,7 @@ def direct(tap, luxel, count, seed):
             if is_doubtful(scene, np.array(place)):
                 continue
             sums, whole = truth(scene, shape, material, np.array(place), np.array(normal), points)
-            doubt = CERTAIN * sums.std(ddof=1) / math.sqrt(SETS)
+            doubt = doubt_of(sums, whole)
             answered += 1
             hidden += bool(sums.mean() < 0.999 * whole)
             words = "%d: %s, %s %s%s at %s %s: told %.9g ± %.2g, is %.9g ± %.2g of %.6g" % (
@@ -375,7 +380,7 @@ def through(tap, luxel):
         with tempfile.TemporaryDirectory() as folder:
             point = ask(luxel, scene, elements, folder)[0]
         sums, whole = truth(scene, globe, None, *map(np.array, elements[0]), np.random.default_rng(radius))
-        doubt = CERTAIN * sums.std(ddof=1) / math.sqrt(SETS)
+        doubt = doubt_of(sums, whole)
         if abs(point["value"] - sums.mean()) > point["error"] + doubt or not sums.mean() + doubt < 0.99 * whole:
             false.append("radius %g: told %.9g ± %.2g, is %.9g ± %.2g of %.6g" % (
                 radius, point["value"], point["error"], sums.mean(), doubt, whole))
