@@ -19,7 +19,7 @@ LICENCES = {"libfyaml": "MIT", "libpng1.6": "libpng-2.0", "zlib": "Zlib", "opene
             "harfbuzz": "MIT", "pango1.0": "LGPL-2.0-or-later", "pixman": "MIT"}
 DRAWING = ["cairo", "libffi", "pcre2", "glib2.0", "fribidi", "harfbuzz", "pango1.0", "pixman"]
 # What is inside of which files, by how their names end or begin.
-INSIDE = [(r"-windows-", ["libfyaml", "libpng1.6", "zlib", "openexr", "imath"] + DRAWING),
+INSIDE = [(r"-windows-|-win_amd64", ["libfyaml", "libpng1.6", "zlib", "openexr", "imath"] + DRAWING),
           (r"\.whl$|-linux-", ["libfyaml", "libpng1.6", "zlib", "openexr", "imath"]),
           (r"\.tgz$|\.html$|-page\.zip$", ["libfyaml", "libpng1.6", "zlib", "musl"])]
 STYLE = "body{font:16px/1.5 sans-serif;max-width:50em;margin:2em auto;padding:0 1em}code{font-size:.9em}"

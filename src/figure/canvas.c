@@ -5,7 +5,8 @@
 #include <math.h>
 #include <pango/pangocairo.h>
 
-static const char families[] = "DejaVu Sans, Noto Sans, Liberation Sans, sans-serif";
+/* Without blanks, which pango on Windows would take for parts of names. */
+static const char families[] = "DejaVu Sans,Noto Sans,Liberation Sans,Segoe UI,sans-serif";
 
 static void *fonts_of(cairo_t *cairo)
 {

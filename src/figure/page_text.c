@@ -7,8 +7,9 @@
 #include "../base/memory.h"
 #include "page_rows.h"
 
-const char lx_page_families[] = "Noto Serif, DejaVu Serif, Liberation Serif, serif";
-const char lx_page_mono_families[] = "DejaVu Sans Mono, Noto Sans Mono, Liberation Mono, monospace";
+/* As in canvas.c, without blanks. */
+const char lx_page_families[] = "Noto Serif,DejaVu Serif,Liberation Serif,Cambria,serif";
+const char lx_page_mono_families[] = "DejaVu Sans Mono,Noto Sans Mono,Liberation Mono,Consolas,monospace";
 
 #define OBJECT "\xef\xbf\xbc" /* stands for a formula; lines may be broken at both of its sides */
 #define JOINER "\xe2\x81\xa0" /* but not where this stands */

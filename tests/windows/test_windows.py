@@ -11,6 +11,7 @@ import subprocess
 import sys
 import tempfile
 import time
+from xml.etree import ElementTree
 
 from tap import Tap
 
@@ -34,6 +35,15 @@ shard: 100
 vary:
   - {key: 'lights[0].position', random: box, from: [-2000, -2000, 1500], to: [2000, 2000, 4000]}
 outputs: {brightness: float32, normals: float16}
+"""
+LAMP = """\
+IESNA:LM-63-2002
+TILT=NONE
+1 -1 1 3 1 1 2 .1 .1 0
+1 1 20
+0 45 90
+0
+900 600 0
 """
 BALL = SCENE % "sphere, center: [0, 0, 1000], radius: 300"
 POT = SCENE % "mesh, file: parts/pot.ply, position: [0, 0, 1000]"
@@ -201,6 +211,40 @@ def sweeps(folder):
     tap.ok(code == 0 and (folder / "brightness.npy").stat().st_size > 1000, "shards are merged", told)
 
 
+def pages_of(path):
+    told = subprocess.run(["pdfinfo", path], capture_output=True, text=True, check=True).stdout
+    return int(re.search(r"^Pages: +(\d+)", told, re.MULTILINE)[1])
+
+
+def words_of(path):
+    return subprocess.run(["pdftotext", path, "-"], capture_output=True, text=True, check=True).stdout.split()
+
+
+def drawings(folder):
+    """Figures and reports, whose fonts are those of the system: pages and words are the same as on Linux."""
+    for name in ("figure.png", "figure.svg", "figure.pdf"):
+        code, _, told = run(WINDOWS, folder, "figure", "report", "-q", "-o", name)
+        tap.equal((code, told), (0, b""), name)
+    tap.ok((folder / "figure.png").read_bytes()[:4] == b"\x89PNG", "it is a PNG")
+    root = ElementTree.parse(folder / "figure.svg").getroot()
+    tap.ok(root.tag.endswith("svg") and len(list(root.iter())) > 100, "it is an SVG", root.tag)
+    for language in ("en", "ru"):
+        words, environment = {}, {"LC_ALL": "C.UTF-8", "LANGUAGE": language, "LANG": "ru_RU.UTF-8"}
+        for program, name in ((NATIVE, "native"), (WINDOWS, "windows")):
+            path = folder / f"{name}-{language}.pdf"
+            code, _, told = run(program, folder, "report", "report", "-q", "-o", path.name, environment=environment)
+            tap.equal((code, told), (0, b""), f"{path.name}: a report")
+            words[name] = words_of(path)
+        tap.ok(len(words["native"]) > 500, f"a report in {language} has words")
+        left = [word for word in set(words["native"]) - set(words["windows"]) if word.isalpha() and len(word) > 3]
+        tap.ok(len(left) < 20, f"a report in {language}: the same words", left)
+        tap.ok(abs(pages_of(folder / f"windows-{language}.pdf") - pages_of(folder / f"native-{language}.pdf")) <= 1,
+               f"a report in {language}: pages")
+    (folder / "lamp.ies").write_text(LAMP, encoding="utf-8")
+    code, _, told = run(WINDOWS, folder, "photometry", "lamp.ies", "-q", "-o", "polar.svg")
+    tap.ok(code == 0 and (folder / "polar.svg").stat().st_size > 1000, "a diagram of a luminaire", told)
+
+
 def library(folder):
     """Examples that are linked with luxel.dll by either import library run, and give the tool's numbers."""
     root = SOURCES.parents[1]
@@ -222,14 +266,15 @@ def library(folder):
     shown = subprocess.run(["x86_64-w64-mingw32-objdump", "-p", built / "luxel.dll"], capture_output=True, text=True,
                            check=True).stdout
     names = re.findall(r"^\s*\[ *\d+\](?: \+base\[ *\d+\])?\s+(?:[0-9a-f]+ )?(\w+)$", shown, re.MULTILINE)
-    symbols = (root / "tests/abi/luxel_1.symbols").read_text(encoding="utf-8")
+    symbols = "".join((root / f"tests/abi/{name}_1.symbols").read_text(encoding="utf-8")
+                      for name in ("luxel", "luxel-figure"))
     listed = re.findall(r"^(luxel_\w+) ", symbols, re.MULTILINE)
-    tap.equal(sorted(names), sorted(listed), "functions that luxel.dll shows")
+    tap.equal(set(names) ^ set(listed), set(), "functions that luxel.dll shows")
 
 
 INSTRUCTIONS = shared_instructions()
 SOURCES = pathlib.Path(__file__).resolve().parents[2] / "data/scenes"
-for test in (paths, long_paths, sweeps, library, texts, inputs, scenes_and_formats):
+for test in (paths, long_paths, sweeps, drawings, library, texts, inputs, scenes_and_formats):
     if not sys.argv[4:] or test.__name__ in sys.argv[4:]:
         with tempfile.TemporaryDirectory() as name:
             tap.run(test, pathlib.Path(name))
