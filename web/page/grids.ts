@@ -1,32 +1,44 @@
 // SPDX-License-Identifier: MIT
-// The measuring grids of a scene in the strip: the irradiance in each cell, and what lighting designers read off it.  While
-// they are looked at, the numbers stand in the space view, too, where they were measured.
+// The measuring grids of a scene in the strip: the irradiance in each cell, what lighting designers read off it, how much
+// observers are dazzled, and whether all of it keeps its limits.  While they are looked at, grids, their numbers and the
+// observers stand in the space view, too.
 import { Apart } from './apart';
-import type { Grid } from './core';
+import type { Grid, Limit, Measured, Rated } from './core';
 import { h } from './dom';
+import { NOTHING_MEASURED, type InSpace } from './measured';
 import type { Model } from './model';
-import { along, type Place } from './space_math';
+import { add, along, unit, type Place } from './space_math';
 import type { Of } from './version';
 import { amount, number, t } from './words';
 
 const MOST_COLUMNS = 60; // of a table
 const MOST_CELLS = 2500; // of a grid whose numbers stand in the space view
+const GAZE = 600; // mm, of the arrow that tells where an observer looks
+
+type Verdict = Limit['verdict'];
+
+const WORDS: Record<Verdict, string> = { pass: 'kept', fail: 'not kept', undecided: 'undecided' };
+
+/** The worst of what is said of limits; null: there are none. */
+function worst(limits: Limit[]): Verdict | null {
+    return (['fail', 'undecided', 'pass'] as const).find((verdict) => limits.some((limit) => limit.verdict === verdict)) ?? null;
+}
 
 export class GridsPanel {
     readonly element = h('div', { class: 'grids' });
-    /** Called when other numbers are to stand in the space view. */
+    /** Called when something else is to stand in the space view. */
     onChange: () => void = () => undefined;
     private of: Of | null = null; // what is shown
-    private grids: Grid[] = [];
-    private readonly apart: Apart<Grid[]>;
+    private found: Measured = { grids: [], observers: [] };
+    private readonly apart: Apart<Measured>;
 
     constructor(private readonly model: Model) {
         model.follow(this.element, () => this.of);
         this.apart = new Apart(
             model,
             (client, of) => client.ask('grids', of),
-            (grids, of) => {
-                [this.grids, this.of] = [grids ?? [], of];
+            (found, of) => {
+                [this.found, this.of] = [found ?? { grids: [], observers: [] }, of];
                 this.show();
                 this.onChange();
             },
@@ -35,7 +47,7 @@ export class GridsPanel {
 
     clear() {
         this.of = null;
-        this.grids = [];
+        this.found = { grids: [], observers: [] };
         this.element.replaceChildren();
     }
 
@@ -51,22 +63,58 @@ export class GridsPanel {
         this.apart.again();
     }
 
-    /** What stands in space while the grids are looked at: cells and their numbers. */
-    get cells(): { at: Place; text: string }[] {
-        if (!this.apart.isShown || !this.model.isCurrent(this.of)) return [];
-        return this.grids.filter(({ values }) => values.length <= MOST_CELLS).flatMap((grid) => placed(grid));
+    // Nothing is said of limits before all light is known.
+    private get isPartial(): boolean {
+        return !!this.of && this.model.isPartial(this.of);
+    }
+
+    /** What stands in space while the grids are looked at. */
+    get inSpace(): InSpace {
+        if (!this.apart.isShown || !this.model.isCurrent(this.of)) return NOTHING_MEASURED;
+        const { grids, observers } = this.found;
+        const told = (limits: Limit[]) => (this.isPartial ? null : worst(limits));
+        return {
+            cells: grids.filter(({ values }) => values.length <= MOST_CELLS).flatMap((grid) => placed(grid)),
+            lines: [...grids.flatMap((grid) => outlines(grid, told(grid.limits))), ...observers.flatMap((observer) => gaze(observer, told(observer.limits)))],
+        };
     }
 
     private show() {
-        const parts = this.grids.map((grid, i) => this.table(grid, i));
+        const { grids, observers } = this.found;
+        const parts = [...grids.map((grid, i) => this.grid(grid, i)), ...observers.map((observer, i) => this.observer(observer, i))];
         this.element.replaceChildren(...(parts.length ? parts : [h('p', { class: 'dim' }, t('This grid cannot be measured.'))]));
         this.model.dim();
     }
 
-    private table(grid: Grid, index: number): HTMLElement {
-        const { name, columns, rows, unit, values, measured } = grid;
-        const partial = this.of && this.model.isPartial(this.of) ? ` (${t('direct light alone')})` : '';
+    private facts(title: string, facts: [string, string][], limits: Limit[], unit: string): HTMLElement {
+        const rows = facts.map(([key, value]) => h('tr', {}, h('th', { scope: 'row' }, key), h('td', { class: 'amount' }, value)));
+        return h('table', {}, h('caption', {}, title), h('tbody', {}, ...rows, ...limits.map((limit) => this.limit(limit, unit))));
+    }
+
+    // A limit beside the number that it is of, and what is said of it.
+    private limit({ word, name, wanted, is_most, has_unit, above, value, error, verdict }: Limit, unit: string): HTMLElement {
+        const sign = is_most ? '≤' : '≥';
+        const ofShare = name === 'share' ? ` % ${t('from')} ${number(above, 4)}` : '';
+        const told = value === null ? '—' : error === null ? number(value, 5) : amount([value, error]);
+        const said = this.isPartial ? '…' : t(WORDS[verdict]);
+        return h(
+            'tr',
+            { class: `limit ${this.isPartial ? '' : verdict}` },
+            h('th', { scope: 'row' }, word),
+            h('td', { class: 'amount' }, told),
+            h('td', { class: 'amount' }, `${sign} ${number(wanted, 5)}${ofShare}${has_unit || ofShare ? ` ${unit}` : ''}`),
+            h('td', { class: 'said' }, said),
+        );
+    }
+
+    private grid(grid: Grid, index: number): HTMLElement {
+        const { name, columns, rows, unit, values, measured, surround, background } = grid;
+        const partial = this.isPartial ? ` (${t('direct light alone')})` : '';
         const title = `${name ?? `${t('Grid')} ${index + 1}`}, ${columns} × ${rows}, ${unit}${partial}`;
+        const strips: [string, Grid['surround']][] = [
+            [t('average around it'), surround],
+            [t('average in the background'), background],
+        ];
         const facts: [string, string][] = measured
             ? [
                   [t('average'), amount(grid.average)],
@@ -74,6 +122,7 @@ export class GridsPanel {
                   [t('maximum'), number(grid.maximum.value, 5)],
                   ['U₀', grid.u0 === undefined ? '—' : number(grid.u0, 4)],
                   ['U_d', grid.ud === undefined ? '—' : number(grid.ud, 4)],
+                  ...strips.flatMap(([key, area]): [string, string][] => (area ? [[key, amount(area.average)]] : [])),
               ]
             : [];
         const lines = Array.from({ length: rows }, (_, row) =>
@@ -85,25 +134,34 @@ export class GridsPanel {
                     .map((value) => h('td', { class: 'amount' }, value === null ? '—' : number(value, 4))),
             ),
         );
-        return h(
-            'section',
-            { class: 'grid', 'aria-label': title },
-            h(
-                'table',
-                {},
-                h('caption', {}, title),
-                h('tbody', {}, ...facts.map(([key, value]) => h('tr', {}, h('th', { scope: 'row' }, key), h('td', { class: 'amount' }, value)))),
-            ),
-            h('table', { class: 'cells' }, h('tbody', {}, ...lines)),
-        );
+        return h('section', { class: 'grid', 'aria-label': title }, this.facts(title, facts, grid.limits, unit), h('table', { class: 'cells' }, h('tbody', {}, ...lines)));
+    }
+
+    private observer({ name, eye, places, ugr, limits }: Rated, index: number): HTMLElement {
+        const where = places > 1 ? `${t('places and ways of looking')}: ${places}` : `(${eye.map((c) => number(c, 5)).join('; ')}) ${t('mm')}`;
+        const title = `${name ?? `${t('Observer')} ${index + 1}`}, ${where}`;
+        const rating = this.isPartial ? '…' : ugr ? amount(ugr) : t('nothing dazzles, or all else is dark');
+        return h('section', { class: 'grid', 'aria-label': title }, this.facts(title, [[places > 1 ? t('greatest UGR') : 'UGR', rating]], limits, ''));
     }
 }
 
-function placed({ columns, rows, center, size, across, up, values }: Grid): { at: Place; text: string }[] {
+function placed({ columns, rows, center, size, across, up, values }: Grid): InSpace['cells'] {
     return values.flatMap((value, i) => {
         if (value === null) return [];
         const a = (((i % columns) + 0.5) / columns - 0.5) * size[0];
         const b = (0.5 - (Math.floor(i / columns) + 0.5) / rows) * size[1];
         return [{ at: along(center as Place, across, a, up, b), text: number(value, 3) }];
     });
+}
+
+/** The edge of a grid, and those of the strips around it. */
+function outlines({ center, size, across, up, surround, background }: Grid, verdict: Verdict | null): InSpace['lines'] {
+    const edge = (middle: number[], [w, d]: number[]) => [[-1, -1], [1, -1], [1, 1], [-1, 1]].map(([a, b]) => along(middle as Place, across, (a * w) / 2, up, (b * d) / 2));
+    const strips = [surround, background].flatMap((area) => (area ? [{ places: edge(area.center, area.size), isClosed: true, verdict, isStrip: true }] : []));
+    return [{ places: edge(center, size), isClosed: true, verdict }, ...strips];
+}
+
+/** Where an observer is and looks. */
+function gaze({ eye, view }: Rated, verdict: Verdict | null): InSpace['lines'] {
+    return [{ places: [eye as Place, add(eye as Place, unit(view), GAZE)], isClosed: false, verdict }];
 }

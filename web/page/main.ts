@@ -216,7 +216,7 @@ class Page {
             this.grids.isShown = chart === 'grids';
         };
         this.grids.onChange = () => {
-            this.space.cells = this.grids.cells;
+            this.space.measured = this.grids.inSpace;
             this.space.draw();
         };
         this.points.place = () => this.picture.probe ?? [0, 0];
@@ -479,7 +479,7 @@ class Page {
     // What only some scenes have.
     private tellCharts() {
         this.layout.tellReflections(!!this.model.whole?.reflects);
-        this.layout.offer('grids', !!this.model.scene?.grids);
+        this.layout.offer('grids', !!this.model.scene?.grids || !!this.model.scene?.observers);
     }
 
     private header(): HTMLElement {

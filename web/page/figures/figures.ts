@@ -219,7 +219,7 @@ export class Figures {
         });
         const unit = this.model.photometric ? t('cd') : t('W/sr');
         const rings = circles.map((value) => svg('circle', { cx: x, cy: y, r: (radius * value) / top, fill: 'none', stroke: FAINT }));
-        const told = circles.map((value) => words(number(value, 3), x + 4, y - (radius * value) / top - 4));
+        const told = circles.map((value) => words(number(value, 3), x + 4, y - (radius * value) / top + 15));
         const curves = planes.map((values, i) => curve(values.map((value, k) => at(degrees[k], value)), { stroke: LAMPS[i === 0 ? 0 : 1], 'stroke-width': 2.25, ...(i ? { 'stroke-dasharray': '7 4' } : {}) }));
         const legend = ['C0–C180', 'C90–C270'].map((name, i) => {
             const line = { x1: 24, x2: 52, y1: 60 + 20 * i, y2: 60 + 20 * i, stroke: LAMPS[i === 0 ? 0 : 1], 'stroke-width': 2.25 };

@@ -112,7 +112,8 @@ class Drawing {
         const number = (name: string) => Number(element.getAttribute(name) ?? 0);
         const outline = this.outline(element, number);
         if (!outline) return;
-        const [fill, stroke] = ['fill', 'stroke'].map((name) => element.getAttribute(name) ?? (name === 'fill' ? '#000000' : 'none'));
+        const fill = this.told(element, 'fill')!;
+        const stroke = element.getAttribute('stroke') ?? 'none';
         const isFilled = fill !== 'none' && element.tagName !== 'line';
         const width = Number(element.getAttribute('stroke-width') ?? 1);
         const dashes = element.getAttribute('stroke-dasharray') ?? '';
@@ -157,7 +158,7 @@ class Drawing {
         const turned = element.transform.baseVal.consolidate()?.matrix;
         const placed = turned ? `${list(turned.a, turned.b, turned.c, turned.d, turned.e, turned.f)} cm` : '';
         this.said.push('q', placed, ...this.casing(element, letters, size, x, y));
-        this.said.push(this.paint(this.told(element, 'fill') ?? '#000000', false), `BT ${list(size, 0, 0, -size, x, y)} Tm`);
+        this.said.push(this.paint(this.told(element, 'fill')!, false), `BT ${list(size, 0, 0, -size, x, y)} Tm`);
         for (const { font, code } of letters) this.said.push(`/L${font} 1 Tf <${hex(code, 2)}> Tj`);
         this.said.push('ET Q');
     }
@@ -175,7 +176,7 @@ class Drawing {
         return [`${this.paint(stroke, true)} ${element.getAttribute('stroke-width')} w 1 j`, ...lines];
     }
 
-    // Pixels beyond bodies are as black as the ground below the picture.
+    // Where pixels are transparent, beyond bodies, the ground below the picture is seen.
     private async picture(element: SVGImageElement) {
         const image = new Image();
         image.src = element.getAttribute('href')!;
@@ -183,6 +184,7 @@ class Drawing {
         const canvas = document.createElement('canvas');
         [canvas.width, canvas.height] = [image.naturalWidth, image.naturalHeight];
         const context = canvas.getContext('2d')!;
+        context.fillStyle = this.told(element, 'fill')!;
         context.fillRect(0, 0, canvas.width, canvas.height);
         context.drawImage(image, 0, 0);
         const { data } = context.getImageData(0, 0, canvas.width, canvas.height);
