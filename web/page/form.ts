@@ -538,6 +538,7 @@ export class Form {
     private dateInputs(path: string, name: string) {
         const input = h('input', {
             type: 'text',
+            class: 'date',
             'aria-labelledby': name,
             onchange: () => {
                 takeIn(input);

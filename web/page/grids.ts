@@ -75,7 +75,7 @@ export class GridsPanel {
         const told = (limits: Limit[]) => (this.isPartial ? null : worst(limits));
         return {
             cells: grids.filter(({ values }) => values.length <= MOST_CELLS).flatMap((grid) => placed(grid)),
-            lines: [...grids.flatMap((grid) => outlines(grid, told(grid.limits))), ...observers.flatMap((observer) => gaze(observer, told(observer.limits)))],
+            lines: [...grids.flatMap((grid) => outlines(grid, told)), ...observers.flatMap((observer) => gaze(observer, told(observer.limits)))],
         };
     }
 
@@ -86,9 +86,14 @@ export class GridsPanel {
         this.model.dim();
     }
 
-    private facts(title: string, facts: [string, string][], limits: Limit[], unit: string): HTMLElement {
+    private facts(title: string, facts: [string, string][]): HTMLElement {
         const rows = facts.map(([key, value]) => h('tr', {}, h('th', { scope: 'row' }, key), h('td', { class: 'amount' }, value)));
-        return h('table', {}, h('caption', {}, title), h('tbody', {}, ...rows, ...limits.map((limit) => this.limit(limit, unit))));
+        return h('table', {}, h('caption', {}, title), h('tbody', {}, ...rows));
+    }
+
+    private limits(limits: Limit[], unit: string): HTMLElement | null {
+        if (!limits.length) return null;
+        return h('table', {}, h('caption', {}, t('Limits')), h('tbody', {}, ...limits.map((limit) => this.limit(limit, unit))));
     }
 
     // A limit beside the number that it is of, and what is said of it.
@@ -134,14 +139,15 @@ export class GridsPanel {
                     .map((value) => h('td', { class: 'amount' }, value === null ? '—' : number(value, 4))),
             ),
         );
-        return h('section', { class: 'grid', 'aria-label': title }, this.facts(title, facts, grid.limits, unit), h('table', { class: 'cells' }, h('tbody', {}, ...lines)));
+        const cells = h('table', { class: 'cells' }, h('tbody', {}, ...lines));
+        return h('section', { class: 'grid', 'aria-label': title }, this.facts(title, facts), this.limits(grid.limits, unit), cells);
     }
 
     private observer({ name, eye, places, ugr, limits }: Rated, index: number): HTMLElement {
         const where = places > 1 ? `${t('places and ways of looking')}: ${places}` : `(${eye.map((c) => number(c, 5)).join('; ')}) ${t('mm')}`;
         const title = `${name ?? `${t('Observer')} ${index + 1}`}, ${where}`;
         const rating = this.isPartial ? '…' : ugr ? amount(ugr) : t('nothing dazzles, or all else is dark');
-        return h('section', { class: 'grid', 'aria-label': title }, this.facts(title, [[places > 1 ? t('greatest UGR') : 'UGR', rating]], limits, ''));
+        return h('section', { class: 'grid', 'aria-label': title }, this.facts(title, [[places > 1 ? t('greatest UGR') : 'UGR', rating]]), this.limits(limits, ''));
     }
 }
 
@@ -154,11 +160,16 @@ function placed({ columns, rows, center, size, across, up, values }: Grid): InSp
     });
 }
 
-/** The edge of a grid, and those of the strips around it. */
-function outlines({ center, size, across, up, surround, background }: Grid, verdict: Verdict | null): InSpace['lines'] {
-    const edge = (middle: number[], [w, d]: number[]) => [[-1, -1], [1, -1], [1, 1], [-1, 1]].map(([a, b]) => along(middle as Place, across, (a * w) / 2, up, (b * d) / 2));
-    const strips = [surround, background].flatMap((area) => (area ? [{ places: edge(area.center, area.size), isClosed: true, verdict, isStrip: true }] : []));
-    return [{ places: edge(center, size), isClosed: true, verdict }, ...strips];
+/** The edge of a grid, and those of the strips around it, each with what is said of its own limits. */
+function outlines({ center, size, across, up, surround, background, limits }: Grid, told: (limits: Limit[]) => Verdict | null): InSpace['lines'] {
+    const areas = { '': { center, size }, surround, background };
+    return Object.entries(areas).flatMap(([key, area]) => {
+        if (!area) return [];
+        const [w, d] = area.size;
+        const places = [[-1, -1], [1, -1], [1, 1], [-1, 1]].map(([a, b]) => along(area.center as Place, across, (a * w) / 2, up, (b * d) / 2));
+        const verdict = told(limits.filter(({ name }) => (/^(surround|background)_/.exec(name)?.[1] ?? '') === key));
+        return [{ places, isClosed: true, verdict, isStrip: key !== '' }];
+    });
 }
 
 /** Where an observer is and looks. */

@@ -36,6 +36,7 @@ import { Sharing } from './sharing';
 import { placeWords, SpaceView } from './space';
 import type { Place } from './space_math';
 import { Statistics } from './statistics';
+import { standWords } from './sun';
 import { Task, taskIn } from './task';
 import { TextEditor } from './text';
 import { Outdated } from './version';
@@ -692,8 +693,9 @@ class Page {
         this.chosen.classList.toggle('none', !thing);
         const list = !thing || thing.kind === 'observer' ? null : thing.kind === 'surface' ? 'surfaces' : 'lights';
         this.form.markChosen(list, thing?.index ?? 0);
+        const where = (of: Thing) => (of.sun ? standWords(of.sun) : `(${of.at.map((c) => number(c, 5)).join('; ')}) ${t('mm')}`);
         this.chosen.textContent = thing
-            ? `${t('Selected')}: ${t(words[thing.kind])} ${which} (${thing.at.map((c) => number(c, 5)).join('; ')}) ${t('mm')}`
+            ? `${t('Selected')}: ${t(words[thing.kind])} ${which} ${where(thing)}`
             : `${t('Selected')}: ${t('nothing')}`;
     }
 

@@ -14,7 +14,7 @@ import { cameraOf, observerView, seenBy, Stage, type View } from './stage';
 import { add, along, basis, circle, cross, edgesOf, unit, type Place } from './space_math';
 import type { Scale } from './colours';
 import { drawDome } from './dome';
-import { sunMoves } from './sun';
+import { sunMoves, sunsWith } from './sun';
 import { drawVectors, vectorsAt } from './vectors';
 import { number, t } from './words';
 
@@ -545,8 +545,9 @@ export class SpaceView {
 
     private drawThing(drawing: Drawing, thing: Thing) {
         const { context } = drawing;
-        const [x, y] = this.seen(thing.at);
+        const [x, y] = thing.kind === 'direction' ? this.markPlace(thing) : this.seen(thing.at);
         const chosen = this.selected?.key === thing.key && this.selected.kind === thing.kind;
+        if (thing.sun && !chosen && this.isBehindSun(thing)) return;
         if (thing.from) {
             context.strokeStyle = lightColour(thing.index);
             context.setLineDash([4, 4]);
@@ -573,13 +574,20 @@ export class SpaceView {
         context.lineWidth = 1;
     }
 
+    // Whether another sun that stands there is shown, of those that go together: the chosen one, or the first.
+    private isBehindSun({ sun, key }: Thing): boolean {
+        const together = sunsWith(this.model.things, sun!);
+        const bases = together.map(({ base }) => `${base}.sun`);
+        return (bases.find((each) => each === this.selected?.key) ?? bases[0]) !== key;
+    }
+
     private thingAt(x: number, y: number): Thing | null {
         let nearest: Thing | null = null;
         let least = NEAR;
         // Lamps and aims before the places that they aim at.
         const order = ['light', 'direction', 'aim', 'observer', 'surface'];
         for (const thing of this.model.things.filter((each) => !this.model.isFixed(each)).sort((a, b) => order.indexOf(a.kind) - order.indexOf(b.kind))) {
-            const [tx, ty] = thing.kind === 'light' ? this.markPlace(thing) : this.seen(thing.at);
+            const [tx, ty] = thing.kind === 'light' || thing.kind === 'direction' ? this.markPlace(thing) : this.seen(thing.at);
             const distance = Math.hypot(tx - x, ty - y);
             // A body is dragged at its middle where it was chosen before.
             const isFixed = thing.kind === 'surface' && this.selected?.key !== thing.key;

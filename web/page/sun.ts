@@ -115,12 +115,15 @@ function movedTo(sun: Sun, way: Place): { set: [string, string][]; told: string 
     }
     const [altitude, azimuth] = stand(sun, way).map((angle) => Number(angle.toFixed(1)));
     const high = Math.max(LOWEST, altitude);
-    return { set: [['altitude', String(high)], ['azimuth', String(azimuth)]], told: sunWords(high, azimuth) };
+    return { set: [['altitude', String(high)], ['azimuth', String(azimuth)]], told: angles(high, azimuth) };
 }
 
-/** Altitude and azimuth in words. */
-export function sunWords(altitude: number, azimuth: number): string {
-    return `${t('altitude')} ${number(altitude, 4)}°, ${t('azimuth')} ${number(azimuth, 4)}°`;
+const angles = (altitude: number, azimuth: number) => `${t('altitude')} ${number(altitude, 4)}°, ${t('azimuth')} ${number(azimuth, 4)}°`;
+
+/** Where a sun stands, in words. */
+export function standWords(sun: Sun): string {
+    const [altitude, azimuth] = stand(sun, sun.towards).map((angle) => Number(angle.toFixed(1)));
+    return angles(altitude, azimuth);
 }
 
 /** The changes by which a sun comes to where its handle is dragged, with all that stand where it stands, and what is told of it. */

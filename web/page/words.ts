@@ -70,6 +70,7 @@ const RUSSIAN: Record<string, string> = {
     'Time of day': 'Время суток',
     'By date and place': 'По дате и месту',
     'By altitude and azimuth': 'По высоте и азимуту',
+    Limits: 'Требования',
     kept: 'соблюдено',
     'not kept': 'нарушено',
     undecided: 'не решено',
