@@ -7,7 +7,7 @@ import { Client, hasVectors, Interrupted } from './client';
 import { scaleControls, sideControls, viewControl, zoomButtons } from './controls';
 import { Compare } from './compare';
 import { Dial } from './dial';
-import { h, isTypedOver, showIn, styleColour } from './dom';
+import { h, isTypedOver, showIn, sizeOf, styleColour } from './dom';
 import { Embedding, wishes } from './embedding';
 import { Figures } from './figures/figures';
 import { Files } from './files';
@@ -591,7 +591,7 @@ class Page {
     private showReadout(x: number, y: number | null) {
         this.readout.hidden = y === null;
         if (y === null) return;
-        const { width } = this.readout.parentElement!.getBoundingClientRect();
+        const { width } = sizeOf(this.readout.parentElement!);
         const isRight = x > width / 2;
         Object.assign(this.readout.style, {
             insetBlockStart: `${Math.max(8, y - 46)}px`,
