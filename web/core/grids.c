@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * The measuring grids of the present scene, the irradiance in their cells and what is read off it, and its observers, whom
- * the lights dazzle; both with their limits and whether these are kept.
+ * The measuring grids of the present scene, the irradiance in their cells and what is read off it, and its observers,
+ * whom the lights dazzle; both with their limits and whether these are kept.
  */
 #include <stdlib.h>
 

@@ -6,7 +6,7 @@ import type { Key, Kind } from './core';
 import { chip, choice, h, isTypedOver, lightStyle, showIn, takeIn } from './dom';
 import { CHOICE, CHOICE_OR_PAIR, CHOICE_OR_WHOLE, NUMBER, NUMBERS, sceneKeys, TEXT, WHOLE, WHOLE_NUMBERS, YES_OR_NO } from './keys';
 import type { Model } from './model';
-import { dateSliders, sunOf, sunSwitch } from './sun_fields';
+import { dateSliders, sunOf, sunSwitch } from './sun/fields';
 import { newSurface } from './new_surface';
 import type { Of, Version } from './version';
 import { number, t, typedNumber } from './words';
@@ -141,7 +141,7 @@ export class Form {
             const told = share === undefined ? '' : number(share, 4);
             const [value, ofValue] = [amount.firstChild as Text, amount.lastChild as HTMLElement];
             if (value.data !== told) value.data = told;
-            const shown = told && unit !== 'relative' ? ` ${unit}` : '';
+            const shown = told && !['relative', t('relative')].includes(unit) ? ` ${unit}` : '';
             if (ofValue.textContent !== shown) ofValue.textContent = shown;
             bar.style.inlineSize = share && all > 0 ? `${Math.max(0, (100 * share) / all)}%` : '0';
         }

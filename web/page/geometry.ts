@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Where the things of a scene stand, read off it by its keys: what the views draw, and what of it can be grabbed.
 import type { SceneFacts } from './core';
-import { ground, sunAlone, sunThing, type Sun } from './sun';
+import { ground, sunAlone, sunThing, type Sun } from './sun/sun';
 
 /** Objects of the scene that can be grabbed, by the key that moves them. */
 export interface Thing {

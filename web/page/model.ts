@@ -8,7 +8,7 @@ import type { Change, Message, Probe, SceneFacts } from './core';
 import { Client } from './client';
 import type { Geometry, Shape, Thing } from './geometry';
 import type { ColourView } from './srgb';
-import { sunMoves } from './sun';
+import { sunMoves } from './sun/sun';
 import type { Of, Version } from './version';
 import { Work } from './work';
 import type { Picture } from './worker';

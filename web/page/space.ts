@@ -7,14 +7,14 @@ import { nextOf } from './choosing';
 import { Drag, followPointer, movesOf, type Action } from './drag';
 import type { Model, Shape, Thing } from './model';
 import { Drawing } from './drawing';
-import { drawMeasured, NOTHING_MEASURED, type InSpace } from './measured';
+import { drawMeasured, NOTHING_MEASURED, type InSpace } from './grids/in_space';
 import { handleAt, handlesOf, handlesOfObserver, type Handle } from './handles';
 import type { Several } from './several';
 import { cameraOf, observerView, seenBy, Stage, type View } from './stage';
 import { add, along, basis, circle, cross, edgesOf, unit, type Place } from './space_math';
 import type { Scale } from './colours';
-import { drawDome } from './dome';
-import { sunMoves, sunsWith } from './sun';
+import { drawDome } from './sun/dome';
+import { sunMoves, sunsWith } from './sun/sun';
 import { drawVectors, vectorsAt } from './vectors';
 import { number, t } from './words';
 

@@ -2,14 +2,14 @@
 // The measuring grids of a scene in the strip: the irradiance in each cell, what lighting designers read off it, how much
 // observers are dazzled, and whether all of it keeps its limits.  While they are looked at, grids, their numbers and the
 // observers stand in the space view, too.
-import { Apart } from './apart';
-import type { Grid, Limit, Measured, Rated } from './core';
-import { h } from './dom';
-import { NOTHING_MEASURED, type InSpace } from './measured';
-import type { Model } from './model';
-import { add, along, unit, type Place } from './space_math';
-import type { Of } from './version';
-import { amount, number, t } from './words';
+import { Apart } from '../apart';
+import type { Grid, Limit, Measured, Rated } from '../core';
+import { h } from '../dom';
+import { NOTHING_MEASURED, type InSpace } from './in_space';
+import type { Model } from '../model';
+import { add, along, unit, type Place } from '../space_math';
+import type { Of } from '../version';
+import { amount, number, t } from '../words';
 
 const MOST_COLUMNS = 60; // of a table
 const MOST_CELLS = 2500; // of a grid whose numbers stand in the space view

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Measuring grids and their observers in space: the numbers of cells, the edges of grids and of the strips around them, the
 // ways that eyes look, in the colours of what is said of their limits.
-import type { Limit } from './core';
-import { styleColour } from './dom';
-import type { Drawing } from './drawing';
-import type { Place } from './space_math';
+import type { Limit } from '../core';
+import { styleColour } from '../dom';
+import type { Drawing } from '../drawing';
+import type { Place } from '../space_math';
 
 const CELL = [18, 15]; // pixels that a number of a cell takes, of its width the half
 

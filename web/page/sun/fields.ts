@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 // The form's fields of a sun: sliders for the day of the year and the hour beside its date, and the change from altitude and
 // azimuth to date and place and back.  Suns that stand together go together.
-import type { Change } from './core';
-import { h } from './dom';
-import type { Model } from './model';
+import type { Change } from '../core';
+import { h } from '../dom';
+import type { Model } from '../model';
 import { clock, dateOf, momentOf, setting, stand, sunsWith, type Moment, type Sun } from './sun';
-import { t } from './words';
+import { t } from '../words';
 
 const KEY = /^(lights\[\d+\](?:\.sun)?)\.(altitude|date)$/;
 const STEP = 5; // minutes

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 // The dome of a sun that is chosen: the horizon with the points of the compass, and the way of the sun over its day, or up from
 // the horizon.
-import { lightColour } from './dom';
-import type { Drawing } from './drawing';
-import type { Thing } from './geometry';
-import { add, circle } from './space_math';
+import { lightColour } from '../dom';
+import type { Drawing } from '../drawing';
+import type { Thing } from '../geometry';
+import { add, circle } from '../space_math';
 import { wayOf, type Sun } from './sun';
-import { currentLanguage } from './words';
+import { currentLanguage } from '../words';
 
 const POINTS = { en: 'NESW', ru: 'СВЮЗ' }; // of the compass
 

@@ -2,10 +2,10 @@
 // The sun of a light, its own or that of a sky: where it stands by altitude and azimuth, or by date and place, and what is
 // changed as a hand takes it along its dome.  Where it stands is the core's answer; what is found here is by how much the hour
 // differs.
-import type { Change } from './core';
-import type { Thing } from './geometry';
-import { add, along, cross, dot, unit, type Place } from './space_math';
-import { number, t } from './words';
+import type { Change } from '../core';
+import type { Thing } from '../geometry';
+import { add, along, cross, dot, unit, type Place } from '../space_math';
+import { number, t } from '../words';
 
 /** A sun: the group of its keys, the ways that are up, north and east, and the way to it. */
 export interface Sun {
