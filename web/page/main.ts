@@ -693,7 +693,7 @@ class Page {
         this.chosen.classList.toggle('none', !thing);
         const list = !thing || thing.kind === 'observer' ? null : thing.kind === 'surface' ? 'surfaces' : 'lights';
         this.form.markChosen(list, thing?.index ?? 0);
-        const where = (of: Thing) => (of.sun ? standWords(of.sun) : `(${of.at.map((c) => number(c, 5)).join('; ')}) ${t('mm')}`);
+        const where = (of: Thing) => (of.sun ? `(${standWords(of.sun)})` : `(${of.at.map((c) => number(c, 5)).join('; ')}) ${t('mm')}`);
         this.chosen.textContent = thing
             ? `${t('Selected')}: ${t(words[thing.kind])} ${which} ${where(thing)}`
             : `${t('Selected')}: ${t('nothing')}`;

@@ -31,6 +31,7 @@ const ROOM = 18; // pixels between the edge and a lamp that is beyond it
 const FLIGHT = 420; // milliseconds
 const HANDLE = 9; // pixels across of a handle's square
 const REACH = 13; // pixels within which a handle is grabbed
+const CLEAR = 84; // pixels at the right of the stage that the colour bar takes
 const LOW = 420; // pixels of the stage's height below which a lying one has no room for hints
 const TURN = 0.008; // radians by a pixel of a hand's way
 
@@ -511,10 +512,12 @@ export class SpaceView {
         if (isNamed) {
             context.font = '600 12px system-ui, sans-serif';
             const name = light?.name ?? light?.label ?? '';
-            const isLeft = x > view.width - 200;
+            const length = context.measureText(name).width + 24;
+            const isLeft = x + length > view.width - CLEAR;
             context.textAlign = isLeft ? 'right' : 'left';
             context.textBaseline = 'middle';
-            drawing.words(name, x + (isLeft ? -1 : 1) * (chosen ? 24 : 20), y);
+            // Where there is no room for a name, the number tells which lamp it is.
+            if (!isLeft || x > length) drawing.words(name, x + (isLeft ? -1 : 1) * (chosen ? 24 : 20), y);
         }
         context.globalAlpha = 1;
     }

@@ -200,7 +200,7 @@ async function judgesLimits(page, tool) {
         equal(rows.length, expected.length, 'limits');
         const words = { pass: 'kept', fail: 'not kept', undecided: 'undecided' };
         expected.forEach(({ name, wanted, value, verdict }, i) => {
-            const [kind, , number, limit, said] = rows[i];
+            const [kind, , said, number, limit] = rows[i];
             equal([kind, said], [`limit ${verdict}`, words[verdict]], `what is said of ${name}, ${number} to ${value}`);
             check(limit.includes(String(Number(wanted.toPrecision(5)))), `${name}: ${limit} has no ${wanted}`);
             if (value === null) equal(number, '—', name);

@@ -2,7 +2,7 @@
 // Measuring grids and their observers in space: the numbers of cells, the edges of grids and of the strips around them, the
 // ways that eyes look, in the colours of what is said of their limits.
 import type { Limit } from '../core';
-import { styleColour } from '../dom';
+import { faded, styleColour } from '../dom';
 import type { Drawing } from '../drawing';
 import type { Place } from '../space_math';
 
@@ -27,7 +27,7 @@ function drawLine(drawing: Drawing, { places, isClosed, verdict, isStrip }: InSp
     const { context } = drawing;
     const colour = styleColour(verdict === null ? '--dim' : COLOURS[verdict]);
     if (isStrip) context.setLineDash([6, 4]);
-    for (const [style, width] of [['rgb(255 255 255 / 60%)', 3.5], [colour, 1.75]] as const) {
+    for (const [style, width] of [[faded(styleColour('--paper'), 0.6), 3.5], [colour, 1.75]] as const) {
         context.strokeStyle = style;
         context.lineWidth = width;
         drawing.line(places, isClosed);

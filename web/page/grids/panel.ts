@@ -9,7 +9,7 @@ import { NOTHING_MEASURED, type InSpace } from './in_space';
 import type { Model } from '../model';
 import { add, along, unit, type Place } from '../space_math';
 import type { Of } from '../version';
-import { amount, number, t } from '../words';
+import { exactly, number, t } from '../words';
 
 const MOST_COLUMNS = 60; // of a table
 const MOST_CELLS = 2500; // of a grid whose numbers stand in the space view
@@ -100,15 +100,15 @@ export class GridsPanel {
     private limit({ word, name, wanted, is_most, has_unit, above, value, error, verdict }: Limit, unit: string): HTMLElement {
         const sign = is_most ? '≤' : '≥';
         const ofShare = name === 'share' ? ` % ${t('from')} ${number(above, 4)}` : '';
-        const told = value === null ? '—' : error === null ? number(value, 5) : amount([value, error]);
+        const told = value === null ? '—' : exactly(value, error ?? Infinity);
         const said = this.isPartial ? '…' : t(WORDS[verdict]);
         return h(
             'tr',
             { class: `limit ${this.isPartial ? '' : verdict}` },
             h('th', { scope: 'row' }, word),
+            h('td', { class: 'said' }, said),
             h('td', { class: 'amount' }, told),
             h('td', { class: 'amount' }, `${sign} ${number(wanted, 5)}${ofShare}${has_unit || ofShare ? ` ${unit}` : ''}`),
-            h('td', { class: 'said' }, said),
         );
     }
 
@@ -122,12 +122,12 @@ export class GridsPanel {
         ];
         const facts: [string, string][] = measured
             ? [
-                  [t('average'), amount(grid.average)],
+                  [t('average'), exactly(...grid.average)],
                   [t('minimum'), number(grid.minimum.value, 5)],
                   [t('maximum'), number(grid.maximum.value, 5)],
                   ['U₀', grid.u0 === undefined ? '—' : number(grid.u0, 4)],
                   ['U_d', grid.ud === undefined ? '—' : number(grid.ud, 4)],
-                  ...strips.flatMap(([key, area]): [string, string][] => (area ? [[key, amount(area.average)]] : [])),
+                  ...strips.flatMap(([key, area]): [string, string][] => (area ? [[key, exactly(...area.average)]] : [])),
               ]
             : [];
         const lines = Array.from({ length: rows }, (_, row) =>
@@ -146,7 +146,7 @@ export class GridsPanel {
     private observer({ name, eye, places, ugr, limits }: Rated, index: number): HTMLElement {
         const where = places > 1 ? `${t('places and ways of looking')}: ${places}` : `(${eye.map((c) => number(c, 5)).join('; ')}) ${t('mm')}`;
         const title = `${name ?? `${t('Observer')} ${index + 1}`}, ${where}`;
-        const rating = this.isPartial ? '…' : ugr ? amount(ugr) : t('nothing dazzles, or all else is dark');
+        const rating = this.isPartial ? '…' : ugr ? exactly(...ugr) : t('nothing dazzles, or all else is dark');
         return h('section', { class: 'grid', 'aria-label': title }, this.facts(title, [[places > 1 ? t('greatest UGR') : 'UGR', rating]]), this.limits(limits, ''));
     }
 }
