@@ -47,7 +47,7 @@ const char *answer_probe(const luxel_evaluator *evaluator, double x_mm, double y
 /* A member "limits" of an answer: limits and whether they are kept. */
 void answer_limits(const luxel_limit *limits, size_t count);
 
-/* The same, of the scene's i-th grid, which was measured, and the areas around it. */
+/* Limits of the scene's i-th grid, which was measured, and of the areas around it. */
 void answer_grid_limits(const luxel_scene *scene, size_t i, const luxel_grid *grid);
 
 /* A picture as the present view has it, in its place. */

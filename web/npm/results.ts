@@ -195,7 +195,7 @@ export interface Limit {
     is_most: boolean;
     /** Whether it has the unit of the values. */
     has_unit: boolean;
-    /** Of a share of the cells: the value that these have at least. */
+    /** The value that the cells of a share have at least. */
     above?: number;
     value: number | null;
     error: number | null;

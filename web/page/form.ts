@@ -520,7 +520,6 @@ export class Form {
             case WHOLE_NUMBERS:
                 return this.vectorInputs(path, key);
             default: {
-                if (sunOf(path)) return this.dateInputs(path, name);
                 const input = h('input', {
                     type: 'text',
                     'aria-labelledby': name,
@@ -529,28 +528,15 @@ export class Form {
                         this.set(path, key.type === TEXT ? quoted(input.value) : input.value);
                     },
                 });
-                return { inputs: [input], update: (value) => showIn(input, unquoted(value ?? '')) };
+                const sliders = sunOf(path) ? dateSliders(this.model, path) : null;
+                input.classList.toggle('date', !!sliders);
+                const update = (value: string | null) => {
+                    showIn(input, unquoted(value ?? ''));
+                    sliders?.update(value === null ? null : unquoted(value));
+                };
+                return { inputs: [input, ...(sliders?.rows ?? [])], update };
             }
         }
-    }
-
-    // The date of a sun as it is written, and sliders.
-    private dateInputs(path: string, name: string) {
-        const input = h('input', {
-            type: 'text',
-            class: 'date',
-            'aria-labelledby': name,
-            onchange: () => {
-                takeIn(input);
-                this.set(path, quoted(input.value));
-            },
-        });
-        const sliders = dateSliders(this.model, path);
-        const update = (value: string | null) => {
-            showIn(input, unquoted(value ?? ''));
-            sliders.update(value === null ? null : unquoted(value));
-        };
-        return { inputs: [input, ...sliders.rows], update };
     }
 
     // The choices by their labels, and a first entry of no choice.

@@ -10,7 +10,7 @@ async function through(
     return new Uint8Array(await new Response(piped as ReadableStream<Uint8Array<ArrayBuffer>>).arrayBuffer());
 }
 
-/** The same bytes in fewer, as zlib has them. */
+/** Bytes in fewer, as zlib packs them. */
 export function deflated(bytes: Uint8Array<ArrayBuffer>): Promise<Uint8Array<ArrayBuffer>> {
     return through(bytes, new CompressionStream('deflate'));
 }

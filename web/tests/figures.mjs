@@ -56,7 +56,7 @@ function readPdf(bytes) {
     return { words, about, width, height, pixels: picture.subarray(picture.length - 3 * width * height) };
 }
 
-/** The same pixels of the drawing, as the page paints its SVG. */
+/** Pixels of the drawing as the page paints its SVG, three levels for each. */
 const painted = (page) =>
     page.evaluate(async () => {
         const text = new XMLSerializer().serializeToString(document.querySelector('.figures .drawn svg'));

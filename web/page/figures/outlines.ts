@@ -20,7 +20,7 @@ const WAYS: Record<number, [number, number][]> = {
     8: [[2, 3]], 9: [[2, 0]], 10: [[0, 1], [2, 3]], 11: [[2, 1]], 12: [[1, 3]], 13: [[1, 0]], 14: [[0, 3]],
 };
 
-/** A letter in a face of CSS, such as "600 SIZE system-ui". */
+/** A letter by the weight and the family of its face, as CSS has them. */
 export function letterOf(sign: string, weight: string, family: string): Letter {
     const canvas = document.createElement('canvas');
     const context = canvas.getContext('2d', { willReadFrequently: true })!;

@@ -31,16 +31,21 @@ function sunAt(model: Model, base: string): Sun | undefined {
 export function dateSliders(model: Model, path: string) {
     const base = sunOf(path)!;
     let present: Moment | null = null;
+    let isSliding = false; // what the scene had before does not move a slider that a hand holds
     const slider = (label: string, most: number, step: number, change: (moment: Moment, at: number) => Moment) => {
         const told = h('output', { class: 'dim' });
         const input = h('input', { type: 'range', min: 0, max: most, step, 'aria-label': t(label) });
         input.addEventListener('input', () => {
             if (!present) return;
+            isSliding = true;
             present = change(present, Number(input.value));
             tell();
             void take(`"${dateOf(present)}"`);
         });
-        input.addEventListener('change', () => model.endStep());
+        input.addEventListener('change', () => {
+            isSliding = false;
+            model.endStep();
+        });
         return { input, told, row: h('span', { class: 'slid' }, input, told) };
     };
     const day = slider('Day of the year', 364, 1, (moment, at) => ({ ...moment, day: dayAt(yearOf(moment.day), at) }));
@@ -55,6 +60,7 @@ export function dateSliders(model: Model, path: string) {
         return model.change((bases.length ? bases : [{ base }]).flatMap((each) => setting(each, [['date', value]])), `slide ${path}`);
     });
     const update = (text: string | null) => {
+        if (isSliding) return;
         present = text === null ? null : momentOf(text);
         for (const { row } of [day, hour]) row.hidden = !present;
         if (!present) return;
