@@ -21,6 +21,15 @@ const PLACES = { planar: 'lights[0].rectangle.center=[-1100, -200, 900]', distan
 /** The files that the core brings: only meshes and photometry are read from them, which the second part does. */
 const FILES = new URL('../data/files/', import.meta.url);
 
+/** The colour-matching functions, which spectra and temperatures of lamps are weighed by: 11 kB that hardly can be packed. */
+const OBSERVER = new URL('../src/base/observer_table.h', import.meta.url);
+
+/** The numbers of a table in C, as memory has them. */
+function tableIn(source) {
+    const [, numbers] = /= \{([^}]*)\}/.exec(fs.readFileSync(source, 'utf8'));
+    return Buffer.from(Float64Array.from(numbers.match(/[^\s,]+/g), Number).buffer);
+}
+
 const PROFILE = 'write_profile';
 const FEATURES = ['simd', 'bulk-memory', 'sign-ext', 'nontrapping-float-to-int', 'mutable-globals'];
 
@@ -146,7 +155,8 @@ export async function split(whole, first, second, how) {
     } finally {
         fs.rmSync(folder, { recursive: true });
     }
-    moveData(first, second, fs.readdirSync(FILES).map((name) => fs.readFileSync(new URL(name, FILES))));
+    const files = fs.readdirSync(FILES).map((name) => fs.readFileSync(new URL(name, FILES)));
+    moveData(first, second, [...files, tableIn(OBSERVER)]);
     refuseVectors(first);
     const identity = createHash('sha256').update(fs.readFileSync(whole)).digest().subarray(0, 16);
     for (const file of [first, second]) sign(file, identity);

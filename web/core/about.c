@@ -90,6 +90,8 @@ PAGE_CALLS(page_scene) const char *page_scene(void)
     answer_string(page_translate(luxel_scene_unit(core.scene, LUXEL_IRRADIANCE), NULL));
     answer_key("grids");
     answer_number((double)luxel_scene_grid_count(core.scene));
+    answer_key("observers");
+    answer_number((double)luxel_scene_observer_count(core.scene));
     answer_key("lights");
     answer_open('[');
     for (size_t i = 0; i < luxel_scene_light_count(core.scene); i++)

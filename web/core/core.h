@@ -44,6 +44,12 @@ void drop_stage(void);
 /* Answers with the value through a point of an evaluator's screen and each light's share of it; NULL: there is none. */
 const char *answer_probe(const luxel_evaluator *evaluator, double x_mm, double y_mm);
 
+/* A member "limits" of an answer: limits and whether they are kept. */
+void answer_limits(const luxel_limit *limits, size_t count);
+
+/* Limits of the scene's i-th grid, which was measured, and of the areas around it. */
+void answer_grid_limits(const luxel_scene *scene, size_t i, const luxel_grid *grid);
+
 /* A picture as the present view has it, in its place. */
 luxel_field *viewed(luxel_field *field);
 

@@ -342,7 +342,7 @@ static void answer_plane(const luxel_grid *grid)
     answer_truth("is_coarse", grid->is_coarse);
 }
 
-static void answer_grid(const luxel_grid *grid)
+static void answer_grid(size_t i, const luxel_grid *grid)
 {
     answer_open('{');
     answer_text_of("name", true, grid->name);
@@ -367,6 +367,7 @@ static void answer_grid(const luxel_grid *grid)
     answer_given("u0", grid->has_evenness, grid->u0);
     answer_given("ud", grid->has_evenness, grid->ud);
     answer_plane(grid);
+    answer_grid_limits(core.scene, i, grid);
     answer_truth("tolerance_reached", grid->tolerance_reached && (!grid->has_reflected || grid->reflected_reached));
     answer_close('}');
 }
@@ -380,7 +381,7 @@ PAGE_CALLS(package_grid) const char *package_grid(size_t i)
     if (!core.scene || luxel_find_grid(core.scene, &settings, i, fresh_diagnostics(), &grid) != LUXEL_OK)
         return NULL;
     answer_begin();
-    answer_grid(grid);
+    answer_grid(i, grid);
     luxel_grid_free(grid);
     return answer_text();
 }

@@ -184,6 +184,25 @@ export interface GridExtremum {
     position_mm: Vector;
 }
 
+/** A limit of a grid or of the areas around it, and whether it is kept. */
+export interface Limit {
+    /** The key, such as "average". */
+    name: string;
+    /** What it is of, in words. */
+    word: string;
+    wanted: number;
+    /** The greatest value that is good, rather than the least. */
+    is_most: boolean;
+    /** Whether it has the unit of the values. */
+    has_unit: boolean;
+    /** The value that the cells of a share have at least. */
+    above?: number;
+    value: number | null;
+    error: number | null;
+    /** "undecided" where the bound of the value spans the limit. */
+    verdict: 'pass' | 'fail' | 'undecided';
+}
+
 /** A measuring grid: the irradiance in its cells; row 0 is farthest along `up`. */
 export interface Grid {
     name: string | null;
@@ -219,6 +238,7 @@ export interface Grid {
     sampling_error: number | null;
     sampling_is_bound: boolean;
     is_coarse: boolean;
+    limits: Limit[];
     tolerance_reached: boolean;
 }
 

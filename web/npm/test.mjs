@@ -137,6 +137,14 @@ async function grids({ Scene }) {
     for (const key of ['minimum', 'maximum']) near(grid[key].value, told[key].value, key);
     const all = await scene.grids();
     equal(all[0], grid, 'all of them');
+    const limits = { average: 300, maximum: 900, ratio: 0.4, share: { above: 200, percent: 95 } };
+    await scene.set({ 'grids[0].limits': limits });
+    const judged = json('grid', 'desk', '-s', `grids[0].limits=${JSON.stringify(limits)}`).grids[0].limits;
+    (await scene.grid('desk')).limits.forEach(({ name, wanted, value, verdict }, i) => {
+        equal([name, wanted, verdict], [judged[i].name, judged[i].wanted, judged[i].verdict], 'a limit');
+        near(value, judged[i].value, name);
+    });
+    equal(grid.limits, [], 'limits of a grid without');
     let thrown = null;
     await scene.grid('dask').catch((error) => (thrown = error));
     check(thrown instanceof RangeError && thrown.message.includes('"desk"'), `${thrown}`);

@@ -58,14 +58,19 @@ const MAPS: Record<Scale['map'], (at: number) => number[]> = {
 
 const STEPS = 1024;
 
+const tables = new Map<Scale['map'], Uint32Array>();
+
 /** The colours of a map in equal steps, as the pixels of an image. */
 export function colourTable(map: Scale['map']): Uint32Array {
+    const known = tables.get(map);
+    if (known) return known;
     const table = new Uint32Array(STEPS);
     for (let i = 0; i < STEPS; i++) {
         const at = i / (STEPS - 1);
         const [r, g, b] = MAPS[map](at);
         table[i] = (255 << 24) | (Math.round(b) << 16) | (Math.round(g) << 8) | Math.round(r);
     }
+    tables.set(map, table);
     return table;
 }
 

@@ -102,6 +102,26 @@ export interface GridExtremum {
     position: number[];
 }
 
+/** A limit of a grid or an observer, and whether it is kept. */
+export interface Limit {
+    name: string; // the key, such as "average"
+    word: string; // what it is of, as people read it
+    wanted: number;
+    is_most: boolean; // the greatest value that is good, rather than the least
+    has_unit: boolean; // that of the values
+    above?: number; // of a share of cells: the value that these have at least
+    value: number | null;
+    error: number | null;
+    verdict: 'pass' | 'fail' | 'undecided';
+}
+
+/** A strip around a grid, as the rectangle that it fills with it. */
+export interface Area {
+    center: number[];
+    size: number[];
+    average: Amount;
+}
+
 /** A measuring grid: the irradiance in its cells, rows from the top. */
 export interface Grid {
     name: string | null;
@@ -119,6 +139,25 @@ export interface Grid {
     maximum: GridExtremum;
     u0?: number;
     ud?: number;
+    surround: Area | null;
+    background: Area | null;
+    limits: Limit[];
+}
+
+/** Observers that are one entry of a scene, and how much the lights dazzle them at most. */
+export interface Rated {
+    name: string | null;
+    eye: number[]; // of the first of them
+    view: number[];
+    places: number;
+    ugr?: Amount; // none where nothing dazzles, or the background is dark
+    limits: Limit[];
+}
+
+/** What a scene measures, and whether it keeps its limits. */
+export interface Measured {
+    grids: Grid[];
+    observers: Rated[];
 }
 
 export interface LightFacts {
@@ -138,6 +177,7 @@ export interface SceneFacts {
     word: string;
     irradiance_unit: string;
     grids: number;
+    observers: number; // whom lights may dazzle
     lights: LightFacts[];
     surfaces: ({ center: number[]; reach: number } | null)[];
     points: number[][];
@@ -566,8 +606,18 @@ export class Core {
         return this.json(this.call.page_balance());
     }
 
-    /** The measuring grids; null: one cannot be measured. */
-    grids(): Grid[] | null {
+    /** The way to the sun of a text whose only light is one; null: it has errors, or the sun has set. */
+    sun(text: string): number[] | null {
+        const [place, length] = this.put(text);
+        try {
+            return this.json<number[]>(this.call.page_sun(place, length));
+        } finally {
+            this.call.page_free(place);
+        }
+    }
+
+    /** The measuring grids and the observers; null: one cannot be measured. */
+    grids(): Measured | null {
         return this.json(this.call.page_grids());
     }
 

@@ -86,10 +86,8 @@ export function followPointer(
     let action: Action | null = null;
     let start: Spot = [0, 0];
     let moved = false;
-    const place = (event: PointerEvent): Spot => {
-        const { left, top } = element.getBoundingClientRect();
-        return [event.clientX - left, event.clientY - top];
-    };
+    let corner: Spot = [0, 0]; // of the element in the window, as it was taken: asking anew would lay the page out each time
+    const place = (event: PointerEvent): Spot => [event.clientX - corner[0], event.clientY - corner[1]];
     if (takesRight) element.addEventListener('contextmenu', (event) => event.preventDefault());
     const finish = () => {
         action?.end(moved);
@@ -97,6 +95,10 @@ export function followPointer(
     };
     element.addEventListener('pointerdown', (event) => {
         if (event.button !== 0 && !(takesRight && event.button === 2)) return;
+        if (!spots.size) {
+            const { left, top } = element.getBoundingClientRect();
+            corner = [left, top];
+        }
         const at = place(event);
         const isSecond = spots.size === 1 && pinch !== null && event.pointerType === 'touch';
         if (spots.size && !isSecond) return;

@@ -6,6 +6,7 @@ import type { Key, Kind } from './core';
 import { chip, choice, h, isTypedOver, lightStyle, showIn, takeIn } from './dom';
 import { CHOICE, CHOICE_OR_PAIR, CHOICE_OR_WHOLE, NUMBER, NUMBERS, sceneKeys, TEXT, WHOLE, WHOLE_NUMBERS, YES_OR_NO } from './keys';
 import type { Model } from './model';
+import { dateSliders, sunOf, sunSwitch } from './sun/fields';
 import { newSurface } from './new_surface';
 import type { Of, Version } from './version';
 import { number, t, typedNumber } from './words';
@@ -140,7 +141,7 @@ export class Form {
             const told = share === undefined ? '' : number(share, 4);
             const [value, ofValue] = [amount.firstChild as Text, amount.lastChild as HTMLElement];
             if (value.data !== told) value.data = told;
-            const shown = told && unit !== 'relative' ? ` ${unit}` : '';
+            const shown = told && !['relative', t('relative')].includes(unit) ? ` ${unit}` : '';
             if (ofValue.textContent !== shown) ofValue.textContent = shown;
             bar.style.inlineSize = share && all > 0 ? `${Math.max(0, (100 * share) / all)}%` : '0';
         }
@@ -367,6 +368,8 @@ export class Form {
             const isFirst = isGiven && !path.includes('.materials.') && !CONVENTIONS.test(path);
             (isFirst ? shown : hidden).append(this.field(path, this.told(path, key, entries)));
         }
+        const sun = entries.find(({ path, isGiven }) => isGiven && sunOf(path));
+        if (sun) shown.append(sunSwitch(this.model, sunOf(sun.path)!));
         this.fields.slice(known).forEach((field) => field.update(this.values.get(field.path) ?? null));
         this.showMessages();
         if (hidden.childElementCount === 0) return [shown];
@@ -525,7 +528,13 @@ export class Form {
                         this.set(path, key.type === TEXT ? quoted(input.value) : input.value);
                     },
                 });
-                return { inputs: [input], update: (value) => showIn(input, unquoted(value ?? '')) };
+                const sliders = sunOf(path) ? dateSliders(this.model, path) : null;
+                input.classList.toggle('date', !!sliders);
+                const update = (value: string | null) => {
+                    showIn(input, unquoted(value ?? ''));
+                    sliders?.update(value === null ? null : unquoted(value));
+                };
+                return { inputs: [input, ...(sliders?.rows ?? [])], update };
             }
         }
     }
@@ -590,7 +599,7 @@ export class Form {
         const logarithmic = low !== null && high !== null && low > 0 && high / low > 100;
         if (low !== null && high !== null) {
             slider = h('input', { type: 'range', min: 0, max: 1000, 'aria-labelledby': name });
-            const slide = this.newest((value) => this.set(path, value, `slide ${path}`));
+            const slide = this.model.newest((value) => this.set(path, value, `slide ${path}`));
             slider.addEventListener('input', () => {
                 isSliding = true;
                 const at = Number(slider!.value) / 1000;
@@ -656,26 +665,10 @@ export class Form {
         return { inputs: inputs as HTMLElement[], update };
     }
 
-    // Takes one value after the other, the newest of those that came meanwhile, once its picture is shown.
-    private newest(commit: (value: string) => Promise<boolean>): (value: string) => Promise<void> {
-        let [next, isBusy]: [string | null, boolean] = [null, false];
-        return async (value) => {
-            next = value;
-            if (isBusy) return;
-            isBusy = true;
-            while (next !== null) {
-                const taken: string = next;
-                next = null;
-                if (await commit(taken).catch(() => false)) await this.model.pictured();
-            }
-            isBusy = false;
-        };
-    }
-
     // A mouse that is pressed on a number or on what it is called, and goes aside, changes it, with Shift by a tenth; a press
     // alone chooses it.
     private takeHand(input: HTMLInputElement, commit: (value: string) => Promise<boolean>, places: HTMLElement[]) {
-        const take = this.newest((value) => {
+        const take = this.model.newest((value) => {
             input.value = number(Number(value), 10); // the form may have shown the scene's again
             takeIn(input);
             return commit(value);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Where the things of a scene stand, read off it by its keys: what the views draw, and what of it can be grabbed.
 import type { SceneFacts } from './core';
+import { ground, sunAlone, sunThing, type Sun } from './sun/sun';
 
 /** Objects of the scene that can be grabbed, by the key that moves them. */
 export interface Thing {
@@ -9,6 +10,7 @@ export interface Thing {
     key: string; // "lights[0].position"
     at: number[];
     from?: number[]; // of an aim: the light
+    sun?: Sun; // of a direction along which the sun shines
     seen?: number[] | null; // of lights and aims: x and y on the screen, height above it; null: seen nowhere
 }
 
@@ -114,6 +116,7 @@ class Measuring {
     constructor(
         private readonly scene: SceneFacts,
         private readonly values: Values,
+        private readonly toSun: (text: string) => number[] | null,
     ) {
         this.screen = ['width', 'height'].map((key) => values.numbers(`screen.${key}`)?.[0] ?? 1);
     }
@@ -174,6 +177,7 @@ class Measuring {
         else if (outline && light.place)
             this.things.push({ kind: 'light', index, key: `${base}.vertices`, at: light.place });
         else if (light.type === 'distant' && light.direction) this.distant(index, light.direction);
+        else if (light.type === 'sun' || light.type === 'sky') this.sun(index, light.type === 'sun' ? base : `${base}.sun`);
         if (!light.place) return;
         const aim = this.values.numbers(`${base}.aim`);
         if (aim) this.things.push({ kind: 'aim', index, key: `${base}.aim`, at: aim, from: light.place });
@@ -194,26 +198,50 @@ class Measuring {
     }
 
     // Distant light comes from infinitely far; its handle stands a screen away from the first surface.
+    private get target() {
+        return this.scene.surfaces[0]?.center ?? [0, 0, 0];
+    }
+
+    private get far() {
+        return 1.2 * Math.max(...this.screen);
+    }
+
     private distant(index: number, direction: number[]) {
-        const target = this.scene.surfaces[0]?.center ?? [0, 0, 0];
-        const far = 1.2 * Math.max(...this.screen);
-        const at = target.map((coordinate, axis) => coordinate - far * direction[axis]);
-        this.things.push({ kind: 'direction', index, key: `lights[${index}].direction`, at, from: target });
+        const at = this.target.map((coordinate, axis) => coordinate - this.far * direction[axis]);
+        this.things.push({ kind: 'direction', index, key: `lights[${index}].direction`, at, from: this.target });
+    }
+
+    // A sky may have no sun; it has one by altitude and azimuth, or by date and place.
+    private sun(index: number, base: string) {
+        const { values } = this;
+        const ways = ground(values.numbers(`lights[${index}].up`), values.numbers(`lights[${index}].north`));
+        const given = ['altitude', 'azimuth', 'date', 'latitude', 'longitude'].flatMap((key): [string, string][] => {
+            const value = values.text(`${base}.${key}`);
+            return value === null ? [] : [[key, value]];
+        });
+        const towards = given.length ? this.toSun(sunAlone([...given, ['up', `[${ways.up}]`], ['north', `[${ways.north}]`]])) : null;
+        if (!towards) return;
+        const date = values.text(`${base}.date`);
+        const [latitude, longitude] = ['latitude', 'longitude'].map((key) => values.numbers(`${base}.${key}`)?.[0]);
+        const dated = date === null ? {} : { date: JSON.parse(date) as string, latitude, longitude };
+        const sun: Sun = { base, ...ways, towards: towards as Sun['towards'], ...dated };
+        this.things.push(sunThing(index, sun, this.target, this.far));
     }
 }
 
 /**
  * Reads off a scene, whose keys have the values in YAML that `get` tells; `project` tells where places are seen, `unproject`
- * where a point of the screen is at a height above it.
+ * where a point of the screen is at a height above it, `toSun` the way to the sun of a scene that has nothing else.
  */
 export function geometryOf(
     scene: SceneFacts,
     get: (key: string) => string | null,
     project: (place: number[]) => number[] | null,
     unproject: (x: number, y: number, height: number) => number[] | null,
+    toSun: (text: string) => number[] | null,
 ): Geometry {
     const values = new Values(get);
-    const measuring = new Measuring(scene, values);
+    const measuring = new Measuring(scene, values, toSun);
     const observer = measuring.observer();
     scene.surfaces.forEach((_, i) => measuring.surface(i));
     scene.lights.forEach((_, i) => measuring.light(i));

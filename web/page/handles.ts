@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Handles: places of a body or a lamp by which its size is taken: corners and edges of rectangles, sides of boxes, radii,
-// heights, angles of cones, corners of outlines.
+// heights, angles of cones, corners of outlines; and the observer's target and screen.
 import type { Change } from './core';
-import type { Shape } from './geometry';
+import type { Geometry, Shape } from './geometry';
 import { add, along, basis, cross, dot, turnedAxes, unit, type Place } from './space_math';
 import type { View } from './stage';
 import { number, t } from './words';
@@ -143,6 +143,42 @@ function ofOutline({ base, outline = [], axis }: Shape): Handle[] {
             return { changes: [{ set: `${base}.vertices=[${corners.join(', ')}]` }], told: `(${to.map((c) => number(c, 5)).join('; ')}) ${t('mm')}` };
         },
     }));
+}
+
+const COARSEST = 40; // mm by which whole sizes of a screen may go up
+
+// Sizes of a screen whose pixels stay square: whole ones, where these are near enough to each other.
+function screenOf([w, h]: number[], factor: number): number[] {
+    const divisor = (a: number, b: number): number => (b ? divisor(b, a % b) : a);
+    const step = Number.isInteger(w) && Number.isInteger(h) ? w / divisor(w, h) : Infinity;
+    if (step > COARSEST) return [w, h].map((each) => Number((each * factor).toPrecision(9)));
+    const count = Math.max(1, Math.round((w * factor) / step));
+    return [count * step, (count * step * h) / w];
+}
+
+/** The handles of the observer: what it looks at, and the corners of its screen. */
+export function handlesOfObserver({ frame, screen, things }: Pick<Geometry, 'frame' | 'screen' | 'things'>): Handle[] {
+    const { middle, corners, axis } = frame;
+    const target: Handle = {
+        at: middle as Place,
+        name: t('what the observer looks at'),
+        moved: (to) => {
+            const place = to.map((c) => Math.round(c));
+            return { changes: [{ set: `observer.target=${written(place)}` }], told: `(${place.map((c) => number(c, 6)).join('; ')}) ${t('mm')}` };
+        },
+    };
+    const half = Math.hypot(...screen) / 2;
+    const ends = corners.map((corner): Handle => ({
+        at: corner as Place,
+        name: t('size of the screen'),
+        axis: unit(axis),
+        moved: (to) => {
+            const sizes = screenOf(screen, Math.max(Math.hypot(...between(middle, to)) / half, 0.01));
+            return { changes: ['width', 'height'].map((key, i) => ({ set: `screen.${key}=${sizes[i]}` })), told: told(sizes) };
+        },
+    }));
+    const isAimed = things.some(({ key }) => key === 'observer.position');
+    return isAimed ? [target, ...ends] : ends;
 }
 
 /** The handles of a shape, seen through a camera; `length`: of its cone, as it is drawn. */

@@ -47,7 +47,7 @@ export function header(model: Model, actions: Actions) {
     );
     const named = FILES.map(([ending, name]): [string, string] => [
         ending,
-        ending === '.html' ? `${t('Report')} (${name})` : ending === 'figure' ? `${t(name)} (SVG, PNG)…` : name,
+        ending === '.html' ? `${t('Report')} (${name})` : ending === 'figure' ? `${t(name)} (SVG, PDF, PNG)…` : name,
     ]);
     const files = choice(t('Download'), [['', `${t('Save')}…`], ...named], '', (ending) => {
         files.value = '';

@@ -10,6 +10,11 @@ async function through(
     return new Uint8Array(await new Response(piped as ReadableStream<Uint8Array<ArrayBuffer>>).arrayBuffer());
 }
 
+/** Bytes in fewer, as zlib packs them. */
+export function deflated(bytes: Uint8Array<ArrayBuffer>): Promise<Uint8Array<ArrayBuffer>> {
+    return through(bytes, new CompressionStream('deflate'));
+}
+
 export async function packed(text: string): Promise<string> {
     const bytes = await through(new TextEncoder().encode(text), new CompressionStream('deflate-raw'));
     let binary = '';

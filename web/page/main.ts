@@ -7,14 +7,14 @@ import { Client, hasVectors, Interrupted } from './client';
 import { scaleControls, sideControls, viewControl, zoomButtons } from './controls';
 import { Compare } from './compare';
 import { Dial } from './dial';
-import { h, isTypedOver, showIn, styleColour } from './dom';
+import { h, isTypedOver, showIn, sizeOf, styleColour } from './dom';
 import { Embedding, wishes } from './embedding';
 import { Figures } from './figures/figures';
 import { Files } from './files';
 import { Form } from './form';
 import { FIRST_NAME, FIRST_TITLE, firstScene } from './first_scene';
 import { Gallery } from './gallery';
-import { GridsPanel } from './grids';
+import { GridsPanel } from './grids/panel';
 import { header } from './header';
 import { Histogram } from './histogram';
 import { download, packed, unpacked } from './link';
@@ -36,6 +36,7 @@ import { Sharing } from './sharing';
 import { placeWords, SpaceView } from './space';
 import type { Place } from './space_math';
 import { Statistics } from './statistics';
+import { standWords } from './sun/sun';
 import { Task, taskIn } from './task';
 import { TextEditor } from './text';
 import { Outdated } from './version';
@@ -216,7 +217,7 @@ class Page {
             this.grids.isShown = chart === 'grids';
         };
         this.grids.onChange = () => {
-            this.space.cells = this.grids.cells;
+            this.space.measured = this.grids.inSpace;
             this.space.draw();
         };
         this.points.place = () => this.picture.probe ?? [0, 0];
@@ -479,7 +480,7 @@ class Page {
     // What only some scenes have.
     private tellCharts() {
         this.layout.tellReflections(!!this.model.whole?.reflects);
-        this.layout.offer('grids', !!this.model.scene?.grids);
+        this.layout.offer('grids', !!this.model.scene?.grids || !!this.model.scene?.observers);
     }
 
     private header(): HTMLElement {
@@ -590,7 +591,7 @@ class Page {
     private showReadout(x: number, y: number | null) {
         this.readout.hidden = y === null;
         if (y === null) return;
-        const { width } = this.readout.parentElement!.getBoundingClientRect();
+        const { width } = sizeOf(this.readout.parentElement!);
         const isRight = x > width / 2;
         Object.assign(this.readout.style, {
             insetBlockStart: `${Math.max(8, y - 46)}px`,
@@ -692,8 +693,9 @@ class Page {
         this.chosen.classList.toggle('none', !thing);
         const list = !thing || thing.kind === 'observer' ? null : thing.kind === 'surface' ? 'surfaces' : 'lights';
         this.form.markChosen(list, thing?.index ?? 0);
+        const where = (of: Thing) => (of.sun ? `(${standWords(of.sun)})` : `(${of.at.map((c) => number(c, 5)).join('; ')}) ${t('mm')}`);
         this.chosen.textContent = thing
-            ? `${t('Selected')}: ${t(words[thing.kind])} ${which} (${thing.at.map((c) => number(c, 5)).join('; ')}) ${t('mm')}`
+            ? `${t('Selected')}: ${t(words[thing.kind])} ${which} ${where(thing)}`
             : `${t('Selected')}: ${t('nothing')}`;
     }
 

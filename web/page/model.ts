@@ -8,6 +8,7 @@ import type { Change, Message, Probe, SceneFacts } from './core';
 import { Client } from './client';
 import type { Geometry, Shape, Thing } from './geometry';
 import type { ColourView } from './srgb';
+import { sunMoves } from './sun/sun';
 import type { Of, Version } from './version';
 import { Work } from './work';
 import type { Picture } from './worker';
@@ -176,6 +177,22 @@ export class Model {
             this.awaiting.push(resolve);
             setTimeout(resolve, MOMENT);
         });
+    }
+
+    /** Takes one value after the other, the newest of those that came meanwhile, once its picture is shown. */
+    newest(commit: (value: string) => Promise<boolean>): (value: string) => Promise<void> {
+        let [next, isBusy]: [string | null, boolean] = [null, false];
+        return async (value) => {
+            next = value;
+            if (isBusy) return;
+            isBusy = true;
+            while (next !== null) {
+                const taken: string = next;
+                next = null;
+                if (await commit(taken).catch(() => false)) await this.pictured();
+            }
+            isBusy = false;
+        };
     }
 
     private tell(topic: Topic) {
@@ -544,6 +561,7 @@ export class Model {
         if (this.isFixed(thing)) return [];
         const whole = to.map((coordinate) => Math.round(coordinate));
         if (thing.key === 'observer.z') return [{ set: `observer.z=${Math.max(1, whole[2])}` }];
+        if (thing.sun) return sunMoves(this.things, thing, to).changes;
         if (thing.kind === 'direction') {
             const along = thing.from!.map((coordinate, axis) => Number((coordinate - to[axis]).toPrecision(4)));
             return [{ set: `${thing.key}=[${along.join(', ')}]` }];

@@ -7,11 +7,14 @@ import { nextOf } from './choosing';
 import { Drag, followPointer, movesOf, type Action } from './drag';
 import type { Model, Shape, Thing } from './model';
 import { Drawing } from './drawing';
-import { handleAt, handlesOf, type Handle } from './handles';
+import { drawMeasured, NOTHING_MEASURED, type InSpace } from './grids/in_space';
+import { handleAt, handlesOf, handlesOfObserver, type Handle } from './handles';
 import type { Several } from './several';
 import { cameraOf, observerView, seenBy, Stage, type View } from './stage';
 import { add, along, basis, circle, cross, edgesOf, unit, type Place } from './space_math';
 import type { Scale } from './colours';
+import { drawDome } from './sun/dome';
+import { sunMoves, sunsWith } from './sun/sun';
 import { drawVectors, vectorsAt } from './vectors';
 import { number, t } from './words';
 
@@ -26,9 +29,9 @@ const GLOWING = 60; // lights that have a glow
 const NAMED = 8; // lights that are called by their names
 const ROOM = 18; // pixels between the edge and a lamp that is beyond it
 const FLIGHT = 420; // milliseconds
-const CELL = [18, 15]; // pixels that a number of a cell takes, of its width the half
 const HANDLE = 9; // pixels across of a handle's square
 const REACH = 13; // pixels within which a handle is grabbed
+const CLEAR = 84; // pixels at the right of the stage that the colour bar takes
 const LOW = 420; // pixels of the stage's height below which a lying one has no room for hints
 const TURN = 0.008; // radians by a pixel of a hand's way
 
@@ -38,8 +41,8 @@ export class SpaceView {
     probe: Probe | null = null;
     /** The place that a task asks about. */
     asked: number[] | null = null;
-    /** Numbers that stand at places, as those of measuring grids. */
-    cells: { at: Place; text: string }[] = [];
+    /** What of measuring grids and their observers is shown. */
+    measured: InSpace = NOTHING_MEASURED;
     onSelect: (thing: Thing | null) => void = () => undefined;
     onSide: (side: Side) => void = () => undefined;
     /** Told a place on a body that the hand points at, and where that is on the canvas; null: on no body. */
@@ -140,7 +143,7 @@ export class SpaceView {
         this.probe = null;
         this.selected = this.hovered = null;
         this.isHeld = false;
-        this.cells = [];
+        this.measured = NOTHING_MEASURED;
         this.draw();
     }
 
@@ -279,7 +282,7 @@ export class SpaceView {
         for (const shape of lights) this.drawLight(drawing, shape, lights.length <= FILLED);
         this.drawProbe(drawing);
         this.drawAsked(drawing);
-        this.drawCells(drawing);
+        drawMeasured(drawing, this.measured);
         for (const thing of this.model.things) if (thing.kind !== 'light') this.drawThing(drawing, thing);
         const lamps = this.model.things.filter(({ kind }) => kind === 'light');
         for (const lamp of lamps) this.drawLamp(drawing, lamp, lamps.length <= NAMED);
@@ -308,7 +311,9 @@ export class SpaceView {
     // The handles of what is chosen.
     private handles(view: View): Handle[] {
         const { selected } = this;
-        if (!selected || selected.kind === 'observer' || this.model.isFixed(selected) || this.several.has(selected.index)) return [];
+        if (!selected || this.model.isFixed(selected)) return [];
+        if (selected.kind === 'observer') return handlesOfObserver(this.model.whole!);
+        if (this.several.has(selected.index)) return [];
         const kind = selected.kind === 'surface' ? 'surface' : 'light';
         const shape = this.model.shapes.find((each) => each.kind === kind && each.index === selected.index);
         return shape ? handlesOf(shape, view, this.coneLength(shape)) : [];
@@ -474,24 +479,6 @@ export class SpaceView {
         context.lineWidth = 1;
     }
 
-    private drawCells(drawing: Drawing) {
-        const { context } = drawing;
-        context.font = '600 11px system-ui, sans-serif';
-        context.textAlign = 'center';
-        context.textBaseline = 'middle';
-        // Those that would lie on others are left out until the view is near enough.
-        const taken = new Set<string>();
-        for (const { at, text } of this.cells) {
-            const [x, y] = drawing.seen(at);
-            const spots = [-1, 0, 1].map((aside) => [Math.round(x / CELL[0]) + aside, Math.round(y / CELL[1])].join());
-            if (spots.some((spot) => taken.has(spot))) continue;
-            taken.add(spots[1]);
-            context.globalAlpha = drawing.isHidden(at) ? 0.35 : 1;
-            drawing.words(text, x, y);
-        }
-        context.globalAlpha = 1;
-    }
-
     private drawAsked(drawing: Drawing) {
         if (!this.asked) return;
         const { context } = drawing;
@@ -525,10 +512,12 @@ export class SpaceView {
         if (isNamed) {
             context.font = '600 12px system-ui, sans-serif';
             const name = light?.name ?? light?.label ?? '';
-            const isLeft = x > view.width - 200;
+            const length = context.measureText(name).width + 24;
+            const isLeft = x + length > view.width - CLEAR;
             context.textAlign = isLeft ? 'right' : 'left';
             context.textBaseline = 'middle';
-            drawing.words(name, x + (isLeft ? -1 : 1) * (chosen ? 24 : 20), y);
+            // Where there is no room for a name, the number tells which lamp it is.
+            if (!isLeft || x > length) drawing.words(name, x + (isLeft ? -1 : 1) * (chosen ? 24 : 20), y);
         }
         context.globalAlpha = 1;
     }
@@ -559,14 +548,16 @@ export class SpaceView {
 
     private drawThing(drawing: Drawing, thing: Thing) {
         const { context } = drawing;
-        const [x, y] = this.seen(thing.at);
+        const [x, y] = thing.kind === 'direction' ? this.markPlace(thing) : this.seen(thing.at);
         const chosen = this.selected?.key === thing.key && this.selected.kind === thing.kind;
+        if (thing.sun && !chosen && this.isBehindSun(thing)) return;
         if (thing.from) {
             context.strokeStyle = lightColour(thing.index);
             context.setLineDash([4, 4]);
             drawing.line([thing.from, thing.at]);
             context.setLineDash([]);
         }
+        if (thing.sun && (chosen || this.hovered?.key === thing.key)) drawDome(drawing, thing, thing.sun);
         if (thing.kind === 'direction') return numberMark(context, x, y, thing.index, chosen);
         if (thing.kind === 'surface' && !chosen) return;
         context.beginPath();
@@ -586,13 +577,20 @@ export class SpaceView {
         context.lineWidth = 1;
     }
 
+    // Whether another sun that stands there is shown, of those that go together: the chosen one, or the first.
+    private isBehindSun({ sun, key }: Thing): boolean {
+        const together = sunsWith(this.model.things, sun!);
+        const bases = together.map(({ base }) => `${base}.sun`);
+        return (bases.find((each) => each === this.selected?.key) ?? bases[0]) !== key;
+    }
+
     private thingAt(x: number, y: number): Thing | null {
         let nearest: Thing | null = null;
         let least = NEAR;
         // Lamps and aims before the places that they aim at.
         const order = ['light', 'direction', 'aim', 'observer', 'surface'];
         for (const thing of this.model.things.filter((each) => !this.model.isFixed(each)).sort((a, b) => order.indexOf(a.kind) - order.indexOf(b.kind))) {
-            const [tx, ty] = thing.kind === 'light' ? this.markPlace(thing) : this.seen(thing.at);
+            const [tx, ty] = thing.kind === 'light' || thing.kind === 'direction' ? this.markPlace(thing) : this.seen(thing.at);
             const distance = Math.hypot(tx - x, ty - y);
             // A body is dragged at its middle where it was chosen before.
             const isFixed = thing.kind === 'surface' && this.selected?.key !== thing.key;
@@ -628,9 +626,15 @@ export class SpaceView {
             const to = thing.at.map((c, axis) => c + ((nx - x) * view.right[axis] - (ny - y) * view.up[axis]) / factor);
             void drag.to(to);
             this.onDrag();
-            if (thing.kind !== 'direction') this.onTell(placeWords(to), nx, ny);
+            if (thing.sun) this.onTell(sunMoves(this.model.things, this.present(thing), to).told, nx, ny);
+            else if (thing.kind !== 'direction') this.onTell(placeWords(to), nx, ny);
         };
         return { move, end: () => this.letGo(drag) };
+    }
+
+    // A thing as it stands now.
+    private present(thing: Thing): Thing {
+        return this.model.things.find(({ key, kind }) => key === thing.key && kind === thing.kind) ?? thing;
     }
 
     private letGo(drag: Drag) {
@@ -862,11 +866,10 @@ export class SpaceView {
     }
 
     private async nudge(step: number[], size: number) {
-        const thing = this.model.things.find(
-            ({ key, kind }) => key === this.selected?.key && kind === this.selected.kind,
-        );
+        const thing = this.selected && this.present(this.selected);
         if (!thing) return;
-        const to = thing.at.map((c, axis) => c + step[axis] * size);
+        const degree = thing.from && thing.sun ? Math.hypot(...thing.at.map((c, axis) => c - thing.from![axis])) / 573 : 1; // a sun by a degree
+        const to = thing.at.map((c, axis) => c + step[axis] * size * degree);
         const changes = movesOf(this.model, thing, this.several.besides(thing))(to);
         if (changes.length) await this.model.change(changes, `keys ${thing.key}`);
     }

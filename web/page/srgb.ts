@@ -36,8 +36,20 @@ export function greatestChannel(rgb: Float32Array): number {
     return most;
 }
 
-function levelsIn(rgb: Float32Array, scale: Scale): Uint8ClampedArray {
-    return Uint8ClampedArray.from(rgb, (channel) => Math.round(255 * curve(placeInRange(channel, scale))));
+const STEPS = 65535; // of the table of levels: fine enough for the darkest ones
+let levelOf: Uint8Array | null = null; // which takes a moment to make, and most pages never need
+
+function levelsIn(rgb: Float32Array, scale: Scale): Uint8Array {
+    levelOf ??= Uint8Array.from({ length: STEPS + 1 }, (_, i) => Math.round(255 * curve(i / STEPS)));
+    const { logarithmic, low, high } = scale;
+    const isPlain = !logarithmic && high > low;
+    const factor = isPlain ? 1 / (high - low) : 0;
+    const levels = new Uint8Array(rgb.length);
+    for (let i = 0; i < rgb.length; i++) {
+        const at = isPlain ? (rgb[i] - low) * factor : placeInRange(rgb[i], scale);
+        levels[i] = levelOf[at <= 0 ? 0 : at >= 1 ? STEPS : Math.round(at * STEPS)];
+    }
+    return levels;
 }
 
 /**
@@ -48,11 +60,7 @@ export function paintSamples(samples: Samples, scale: Scale, isWhole: boolean): 
     const { values, mask, rgb } = samples;
     if (!rgb || !showsColours(samples, scale)) return paint(values, mask, scale);
     const levels = isWhole && samples.levels ? samples.levels : levelsIn(rgb, scale);
-    const pixels = new Uint8ClampedArray(4 * mask.length);
-    for (let i = 0; i < mask.length; i++) {
-        if (!mask[i]) continue;
-        for (let c = 0; c < 3; c++) pixels[4 * i + c] = levels[3 * i + c];
-        pixels[4 * i + 3] = 255;
-    }
-    return pixels;
+    const pixels = new Uint32Array(mask.length);
+    for (let i = 0; i < mask.length; i++) if (mask[i]) pixels[i] = (255 << 24) | (levels[3 * i + 2] << 16) | (levels[3 * i + 1] << 8) | levels[3 * i];
+    return new Uint8ClampedArray(pixels.buffer);
 }

@@ -91,6 +91,7 @@ function judge(of: Of) {
             (key) => core.get(key),
             (place) => core.project(place),
             (x, y, height) => core.unproject(x, y, height),
+            (text) => core.sun(text),
         );
     return { messages, files, facts, geometry };
 }

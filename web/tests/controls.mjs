@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // What is done with lamps and bodies as a whole, the numbers that stand on the stage and below it, and what a tab keeps, in
 // Chromium: against the tool's numbers where there are some.
-import { execFileSync } from 'node:child_process';
-import { inside, look, opened, openScene, ready, shot, tab, until } from './hands.mjs';
+import { execFileSync, spawnSync } from 'node:child_process';
+import { inside, look, opened, openScene, openText, ready, shot, tab, until } from './hands.mjs';
 import { check, equal, test } from './tap.mjs';
 
 const json = (tool, ...values) =>
@@ -161,15 +161,56 @@ async function showsGrids(page, tool) {
         equal(cells.length, values.length, 'cells');
         values.forEach((value, i) => equal(cells[i], value === null ? '—' : String(Number(value.toPrecision(4))), `cell ${i}`));
         await look(page, 'space');
-        await until(page, 'space.cells.length > 0');
+        await until(page, 'space.measured.cells.length > 0');
         const words = await written(page, 'space');
         const known = values.filter((value) => value !== null).map((value) => String(Number(value.toPrecision(3))));
-        equal(await inside(page, 'space.cells.map(({ text }) => text)'), known, 'numbers in space');
+        equal(await inside(page, 'space.measured.cells.map(({ text }) => text)'), known, 'numbers in space');
         check(words.filter((word) => known.includes(word)).length >= 5, `few numbers: ${words}`);
         await shot(page, `grids-${scene}`);
         await tab(page, 'Section');
         check(!(await written(page, 'space')).some((word) => word === String(Number(values[0]?.toPrecision(3)))), 'numbers that stay');
     }
+}
+
+const DESIGN = `luxel: 1
+units: photometric
+reflections: REFLECTIONS
+screen: {width: 6000, height: 4500, resolution: [80, 60]}
+observer: {position: [-1800, -1400, 1500], target: [600, 400, 800], up: [0, 0, 1], projection: perspective}
+surfaces:
+  - {type: room, center: [0, 0, 1350], size: [4000, 3000, 2700], up: z, material: {model: lambert, over_pi: true, diffuse: 0.5}}
+lights:
+  - {type: luminaire, file: 'builtin:office-lamp.ies', position: [0, 0, 2650], array: {n: [2, 1], spacing: [2000, 2000]}}
+grids:
+  - {name: task, center: [0, 0, 750], size: [1600, 1000], n: [4, 3], surround: 500, background: 500, limits: {average: 300, uniformity: 0.7, maximum: 10}}
+observers:
+  - {name: seated, eye: [-1900, 0, 1200], view: [1, 0, 0], limits: {ugr: 28}}
+`;
+
+/** Limits have the tool's numbers and verdicts, in the strip and in space; before all light is known nothing is said. */
+async function judgesLimits(page, tool) {
+    for (const reflections of ['none', '2']) {
+        const text = DESIGN.replace('REFLECTIONS', reflections);
+        const told = JSON.parse(spawnSync(tool, ['grid', '-', '--limits', '--json', '--reflected-error', '0.05'], { input: text }).stdout);
+        await openText(page, text);
+        await tab(page, 'Grids');
+        await until(page, 'model.isSettled && space.measured.lines.length > 0 && space.measured.lines.every(({ verdict }) => verdict)');
+        const rows = await page.locator('.grids .limit').evaluateAll((all) => all.map((row) => [row.className, ...[...row.children].map((cell) => cell.textContent)]));
+        const expected = [...told.grids[0].limits, ...told.observers[0].limits];
+        equal(rows.length, expected.length, 'limits');
+        const words = { pass: 'kept', fail: 'not kept', undecided: 'undecided' };
+        expected.forEach(({ name, wanted, value, verdict }, i) => {
+            const [kind, , said, number, limit] = rows[i];
+            equal([kind, said], [`limit ${verdict}`, words[verdict]], `what is said of ${name}, ${number} to ${value}`);
+            check(limit.includes(String(Number(wanted.toPrecision(5)))), `${name}: ${limit} has no ${wanted}`);
+            if (value === null) equal(number, '—', name);
+            else check(Math.abs(parseFloat(number) - value) <= 0.03 * Math.abs(value), `${name}: ${number} instead of ${value}`);
+        });
+        const lines = [['fail', false], ['pass', true], ['pass', true], [told.observers[0].limits[0].verdict, false]];
+        equal(await inside(page, 'space.measured.lines.map(({ verdict, isStrip }) => [verdict, !!isStrip])'), lines, 'lines in space');
+        await shot(page, `limits-${reflections}`);
+    }
+    await tab(page, 'Section');
 }
 
 /** A reload goes on where the page was, with all that can be undone. */
@@ -210,6 +251,7 @@ export async function controls(browser, url, tool) {
     await test('isophotes tell their levels', () => labelsIsophotes(page));
     await test('the histogram tells the true extrema', () => showsHistogram(page, tool));
     await test('measuring grids with their numbers', () => showsGrids(page, tool));
+    await test('limits of grids and observers, and whether they are kept', () => judgesLimits(page, tool));
     await test('no fault was reported by controls', () => equal(page.faults, [], 'faults'));
     await page.context().close();
     await test('a reload goes on where it was', () => keepsOn(browser, url));

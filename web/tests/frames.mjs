@@ -13,22 +13,34 @@ const MOST_OF_FRAME = 16; // milliseconds of the main thread
 const MOST_OF_PICTURE = 33; // milliseconds of a frame and the workers' picture
 const MOST_OF_MANY = 32; // milliseconds of a frame with 300 lamps
 const LONGEST = 300; // milliseconds by the clock of a task, three times what an idle machine takes
-const STEPS = 40;
-const TRIES = 3; // of which the best counts: caches and the other half of a core are not ours
+const STEPS = 10; // of a hand, whose time is taken together
+const TRIES = 16; // of which the best counts: caches and the other half of a core are not ours
+const LEAST = 4; // frames of a try
+const WORKER = 'DedicatedWorker'; // how threads of workers are called
+const PATIENT = 15000; // milliseconds by the clock that a scene is tried
+const OURS = 0.5; // of the time that threads want, which they must have for workers to be judged: they choose by the clock what to compute
 
-/** Milliseconds that the threads of a process have had, by their names; null: this system does not tell. */
-function timeOf(process) {
-    const times = {};
+/** The threads of a process: their names, and the milliseconds that each has had and stood in line for. */
+function threadsOf(process) {
+    const threads = new Map();
     for (const thread of fs.readdirSync(`/proc/${process}/task`)) {
         try {
             const of = (name) => fs.readFileSync(`/proc/${process}/task/${thread}/${name}`, 'utf8');
             const name = thread === String(process) ? 'main' : of('comm').trim();
-            times[name] = (times[name] ?? 0) + Number(of('schedstat').split(' ')[0]) / 1e6;
+            const [had, waited] = of('schedstat').split(' ').map((each) => Number(each) / 1e6);
+            threads.set(thread, { name, had, waited });
         } catch {
-            // The thread has ended.
+            // The thread has ended, or this system does not tell.
         }
     }
-    return times;
+    return threads;
+}
+
+/** What threads of a name have had, or waited for, from one moment to another. */
+function between(then, now, wanted, key = 'had') {
+    let sum = 0;
+    for (const [thread, { name, [key]: value }] of now) if (name === wanted) sum += value - (then.get(thread)?.[key] ?? 0);
+    return sum;
 }
 
 /** The process of the page: that which works when it does, and far more than any other. */
@@ -47,46 +59,70 @@ async function processOf(browser, page) {
     throw new Error('the process of the page is not to be told from others');
 }
 
-/** What a frame and a picture cost while a lamp is dragged, or, with Shift, the view is turned. */
-async function dragged(page, process, isTurning = false) {
+/** Counts from now on what is drawn: frames of the stage, its pictures, and those of the observer. */
+const count = (page) =>
+    page.evaluate(() => {
+        const { model, space } = window.luxel.inside;
+        const counted = (window.counted = { frames: 0, pictures: 0, staged: 0 });
+        const counts = (object, name, key) => {
+            object[name] = function (...values) {
+                counted[key]++;
+                return Object.getPrototypeOf(this)[name].apply(this, values);
+            };
+        };
+        counts(space, 'drawNow', 'frames');
+        counts(model, 'take', 'pictures');
+        counts(space.stage, 'keepFinest', 'staged');
+    });
+
+/**
+ * What a frame and a picture cost at best while a lamp is dragged, or the view is turned, which has the stage's pictures, until
+ * both are as cheap as they should be.
+ */
+async function dragged(page, process, isTurning = false, most = { frame: MOST_OF_FRAME, picture: MOST_OF_PICTURE }) {
     const [x, y, isLamp] = await inside(
         page,
         "(() => { const thing = ['light', 'direction', 'aim'].map((kind) => model.things.find((each) => each.kind === kind)).find(Boolean); return thing ? [...(thing.kind === 'light' ? space.markPlace(thing) : space.seen(thing.at)), true] : [200, 120, false]; })()",
     );
     const box = await boxOf(page.locator('canvas.space'));
-    const move = (i) => page.mouse.move(box.x + x + 8 + 1.5 * Math.min(i, STEPS - i), box.y + y + 8);
-    if (isTurning) await page.keyboard.down('Shift');
+    const turns = isTurning || !isLamp;
+    const move = (i) => page.mouse.move(box.x + x + 8 + 1.5 * (i % 20 < 10 ? i % 20 : 20 - (i % 20)), box.y + y + 8);
+    if (turns) await page.keyboard.down('Shift');
     await page.mouse.move(box.x + x, box.y + y);
     await page.mouse.down();
     await move(0);
     await page.waitForTimeout(200);
-    await page.evaluate(() => {
-        const { model, space } = window.luxel.inside;
-        const count = (window.counted = { frames: 0, pictures: 0 });
-        space.drawNow = function () {
-            count.frames++;
-            return Object.getPrototypeOf(this).drawNow.call(this);
-        };
-        model.take = function (picture) {
-            count.pictures++;
-            return Object.getPrototypeOf(this).take.call(this, picture);
-        };
-    });
-    const before = timeOf(process);
-    for (let i = 0; i < STEPS; i++) {
-        await move(i);
-        await page.waitForTimeout(16);
+    await count(page);
+    const best = { frame: Infinity, picture: Infinity, isBusy: false };
+    const until = Date.now() + PATIENT;
+    const wanted = [turns ? 'staged' : 'pictures', 'frames'];
+    const start = { threads: threadsOf(process), counts: { frames: 0, pictures: 0, staged: 0 } };
+    let [ofPicture, ofFrame] = [start, start];
+    for (let i = 0; (i < TRIES || best.picture === Infinity) && Date.now() < until && !(best.frame <= most.frame && best.picture <= most.picture); i++) {
+        for (let k = 0; k < STEPS; k++) {
+            await move(i * STEPS + k);
+            await page.waitForTimeout(16);
+        }
+        const now = { threads: threadsOf(process), counts: await page.evaluate(() => ({ ...window.counted })) };
+        const since = (then, name, key) => between(then.threads, now.threads, name, key);
+        const [pictures, frames] = [ofPicture, ofFrame].map((then, k) => now.counts[wanted[k]] - then.counts[wanted[k]]);
+        if (frames < LEAST) continue;
+        best.frame = Math.min(best.frame, since(ofFrame, 'main') / frames);
+        ofFrame = now;
+        // A worker that has ended has taken its time with it.
+        if ([...ofPicture.threads].some(([thread, { name }]) => name === WORKER && !now.threads.has(thread))) {
+            ofPicture = now;
+            continue;
+        }
+        if (!pictures) continue;
+        best.picture = Math.min(best.picture, best.frame + since(ofPicture, WORKER) / pictures);
+        const [had, waited] = ['had', 'waited'].map((key) => since(ofPicture, 'main', key) + since(ofPicture, WORKER, key));
+        best.isBusy ||= had / (had + waited) < OURS;
+        ofPicture = now;
     }
-    const after = timeOf(process);
     await page.mouse.up();
-    if (isTurning) await page.keyboard.up('Shift');
-    const { frames, pictures } = await page.evaluate(() => window.counted);
-    const spent = (name) => (after[name] ?? 0) - (before[name] ?? 0);
-    // Where nothing was drawn, or a worker has ended and taken its time with it, nothing was measured.
-    const isMeasured = frames > 0 && spent('main') > 0 && spent('DedicatedWorker') > 0 && (pictures > 0 || !isLamp || isTurning);
-    if (!isMeasured) return { frame: Infinity, picture: Infinity };
-    const frame = spent('main') / frames;
-    return { frame, picture: frame + spent('DedicatedWorker') / Math.max(pictures, 1) };
+    if (turns) await page.keyboard.up('Shift');
+    return best;
 }
 
 /** A frame while the camera goes around a scene. */
@@ -96,8 +132,7 @@ async function turns(browser, page) {
     for (const scene of ['three-lights', 'desk', 'room', 'pot', 'office']) {
         await openScene(page, scene);
         await until(page, 'space.stage.made && model.isCurrent(space.stage.made.of)');
-        let best = Infinity;
-        for (let i = 0; i < TRIES && best > MOST_OF_FRAME; i++) best = Math.min(best, (await dragged(page, process, true)).frame);
+        const { frame: best } = await dragged(page, process, true, { frame: MOST_OF_FRAME, picture: Infinity });
         told.push(`${scene} ${best.toFixed(0)}`);
         if (best > MOST_OF_FRAME) told.push('!');
     }
@@ -111,14 +146,11 @@ async function isQuick(browser, page) {
     for (const scene of SIMPLE) {
         await openScene(page, scene);
         await until(page, 'space.stage.made && model.isCurrent(space.stage.made.of)');
-        let best = { frame: Infinity, picture: Infinity };
-        for (let i = 0; i < TRIES && !(best.frame <= MOST_OF_FRAME && best.picture <= MOST_OF_PICTURE); i++) {
-            await page.waitForTimeout(400);
-            const found = await dragged(page, process);
-            if (found.picture < best.picture) best = found;
-        }
-        told.push(`${scene} ${best.frame.toFixed(0)} + ${(best.picture - best.frame).toFixed(0)}`);
-        if (best.frame > MOST_OF_FRAME || best.picture > MOST_OF_PICTURE) told.push('!');
+        const best = await dragged(page, process);
+        const isSlow = best.picture > MOST_OF_PICTURE;
+        const workers = Number.isFinite(best.picture) ? (best.picture - best.frame).toFixed(0) : 'no picture';
+        told.push(`${scene} ${best.frame.toFixed(0)} + ${workers}${isSlow && best.isBusy ? ' (others have the processors)' : ''}`);
+        if (best.frame > MOST_OF_FRAME || (isSlow && !best.isBusy)) told.push('!');
     }
     check(!told.includes('!'), told.join(', '));
     return `milliseconds of main thread for a frame + workers for a picture: ${told.join(', ')}`;
@@ -138,9 +170,9 @@ async function bearsLamps(page) {
         new PerformanceObserver((list) => list.getEntries().forEach(({ duration }) => (window.longest = Math.max(window.longest, duration)))).observe({ type: 'longtask' });
     });
     let [frame, longest] = [Infinity, Infinity];
-    for (let i = 0; i < TRIES && !(frame <= MOST_OF_MANY && longest <= LONGEST); i++) {
+    for (let i = 0; i < 3 && !(frame <= MOST_OF_MANY && longest <= LONGEST); i++) {
         await page.evaluate(() => (window.longest = 0));
-        frame = Math.min(frame, (await dragged(page, process)).frame);
+        frame = Math.min(frame, (await dragged(page, process, false, { frame: MOST_OF_MANY, picture: Infinity })).frame);
         longest = Math.min(longest, await page.evaluate(() => window.longest));
     }
     await until(page, `model.isSettled && model.text !== ${JSON.stringify(text0)}`);
@@ -151,7 +183,7 @@ async function bearsLamps(page) {
 
 export async function frames(browser, url) {
     const page = await opened(browser, url, { viewport: { width: 1280, height: 720 } });
-    if (!Object.keys(timeOf('self')).length) return console.log('this system does not tell the time of threads: frames are not counted');
+    if (!threadsOf(process.pid).size) return console.log('this system does not tell the time of threads: frames are not counted');
     await test('frames and pictures keep up with the hand', () => isQuick(browser, page));
     await test('frames keep up with a camera that is turned', () => turns(browser, page));
     await test('300 lamps', () => bearsLamps(page));

@@ -7,6 +7,7 @@ import path from 'node:path';
 import axe from 'axe-core';
 import { colours } from './colour.mjs';
 import { controls } from './controls.mjs';
+import { daylight } from './daylight.mjs';
 import { FIREFOX, inFirefox } from './firefox.mjs';
 import { figures } from './figures.mjs';
 import { frames } from './frames.mjs';
@@ -598,6 +599,7 @@ export async function page(folder, tool) {
     await frames(browser, url);
     await controls(browser, url, tool);
     await colours(browser, url, tool);
+    await daylight(browser, url, tool);
     await grabbing(browser, url, tool);
     await figures(browser, url);
     await tasks(browser, url, tool);

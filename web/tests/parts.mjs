@@ -69,8 +69,13 @@ const NAMING_FILES = ['knot.ply', 'pot.ply', 'office-lamp.ies'].map((name) =>
         : MESH.replace(/surfaces: .*/, 'surfaces: [{type: sphere, center: [0, 0, 300], radius: 250}]'),
 );
 
+/** Lamps whose colours are found by the colour-matching functions, which come with the second part. */
+const COLOURED = ['temperature: 3000', 'xy: [0.31, 0.33]'].map((colour) =>
+    `luxel: 1\nchannels: rgb\nunits: photometric\nscreen: {width: 700, height: 700, resolution: [60, 60]}\nobserver: {z: 1700}\nsurfaces: [{type: sphere, center: [0, 0, 300], radius: 250}]\nlights: [{type: point, position: [420, 300, 1250], intensity: 9, color: {${colour}}}]\n`,
+);
+
 async function refusesWhatIsMissing({ first, second, Core, PartMissing }, folder) {
-    for (const text of [MESH, ...NAMING_FILES]) {
+    for (const text of [MESH, ...NAMING_FILES, ...COLOURED]) {
         const alone = await Core.start(first);
         let thrown = null;
         try {
@@ -91,7 +96,7 @@ async function refusesWhatIsMissing({ first, second, Core, PartMissing }, folder
     const whole = await Core.start(first, second);
     check(whole.open(MESH) && whole.render(1), JSON.stringify(whole.messages()));
     equal(late.probe(20, 30), whole.probe(20, 30), 'probe');
-    for (const text of NAMING_FILES) check(whole.open(text) && whole.render(8), JSON.stringify(whole.messages()));
+    for (const text of [...NAMING_FILES, ...COLOURED]) check(whole.open(text) && whole.render(8), JSON.stringify(whole.messages()));
 }
 
 /** A part of another build is told from this one's. */

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Figures for papers: the picture with its axes and colour bar, the section, a lamp's polar diagram, as SVG or PNG.
+// Figures for papers: the picture with its axes and colour bar, the section, a lamp's polar diagram, as SVG, PDF or PNG.
 import { colourTable, placeInRange, type Scale } from '../colours';
 import { choice, h } from '../dom';
 import { download } from '../link';
@@ -8,6 +8,7 @@ import { lightName } from '../panels';
 import type { PictureView } from '../picture';
 import { polarOf, type Polar } from './polar';
 import type { SectionPanel } from '../section';
+import { pdfOf } from './pdf';
 import { curve, drawing, pixelsOf, steps, svg, words } from './svg';
 import { number, t } from '../words';
 
@@ -92,7 +93,7 @@ export class Figures {
         const close = h('button', { type: 'button', onclick: () => this.dialog.close() }, t('Close'));
         const save = (ending: string) => h('button', { type: 'button', onclick: () => void this.save(ending) }, ending.toUpperCase());
         this.dialog.setAttribute('aria-label', t('Figure'));
-        this.dialog.replaceChildren(h('div', { class: 'bar-of-buttons' }, h('h2', {}, t('Figure')), close), h('div', { class: 'row' }, kinds, save('svg'), save('png')), this.shown);
+        this.dialog.replaceChildren(h('div', { class: 'bar-of-buttons' }, h('h2', {}, t('Figure')), close), h('div', { class: 'row' }, kinds, save('svg'), save('pdf'), save('png')), this.shown);
         this.dialog.showModal();
         void this.draw();
     }
@@ -102,6 +103,7 @@ export class Figures {
         const kind = /^\d+$/.test(this.kind) ? `lamp-${Number(this.kind) + 1}` : this.kind;
         const name = `${this.model.version.name}-${kind}.${ending}`;
         if (ending === 'svg') download(name, this.text, 'image/svg+xml');
+        else if (ending === 'pdf') download(name, await pdfOf(this.text, WIDTH, HEIGHT), 'application/pdf');
         else download(name, await pixelsOf(this.text, WIDTH, HEIGHT, SHARPER), 'image/png');
     }
 
@@ -217,7 +219,7 @@ export class Figures {
         });
         const unit = this.model.photometric ? t('cd') : t('W/sr');
         const rings = circles.map((value) => svg('circle', { cx: x, cy: y, r: (radius * value) / top, fill: 'none', stroke: FAINT }));
-        const told = circles.map((value) => words(number(value, 3), x + 4, y - (radius * value) / top - 4));
+        const told = circles.map((value) => words(number(value, 3), x + 4, y - (radius * value) / top + 15));
         const curves = planes.map((values, i) => curve(values.map((value, k) => at(degrees[k], value)), { stroke: LAMPS[i === 0 ? 0 : 1], 'stroke-width': 2.25, ...(i ? { 'stroke-dasharray': '7 4' } : {}) }));
         const legend = ['C0–C180', 'C90–C270'].map((name, i) => {
             const line = { x1: 24, x2: 52, y1: 60 + 20 * i, y2: 60 + 20 * i, stroke: LAMPS[i === 0 ? 0 : 1], 'stroke-width': 2.25 };
