@@ -3,8 +3,8 @@
  * Layouts: how many luminaires a room needs, and how far apart, to reach goals on measuring grids and for observers.
  *
  * One light of the scene stands in columns and rows around its place (its key `array`).  Numbers and spacings are
- * looked for that reach every limit of the scene's grids and observers (<luxel/limits.h>) with the fewest luminaires,
- * then, where they can be dimmed, with the least power.  Places are tried by superposition: the light of one luminaire
+ * looked for that reach every limit of the scene's grids, the areas around them and observers (<luxel/limits.h>) with
+ * the fewest luminaires, then, where they can be dimmed, with the least power.  Places are tried by superposition: the light of one luminaire
  * at places all over the field is found once, and that of an array is a sum of these.  What surfaces reflect is taken
  * for what one array of them gives, and corrected by each that is computed.  What is told of a layout is computed from
  * its scene, with bounds: the search finds it, and proves nothing of layouts in between.

@@ -225,7 +225,7 @@ static luxel_status compute(struct arranging *arranging, const struct lx_lamp_la
     const luxel_scene *goals = arranging->made->goals;
     luxel_diagnostics *diagnostics = arranging->diagnostics;
     luxel_layout *told = &computed->layout;
-    const size_t most = luxel_scene_grid_count(goals) * LX_GRID_LIMITS + luxel_scene_observer_count(goals) + 1;
+    const size_t most = luxel_scene_grid_count(goals) * LX_GOALS_OF_GRID + luxel_scene_observer_count(goals) + 1;
     luxel_layout_limit *limits = lx_new_array(most, sizeof *limits);
     luxel_settings coarse = arranging->settings;
     told->limits = limits;

@@ -7,9 +7,14 @@
 
 #include "../scene/limits.h"
 
+enum { LX_GOALS_OF_GRID = 2 * LUXEL_MOST_LIMITS }; /* at most, with those of the areas around it */
+
+/* A grid, and the areas around it that EN 12464-1 knows. */
+enum lx_grid_part { LX_PART_TASK, LX_PART_SURROUND, LX_PART_BACKGROUND, LX_GRID_PARTS };
+
 /* A limit of a grid, as the search judges it. */
 struct lx_goal {
-    size_t first, count; /* the grid's cells among those of all grids that have limits */
+    size_t first, count; /* its cells among those of all grids that have limits, and of the areas around them */
     enum lx_grid_limit which;
     double wanted, above; /* above: of a share, what its cells are to have */
 };

@@ -113,6 +113,19 @@ def reflected(tap, tool):
     tap.ok(spread[0] <= 3000.5 and spread[1] <= 2000.5, "panels stay within the walls", best)
 
 
+def areas(tap, tool):
+    """What EN 12464-1 wants around a task area counts as well: narrow beams alone would leave that dark."""
+    tool.write("task.yaml", ROOM.replace("size: [6200, 3800], n: [13, 9]",
+                                         "size: [2000, 1200], n: [9, 5], surround: 800, background: 3000")
+               .replace("pattern: lambertian, power: 3600", "pattern: cosine, exponent: 30, power: 1000"))
+    found = tool.run("arrange", "task.yaml", "--goal", "average>=500", "--json", "-o", "out.yaml").json()
+    limits = by_limit(found["layouts"][0])
+    tap.ok(set(limits) == {"average", "surround_average", "surround_uniformity", "background_average",
+                           "background_uniformity"} and {one["verdict"] for one in limits.values()} == {"pass"},
+           "the areas have goals", limits)
+    tap.equal(tool.run("grid", "out.yaml", "--limits").code, 0, "and keep them")
+
+
 def unreached(tap, tool):
     tool.write("room.yaml", ROOM)
     result = tool.run("arrange", "room.yaml", "--goal", "U0>=0.99", "--most", "12", "--json", "-o", "none.yaml")
@@ -153,4 +166,4 @@ def unreached(tap, tool):
 
 
 if __name__ == "__main__":
-    run_tests(Tap(), nine, dimmed, reflected, unreached)
+    run_tests(Tap(), nine, dimmed, reflected, areas, unreached)
