@@ -177,13 +177,13 @@ static void print_text(const struct arranged *arranged)
         text_print_escaped(stdout, name);
     else
         printf("lights[%zu]", found->light);
-    printf(_(", arranged; %zu numbers of columns and rows were tried\n\n"), found->tried);
+    printf(_(", arranged; %zu numbers of columns and rows were tried\n"), found->tried);
     if (found->count > 0) {
-        printf("%s\n", _("Layouts that reach the goals:"));
+        printf("\n%s\n", _("Layouts that reach the goals:"));
         print_table(arranged, found->found, found->count);
     }
     if (found->missed_count > 0) {
-        printf("%s%s\n", found->count > 0 ? "\n" : "",
+        printf("\n%s\n",
                found->count > 0 ? _("Of fewer luminaires none was found that does. The nearest:")
                                 : _("No layout reaches the goals. The nearest:"));
         print_table(arranged, found->missed, found->missed_count);
@@ -224,7 +224,9 @@ static void tell_unreached(const struct arranged *arranged)
 {
     const luxel_arrangement *found = arranged->found;
 
-    if (found->missed_count == 0)
+    if (found->tried == 0)
+        message_error(_("no layout reaches the goals: it takes %u luminaires at least"), found->fewest);
+    else if (found->missed_count == 0)
         message_error(_("no layout reaches the goals"));
     else
         message_error(_("no layout reaches the goals: the nearest, %u × %u, comes to %.1f %% of what is wanted"),

@@ -70,7 +70,7 @@ typedef struct luxel_arrangement {
     const luxel_layout *found;  /* that reach the goals: the fewest first, of these the least power, the most reserve */
     size_t missed_count;        /* of the next */
     const luxel_layout *missed; /* of fewer luminaires (or, where none reaches them, of all): the nearest first */
-    unsigned fewest;            /* so many were tried first: fewer give too little light, wherever they stand */
+    unsigned fewest;            /* fewer give too little light, wherever they stand; none is tried above `most` */
     size_t tried;               /* how many numbers of columns and rows were looked at */
     size_t computed;            /* layouts whose scene was computed */
 } luxel_arrangement;

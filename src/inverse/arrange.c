@@ -2,6 +2,7 @@
 /* Layouts of luminaires: which light, by rising numbers of them, and what is computed of those that come near. */
 #include <luxel/arrange.h>
 
+#include <limits.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -26,8 +27,8 @@ enum {
 };
 /* Sums come so near to what is computed; where light is reflected, by what another array has told. */
 static const double NEAR = 0.995, NEAR_REFLECTED = 0.96;
-/* The error of reflected light that decides most tries. */
-static const double COARSE = 0.01;
+/* The error of reflected light that decides most tries, and that which does for a first idea of it. */
+static const double COARSE = 0.01, ROUGH = 0.1;
 /* Rows and columns as far apart as each other, up to this factor, where they are even. */
 static const double MOST_UNEVEN = 2;
 
@@ -218,8 +219,10 @@ static luxel_status judge_scene(struct arranging *arranging, const luxel_scene *
     return status;
 }
 
-/* Computes the scene of a layout, as well as it takes to decide, and corrects the sums by it. */
-static luxel_status compute(struct arranging *arranging, const struct lx_lamp_layout *layout, struct computed *computed)
+/* Computes the scene of a layout, with that error of reflected light and as well as it takes to decide, and corrects the
+ * sums by it. */
+static luxel_status compute(struct arranging *arranging, const struct lx_lamp_layout *layout, double reflected_error,
+                            struct computed *computed)
 {
     struct lx_superposition *superposition = &arranging->superposition;
     const luxel_scene *goals = arranging->made->goals;
@@ -240,10 +243,10 @@ static luxel_status compute(struct arranging *arranging, const struct lx_lamp_la
         status = lx_array_set(computed->scene, superposition->light, &layout->array, diagnostics);
     /* one solution for all that is asked */
     coarse.share_reflected = arranging->reflects;
-    coarse.reflected_error = fmax(coarse.reflected_error, COARSE);
+    coarse.reflected_error = fmax(coarse.reflected_error, reflected_error);
     if (status == LUXEL_OK)
         status = judge_scene(arranging, computed->scene, &coarse, told, limits, &computed->grids_pass);
-    if (status == LUXEL_OK && arranging->reflects && told->is_undecided)
+    if (status == LUXEL_OK && arranging->reflects && told->is_undecided && reflected_error <= COARSE)
         status = judge_scene(arranging, computed->scene, &arranging->settings, told, limits, &computed->grids_pass);
     if (status == LUXEL_OK)
         lx_superposition_learn(superposition, &layout->array, layout->dimming, arranging->values);
@@ -260,7 +263,7 @@ static luxel_status keep(struct arranging *arranging, const struct lx_lamp_layou
     *kept = &made->computed[count];
     **kept = (struct computed){.scene = NULL};
     made->arrangement.computed++;
-    const luxel_status status = compute(arranging, layout, *kept);
+    const luxel_status status = compute(arranging, layout, COARSE, *kept);
     arranging->found += status == LUXEL_OK && (*kept)->layout.reaches;
     return status;
 }
@@ -403,7 +406,7 @@ static luxel_status learn_reflected(struct arranging *arranging)
         layout.array.n[i] = 1 + (2 * superposition->least_mm[i] < superposition->half_mm[i]);
         layout.array.spacing_mm[i] = fmax(superposition->wall_mm[i], 1);
     }
-    const luxel_status status = compute(arranging, &layout, &computed);
+    const luxel_status status = compute(arranging, &layout, ROUGH, &computed);
     free((luxel_layout_limit *)computed.layout.limits);
     luxel_scene_free(computed.scene);
     return status;
@@ -419,13 +422,17 @@ static luxel_status search(struct arranging *arranging)
     if (!isfinite(fewest))
         return lx_refuse(arranging->diagnostics, LX_MSG_ARRANGE_DARK, NULL);
     /* what is reflected is known from one array, and none sends more of it to a grid by this much */
-    arrangement->fewest = (unsigned)fmin(fmax(ceil(fewest * (arranging->reflects ? 0.9 : 0.9999)), 1), most);
-    unsigned last = most;
+    arrangement->fewest = (unsigned)fmin(fmax(ceil(fewest * (arranging->reflects ? 0.9 : 0.9999)), 1), UINT_MAX / 2);
+    unsigned below = arrangement->fewest, last = most;
+    /* what there is below, so that something smaller can be told */
+    while (below > 1 && below <= most && arrangement->tried == 0 && status == LUXEL_OK)
+        status = try_count(arranging, --below);
     for (unsigned count = arrangement->fewest; count <= last && status == LUXEL_OK; count++) {
         const bool is_first = arranging->found == 0;
         status = try_count(arranging, count);
+        /* of even arrays more light is nothing but more luminaires */
         if (is_first && arranging->found > 0)
-            last = count + 2 < most ? count + 2 : most;
+            last = arranging->wanted->is_even ? count : count + 2 < most ? count + 2 : most;
         if (arrangement->computed >= MOST_COMPUTED)
             break;
     }
@@ -454,7 +461,7 @@ static luxel_status compute_missed(struct arranging *arranging)
         if (made->computed[i].layout.reaches && number_of(made->computed[i].layout.n) < smallest)
             smallest = number_of(made->computed[i].layout.n);
     qsort(arranging->tried, made->arrangement.tried, sizeof *arranging->tried, compare_scores);
-    const size_t most = arranging->reflects ? MOST_TOLD_SLOW : MOST_TOLD;
+    const size_t most = !arranging->reflects ? MOST_TOLD : arranging->wanted->is_even ? 1 : MOST_TOLD_SLOW;
     for (size_t i = 0; i < made->arrangement.tried && told < most && status == LUXEL_OK; i++) {
         struct computed *computed;
         if (number_of(arranging->tried[i].array.n) >= smallest)

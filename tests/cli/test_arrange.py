@@ -159,6 +159,8 @@ def unreached(tap, tool):
             (("room.yaml", *GOALS, "-o", "out.png"), 2, ["out.png"], "a file that holds no scene")):
         result = tool.run("arrange", *arguments)
         tap.ok(result.code == code and result.out == "" and all(word in result.err for word in words), what, result)
+    few = tool.run("arrange", "room.yaml", "--goal", "average>=5000", "--most", "12")
+    tap.ok(few.code == 1 and "it takes 67 luminaires at least" in few.err, "so few give too little light anywhere", few)
     two = tool.run("arrange", "two.yaml", "--goal", "desk:average>=500", "--goal", "floor:U0>=0.4", "--json").json()
     tap.equal({limit["of_name"] for limit in two["layouts"][0]["limits"]}, {"desk", "floor"}, "a goal of each grid")
     one = tool.run("arrange", "lights.yaml", *GOALS, "--lights", "0", "--json").json()
