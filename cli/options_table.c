@@ -103,7 +103,8 @@ static bool take_assignment(struct options *options, const char *argument)
 
 static bool take_free(struct options *options, const char *argument)
 {
-    return argument_single_key("--free", options->free_keys[options->free_key_count++] = argument);
+    options->free_keys[options->free_key_count++] = argument;
+    return true;
 }
 
 static bool take_purpose(struct options *options, const char *argument)
@@ -488,7 +489,8 @@ static const struct option_row rows[] = {
     {"palette", 0, N_("NAME"), COMMAND_FIGURE | COMMAND_REPORT, KEEPS(drawing.palette), .value = VALUE_PALETTE,
      .help = N_("the colours: viridis (default) or another of --palettes")},
     {"palettes", 0, NULL, COMMAND_FIGURE, SETS(drawing.palettes), .help = N_("list the palettes")},
-    {"grid", 0, N_("NAME"), COMMAND_FIGURE | COMMAND_ISOPHOTES, KEEPS(drawing.grid), .value = VALUE_GRIDS,
+    {"grid", 0, N_("NAME"), COMMAND_FIGURE | COMMAND_ISOPHOTES | COMMAND_DERIVE, KEEPS(drawing.grid),
+     .value = VALUE_GRIDS,
      .help = N_("the plane of a measuring grid, by its name or number; figures have its values and lights")},
     {"daylight", 0, NULL, COMMAND_FIGURE, SETS(drawing.daylight),
      .help = N_("of a measuring grid: its daylight factors in percent instead of the irradiance")},

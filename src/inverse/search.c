@@ -239,7 +239,7 @@ void lx_other_start(const struct lx_fit_problem *problem, unsigned i, double *un
     unsigned base = 1;
     for (size_t k = 0; k < problem->numbers; k++) {
         const struct lx_key *key = lx_keys_of(&problem->keys, k);
-        const double at = key->numbers[k - key->offset], low = problem->low[k], high = problem->high[k];
+        const double at = key->targets->numbers[k - key->offset], low = problem->low[k], high = problem->high[k];
         while (!is_prime(++base))
             continue;
         const double share = radical_inverse(i, base);

@@ -106,7 +106,7 @@ luxel_status lx_starts_try(struct lx_fit_problem *problem, struct lx_starts *sta
         lx_other_start(problem, i, end->unknowns);
         for (size_t k = 0; i == 0 && k < problem->numbers; k++) {
             const struct lx_key *key = lx_keys_of(&problem->keys, k);
-            end->unknowns[k] = key->numbers[k - key->offset];
+            end->unknowns[k] = key->targets->numbers[k - key->offset];
         }
         status = lx_search(problem, &starts->some, i == 0 ? MOST_STEPS : steps, end);
         starts->exists[i] = status == LUXEL_OK;
