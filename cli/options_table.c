@@ -389,7 +389,7 @@ static const struct option_row rows[] = {
      .help = N_("of the hours of sun, in degrees to north and east; else that of the scene's sun or sky")},
     {"least-altitude", 0, N_("DEGREES"), COMMAND_DAYLIGHT, TAKES(sun_take_least_altitude),
      .help = N_("of the hours of sun: lower the sun does not count; the default is 0, the horizon")},
-    {"free", 0, N_("KEY"), COMMAND_DERIVE | COMMAND_FIT, TAKES(take_free),
+    {"free", 0, N_("KEY"), COMMAND_DERIVE | COMMAND_FIT | COMMAND_ARRANGE, TAKES(take_free),
      .help = N_("a key of the scene to derive by, or to find, such as lights[0].position; may be repeated")},
     {"picture", 0, N_("FILE"), COMMAND_FIT, KEEPS(fit.picture), .value = VALUE_FILE,
      .help = N_("fit to a picture of as many pixels as the scene's: .exr, .npy, .pfm, .csv, or the grey levels of a "

@@ -124,8 +124,7 @@ static luxel_status derive_cells(const luxel_scene *scene, const struct strided 
                                  luxel_diagnostics *diagnostics)
 {
     luxel_derivatives *found = NULL;
-    const luxel_status status =
-        luxel_derive_grid(scene, &work->settings, grid, keys, count, diagnostics, &found);
+    const luxel_status status = luxel_derive_grid(scene, &work->settings, grid, keys, count, diagnostics, &found);
 
     if (status == LUXEL_OK)
         write_all(arrays, found, count);
@@ -182,8 +181,9 @@ static PyObject *derive(PyObject *module, PyObject *arguments)
 
 const PyMethodDef derive_functions[] = {
     FUNCTION("derive_numbers", derive_numbers, METH_VARARGS, "scene: SceneHandle, keys: List[str], /", "List[int]"),
-    FUNCTION("derive", derive, METH_VARARGS,
-             "scene: SceneHandle, keys: List[str], arrays: Tuple[Any, ...], surface: int, grid: int, settings: _Settings, /",
-             "None"),
+    FUNCTION(
+        "derive", derive, METH_VARARGS,
+        "scene: SceneHandle, keys: List[str], arrays: Tuple[Any, ...], surface: int, grid: int, settings: _Settings, /",
+        "None"),
     {NULL, NULL, 0, NULL},
 };

@@ -355,8 +355,7 @@ static luxel_status list_goals_of(struct lx_superposition *superposition, size_t
     luxel_grid *grid = NULL;
     size_t count = 0;
     const char *name;
-    luxel_status status =
-        luxel_find_grid_values(superposition->scene, dark, i, superposition->diagnostics, &grid);
+    luxel_status status = luxel_find_grid_values(superposition->scene, dark, i, superposition->diagnostics, &grid);
     if (status == LUXEL_OK)
         status = luxel_judge_grid(superposition->scene, i, grid, limits, &count);
     for (int k = 0, next = 0; status == LUXEL_OK && k < LX_GRID_LIMITS; k++)
@@ -365,7 +364,8 @@ static luxel_status list_goals_of(struct lx_superposition *superposition, size_t
     if (status == LUXEL_OK)
         status = luxel_judge_areas(superposition->scene, i, grid, limits, &count);
     for (size_t k = 0; status == LUXEL_OK && k < count; k++)
-        add_goal(superposition, grid, strncmp(limits[k].name, "surround", 8) == 0 ? LX_PART_SURROUND : LX_PART_BACKGROUND,
+        add_goal(superposition, grid,
+                 strncmp(limits[k].name, "surround", 8) == 0 ? LX_PART_SURROUND : LX_PART_BACKGROUND,
                  strstr(limits[k].name, "average") ? LX_LIMIT_AVERAGE : LX_LIMIT_UNIFORMITY, &limits[k]);
     for (enum lx_grid_part part = 0; status == LUXEL_OK && part < LX_GRID_PARTS; part++)
         superposition->cells += count_cells(part_of(grid, part));
@@ -373,9 +373,10 @@ static luxel_status list_goals_of(struct lx_superposition *superposition, size_t
     return status;
 }
 
-static luxel_status list_goals(struct lx_superposition *superposition)
+luxel_status lx_superposition_list(const luxel_scene *scene, const luxel_settings *settings,
+                                   luxel_diagnostics *diagnostics, struct lx_superposition *superposition)
 {
-    const luxel_scene *scene = superposition->scene;
+    *superposition = (struct lx_superposition){.scene = scene, .settings = settings, .diagnostics = diagnostics};
     luxel_settings dark = *superposition->settings;
     const size_t none = 0;
     luxel_status status = LUXEL_OK;
@@ -431,11 +432,10 @@ luxel_status lx_superposition_make(const luxel_scene *scene, const luxel_setting
 {
     luxel_scene *one = NULL;
     luxel_settings alone = *settings;
-    *superposition =
-        (struct lx_superposition){.scene = scene, .settings = settings, .diagnostics = diagnostics, .light = light};
+    luxel_status status = lx_superposition_list(scene, settings, diagnostics, superposition);
+    superposition->light = light;
     alone.lights = &superposition->light;
     alone.light_count = 1;
-    luxel_status status = list_goals(superposition);
     if (status == LUXEL_OK)
         status = make_one(superposition, &one);
     if (status == LUXEL_OK)

@@ -78,6 +78,31 @@ def noise(tap, tool):
     tap.equal(luxel.measured([0.26, 0.74], quantum=0.5, truncated=True).tolist(), [0.0, 0.5], "rounded down")
 
 
+class Foreign:
+    """An array of a library that NumPy does not know: DLPack is all that it has."""
+
+    def __init__(self, array):
+        self.array = array
+
+    def __dlpack__(self, **how):
+        return self.array.__dlpack__(**how)
+
+    def __dlpack_device__(self):
+        return self.array.__dlpack_device__()
+
+
+def foreign_arrays(tap, tool):
+    scene = luxel.Scene("report")
+    points = numpy.array([(0.0, 0.0), (150.0, 0.0), (100.0, -50.0)])
+    tap.equal(scene.jacobian("lights[0].intensity", Foreign(points)).tolist(),
+              scene.jacobian("lights[0].intensity", points).tolist(), "places come by DLPack")
+    places, normals = numpy.array([[0.0, 0.0, 1300.0]]), numpy.array([[0.0, 0.0, 1.0]])
+    tap.equal(scene.jacobian("lights[0].intensity", elements=(Foreign(places), Foreign(normals))).tolist(),
+              scene.jacobian("lights[0].intensity", elements=(places, normals)).tolist(), "pairs of them")
+    values = numpy.array([2.0, 3.0])
+    tap.equal(luxel.measured(Foreign(values.astype(numpy.float32)), quantum=0.5).tolist(), [2.0, 3.0], "values, too")
+
+
 def stand_in():
     """As much of torch as is used: tensors are arrays, and a function keeps what its gradient is made from."""
     class Tensor(numpy.ndarray):
@@ -121,4 +146,4 @@ def gradients(tap, tool):
 
 
 if __name__ == "__main__":
-    run_tests(Tap(), studies, cameras, noise, gradients)
+    run_tests(Tap(), studies, cameras, noise, foreign_arrays, gradients)
