@@ -112,8 +112,8 @@ static void print_json(const struct derived *derived)
 
         luxel_derivatives_value(derived->found, i, &value);
         json_open(&json, NULL, '{');
-        json_wholes(&json, "cell",
-                    (const unsigned[]){(unsigned)i % derived->columns, (unsigned)(i / derived->columns)}, 2);
+        json_wholes(&json, "cell", (const unsigned[]){(unsigned)i % derived->columns, (unsigned)(i / derived->columns)},
+                    2);
         json_number(&json, "value", value.value);
         json_number(&json, "error", value.error);
         result_write_derivatives(&json, derived->options, derived->found, i);

@@ -4,10 +4,10 @@
  *
  * One light of the scene stands in columns and rows around its place (its key `array`).  Numbers and spacings are
  * looked for that reach every limit of the scene's grids, the areas around them and observers (<luxel/limits.h>) with
- * the fewest luminaires, then, where they can be dimmed, with the least power.  Places are tried by superposition: the light of one luminaire
- * at places all over the field is found once, and that of an array is a sum of these.  What surfaces reflect is taken
- * for what one array of them gives, and corrected by each that is computed.  What is told of a layout is computed from
- * its scene, with bounds: the search finds it, and proves nothing of layouts in between.
+ * the fewest luminaires, then, where they can be dimmed, with the least power.  Places are tried by superposition: the
+ * light of one luminaire at places all over the field is found once, and that of an array is a sum of these.  What
+ * surfaces reflect is taken for what one array of them gives, and corrected by each that is computed.  What is told of
+ * a layout is computed from its scene, with bounds: the search finds it, and proves nothing of layouts in between.
  *
  * Threads as luxel.h says.
  */
@@ -46,10 +46,10 @@ typedef struct luxel_arranging {
 
 /*
  * Keys that take numbers, as luxel_derive_places() knows them, are changed where numbers of luminaires stay: aims
- * (lights[0].aim), places, spacings of arrays (lights[1].array.spacing), intensities or dimming[row].factor one by one.
- * From several starts the least of all values by their goals is made as great as can be, by linear programs; with `dims`
- * the flux of all lights as small as the goals allow, and `dimming` is its share of the scene's.  Layouts have no columns
- * and rows then, and are told by what they reach.
+ * (lights[0].aim), places, spacings of arrays (lights[1].array.spacing), intensities or dimming[row].factor one by
+ * one.  From several starts the least of all values by their goals is made as great as can be, by linear programs; with
+ * `dims` the flux of all lights as small as the goals allow, and `dimming` is its share of the scene's.  Layouts have
+ * no columns and rows then, and are told by what they reach.
  */
 
 /* A limit and what a layout makes of it. */
@@ -90,12 +90,13 @@ typedef struct luxel_arrangement {
 } luxel_arrangement;
 
 /*
- * Looks for layouts.  *arrangement is the caller's: free it with luxel_arrangement_free().  It succeeds, too, where the
- * goals are not reached.  The answer is the same for any number of threads.  Progress and cancelling as of
+ * Looks for layouts.  *arrangement is the caller's: free it with luxel_arrangement_free().  It succeeds, too, where
+ * the goals are not reached.  The answer is the same for any number of threads.  Progress and cancelling as of
  * luxel_render().
  * LUXEL_ERROR_ARGUMENT: no limit and no goal; goals that cannot be read, of which all are reported; no light that can
- * be arranged, or several; it gives no light.  LUXEL_ERROR_SCENE: a goal is no legal limit.  LUXEL_ERROR_PATH: keys that
- * take no numbers, all of them reported.  Else errors as luxel_find_grid() and luxel_find_glare() list them.
+ * be arranged, or several; it gives no light; too many keys.  LUXEL_ERROR_SCENE: a goal is no legal limit.
+ * LUXEL_ERROR_PATH: keys that take no numbers, all of them reported.  Else errors as luxel_find_grid() and
+ * luxel_find_glare() list them.
  */
 LUXEL_API luxel_status luxel_arrange(const luxel_scene *scene, const luxel_settings *settings,
                                      const luxel_arranging *arranging, luxel_diagnostics *diagnostics,

@@ -54,8 +54,8 @@ class Arrangement(NamedTuple):
                 [_html.number(of.limit.value, 5) for of in layout.limits] for layout in all_of_them]
         names = [of.limit.name for of in all_of_them[0].limits] if rows else []
         keys = list(all_of_them[0].numbers) if rows else []
-        return _html.table((keys or [translate("columns × rows"), translate("spacing, mm")]) + [translate("dimmed to")] +
-                           [translate(name) for name in names], rows)
+        heads = keys or [translate("columns × rows"), translate("spacing, mm")]
+        return _html.table(heads + [translate("dimmed to")] + [translate(name) for name in names], rows)
 
 
 def _layouts(scene: "Scene", found: Any) -> List[Layout]:
@@ -82,6 +82,8 @@ def arrange(self: "Scene", *goals: str, light: Union[None, str, int] = None, dim
         raise TypeError("goals: texts such as 'average>=500' are expected")
     how = settings(self._carried, None, None, threads, None, tolerance, progress=progress,
                    reflected_error=reflected_error, lights=self._group(lights))
+    keys = [free] if isinstance(free, str) else list(free)
     index, found, missed, fewest, tried, computed = _luxel.arrange(
-        self._handle, list(goals), [free] if isinstance(free, str) else list(free), (None if light is None else str(light), dimming, even, most), how)
-    return Arrangement(None if index < 0 else index, _layouts(self, found), _layouts(self, missed), fewest, tried, computed)
+        self._handle, list(goals), keys, (None if light is None else str(light), dimming, even, most), how)
+    return Arrangement(None if index < 0 else index, _layouts(self, found), _layouts(self, missed), fewest, tried,
+                       computed)

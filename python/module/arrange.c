@@ -52,8 +52,8 @@ static PyObject *layouts_list(PyObject *module, const luxel_arrangement *found, 
     return list;
 }
 
-/* arrange(scene, goals, keys, (light, dims, is_even, most), settings): the light, what was found, what was missed, how many
- * were tried. */
+/* arrange(scene, goals, keys, (light, dims, is_even, most), settings): the light, what was found, what was missed, how
+ * many were tried. */
 static PyObject *arrange(PyObject *module, PyObject *arguments)
 {
     PyObject *handle, *list, *key_list, *settings, *result = NULL;

@@ -140,9 +140,9 @@ static luxel_status probe_side(struct derivation *derivation, struct number *num
     derivation->done += count;
     for (size_t i = 0; prober->cells && i < count; i++)
         derivation->found[side][i] = prober->cells[first + derivation->open[i]];
-    return prober->cells ? LUXEL_OK
-                         : lx_prober_values(prober, derivation->asked, count, derivation->diagnostics,
-                                            derivation->found[side]);
+    return prober->cells
+               ? LUXEL_OK
+               : lx_prober_values(prober, derivation->asked, count, derivation->diagnostics, derivation->found[side]);
 }
 
 static void add_step(const struct derivation *derivation, const struct number *number, size_t i, double step,
@@ -231,8 +231,8 @@ static bool make_room(struct derivation *derivation)
     derivation->found[0] = lx_new_array(part, sizeof *derivation->found[0]);
     derivation->found[1] = lx_new_array(part, sizeof *derivation->found[1]);
     derivation->differences = lx_new_array(part, sizeof *derivation->differences);
-    return made->values && made->list && derivation->open && derivation->asked &&
-           derivation->found[0] && derivation->found[1] && derivation->differences;
+    return made->values && made->list && derivation->open && derivation->asked && derivation->found[0] &&
+           derivation->found[1] && derivation->differences;
 }
 
 static void free_room(struct derivation *derivation)
@@ -261,7 +261,8 @@ static luxel_status find_values(struct derivation *derivation, const luxel_probe
     luxel_status status = open_prober(derivation, copy, &prober);
     if (status == LUXEL_OK && prober.cells)
         memcpy(made->values, prober.cells, made->place_count * sizeof *made->values);
-    for (size_t first = 0; status == LUXEL_OK && !prober.cells && first < made->place_count; first += derivation->part) {
+    for (size_t first = 0; status == LUXEL_OK && !prober.cells && first < made->place_count;
+         first += derivation->part) {
         const size_t left = made->place_count - first, count = left < derivation->part ? left : derivation->part;
         status =
             lx_prober_values(&prober, &derivation->places[first], count, derivation->diagnostics, &made->values[first]);

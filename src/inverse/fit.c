@@ -136,7 +136,8 @@ static luxel_status make_unknowns(struct lx_fit_problem *problem)
         return lx_out_of_memory(problem->diagnostics);
     for (size_t k = 0; k < problem->numbers; k++) {
         const struct lx_key *key = lx_keys_of(&problem->keys, k);
-        problem->scale[k] = key->is_length ? fmax(key->targets->scale, key->legal.given ? 0.0 : extent) : key->targets->scale;
+        problem->scale[k] =
+            key->is_length ? fmax(key->targets->scale, key->legal.given ? 0.0 : extent) : key->targets->scale;
         problem->low[k] = key->legal.given ? key->legal.low : -HUGE_VAL;
         problem->high[k] = key->legal.given ? key->legal.high : HUGE_VAL;
         if (key->legal.given && key->legal.low_open)

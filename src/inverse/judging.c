@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Layouts judged by their own scenes: every limit of grids, of the areas around them and of observers, with its bound. */
+/* Layouts judged by their own scenes: limits of grids, of the areas around them and of observers, with bounds. */
 #include "arranging.h"
 
 #include <math.h>

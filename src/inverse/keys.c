@@ -217,10 +217,9 @@ luxel_status lx_key_shift(const luxel_scene *scene, const struct lx_key *key, si
     luxel_scene *made = luxel_scene_copy(scene);
     memcpy(numbers, key->targets[target].numbers, sizeof numbers);
     numbers[i] += change;
-    return end_change(made,
-                      made ? set_target(made, key, &key->targets[target], numbers, diagnostics)
-                           : lx_out_of_memory(diagnostics),
-                      diagnostics, changed);
+    return end_change(
+        made, made ? set_target(made, key, &key->targets[target], numbers, diagnostics) : lx_out_of_memory(diagnostics),
+        diagnostics, changed);
 }
 
 luxel_status lx_keys_change(const luxel_scene *scene, const struct lx_keys *keys, const double *numbers,

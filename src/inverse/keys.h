@@ -40,8 +40,8 @@ void lx_keys_clear(struct lx_keys *keys);
 /* The key that a number of all of them belongs to. */
 const struct lx_key *lx_keys_of(const struct lx_keys *keys, size_t number);
 
-/* Commits a copy of the scene in which number i of one of the key's values has changed so much.  LUXEL_ERROR_SCENE: there
- * is no such scene. */
+/* Commits a copy of the scene in which number i of one of the key's values has changed so much.  LUXEL_ERROR_SCENE:
+ * there is no such scene. */
 luxel_status lx_key_shift(const luxel_scene *scene, const struct lx_key *key, size_t target, size_t i, double change,
                           luxel_diagnostics *diagnostics, luxel_scene **changed);
 

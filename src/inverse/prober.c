@@ -42,8 +42,8 @@ luxel_status lx_prober_measure(luxel_scene *scene, const luxel_settings *setting
 {
     luxel_grid *grid = NULL;
     *prober = (struct lx_prober){.scene = scene, .own = scene, .cells = lx_new_array(count + 1, sizeof *prober->cells)};
-    luxel_status status = prober->cells ? luxel_find_grid_values(scene, settings, i, diagnostics, &grid)
-                                        : lx_out_of_memory(diagnostics);
+    luxel_status status =
+        prober->cells ? luxel_find_grid_values(scene, settings, i, diagnostics, &grid) : lx_out_of_memory(diagnostics);
     const bool is_same = status == LUXEL_OK && (size_t)grid->columns * grid->rows == count;
     for (size_t k = 0; is_same && k < count; k++)
         prober->cells[k] = (struct lx_probed){grid->mask[k], grid->values[k], grid->errors[k]};

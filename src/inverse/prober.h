@@ -29,8 +29,8 @@ luxel_status lx_prober_look(const luxel_scene *scene, const luxel_settings *sett
 /* Takes over a committed scene, which goes with it, and in case of an error at once. */
 luxel_status lx_prober_open(luxel_scene *scene, const luxel_settings *settings, luxel_diagnostics *diagnostics,
                             struct lx_prober *prober);
-/* Likewise, and measures its i-th grid, whose cells alone it then knows; where these are other ones than `count`, none has
- * a value. */
+/* Likewise, and measures its i-th grid, whose cells alone it then knows; where these are other ones than `count`, none
+ * has a value. */
 luxel_status lx_prober_measure(luxel_scene *scene, const luxel_settings *settings, size_t i, size_t count,
                                luxel_diagnostics *diagnostics, struct lx_prober *prober);
 void lx_prober_close(struct lx_prober *prober);

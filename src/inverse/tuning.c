@@ -1,8 +1,9 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * A search by linear programs (Griffith and Stewart): around where it stands, what each goal wants of each cell is taken
- * for linear in the numbers, within a region that grows while that comes true and shrinks where it does not.  The least of
- * all that is wanted becomes as great as it can be or, with dimming, the flux as small as the goals allow.
+ * A search by linear programs (Griffith and Stewart): around where it stands, what each goal wants of each cell is
+ * taken for linear in the numbers, within a region that grows while that comes true and shrinks where it does not.
+ * The least of all that is wanted becomes as great as it can be or, with dimming, the flux as small as the goals
+ * allow.
  */
 #include "tuning.h"
 

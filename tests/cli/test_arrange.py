@@ -202,7 +202,8 @@ def several_arrays(tap, tool):
              for lights in ((0,), (1,), (0, 1))]
     reserves = [(one["layouts"] + one["missed"])[0]["reserve"] for one in found]
     tap.ok(reserves[2] > max(reserves[:2]) + 0.01, "two arrays", reserves)
-    for options, words in ((("--free", "lights[0].type"), "numbers that vary"), (("--free", "lights[9].position"), "lights")):
+    for options, words in ((("--free", "lights[0].type"), "numbers that vary"),
+                           (("--free", "lights[9].position"), "lights")):
         refused = tool.run("arrange", "rows.yaml", "--goal", "U0>=0.9", *options)
         tap.ok(refused.code == 2 and words in refused.err and not refused.out, words, refused)
 

@@ -144,7 +144,8 @@ def of_grids(tap, tool):
     options = ("--grid", "desk")
     for measure in ("plane", "cylindrical"):
         tool.write("scene.yaml", SCENE % (lamp % measure, "[]"))
-        result = tool.run("derive", "scene.yaml", "--json", *options, *(word for key in keys for word in ("--free", key)))
+        free = [word for key in keys for word in ("--free", key)]
+        result = tool.run("derive", "scene.yaml", "--json", *options, *free)
         found = result.json()
         cells, average = found["cells"], found["average"]["derivatives"]
         tap.ok(result.code == 0 and found["n"] == [4, 3] and len(cells) == 12, measure, result)
@@ -186,5 +187,5 @@ def reflected_light(tap, tool):
 
 
 if __name__ == "__main__":
-    run_tests(Tap(), the_exercise, closed_forms, soft_shadows, random_spots, none_there, of_all_lights, of_grids, touching,
-              reflected_light)
+    run_tests(Tap(), the_exercise, closed_forms, soft_shadows, random_spots, none_there, of_all_lights, of_grids,
+              touching, reflected_light)
