@@ -74,7 +74,7 @@ bool lx_differences_are_done(const struct lx_differences *differences)
         return true;
     /* values along a line, from side to side, are done at once */
     const bool is_line = !differences->is_one_sided && slope->rows > 1 && fabs(gap->value[0]) <= gap->noise[0];
-    /* half the step doubles what the function's errors make of the quotient, and of what is extrapolated from it more */
+    /* half the step doubles what the function's errors make of the quotient, and more of what is extrapolated */
     return (is_line || slope->rows >= FEWEST_ROWS) && 2.0 * slope->noise[0] >= slope->error;
 }
 
