@@ -181,9 +181,9 @@ static PyObject *derive(PyObject *module, PyObject *arguments)
 
 const PyMethodDef derive_functions[] = {
     FUNCTION("derive_numbers", derive_numbers, METH_VARARGS, "scene: SceneHandle, keys: List[str], /", "List[int]"),
-    FUNCTION(
-        "derive", derive, METH_VARARGS,
-        "scene: SceneHandle, keys: List[str], arrays: Tuple[Any, ...], surface: int, grid: int, settings: _Settings, /",
-        "None"),
+    FUNCTION("derive", derive, METH_VARARGS,
+             "scene: SceneHandle, keys: List[str], arrays: Tuple[Any, ...], surface: int, grid: int, "
+             "settings: _Settings, /",
+             "None"),
     {NULL, NULL, 0, NULL},
 };
