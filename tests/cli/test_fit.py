@@ -147,6 +147,10 @@ def wrong(tap, tool):
            "luxel profile keeps its flag of that name")
 
 
+def told_once(tap, tool):
+    tap.equal(tool.run("fit", "--help").out.count("Extensions of FILE"), 1, "help names the extensions once")
+
+
 def of_all(tap, tool):
     """One intensity of two lamps; where they have two there is no such number to begin with."""
     lamps = "lights:\n" + "".join("  - {type: point, position: [%d, 0, 1000], intensity: %d}\n" % one
@@ -170,4 +174,5 @@ def of_all(tap, tool):
 
 
 if __name__ == "__main__":
-    run_tests(Tap(), readings, not_determined, pictures, wrong, of_all)
+    run_tests(Tap(), readings, not_determined, pictures, wrong, of_all,
+              told_once)
