@@ -15,7 +15,7 @@
 #include "prober.h"
 
 enum {
-    MOST_ROWS = 32,     /* halved steps */
+    MOST_ROWS = 40,     /* halved steps */
     MOST_HALVINGS = 50, /* of the first step, until both of its ends are legal */
     PART = 1 << 12      /* places whose differences are kept at once */
 };
