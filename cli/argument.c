@@ -244,13 +244,3 @@ bool argument_word(const char *option, const char *argument, const char *const *
     message_did_you_mean(luxel_nearest_word(argument, words, *found));
     return false;
 }
-
-bool argument_single_key(const char *option, const char *argument)
-{
-    if (!strstr(argument, "[*]"))
-        return true;
-    message_error(_("%s %s: each element of a list has a number of its own"), option, argument);
-    message_hint(_("name them one by one; a dimming group has one factor for its lights: %s"),
-                 "'dimming[NAME].factor'");
-    return false;
-}

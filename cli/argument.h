@@ -33,7 +33,4 @@ bool argument_word(const char *option, const char *text, const char *const *word
 /* X,Y,W,H is a rectangle around X,Y; X,Y,R a circle. */
 bool argument_region(const char *option, const char *argument, luxel_region *region);
 
-/* Whether a key has one place in the scene, and not one in each element of a list; if not, says so. */
-bool argument_single_key(const char *option, const char *argument);
-
 #endif

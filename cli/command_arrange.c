@@ -61,9 +61,16 @@ static void print_layouts(struct json *json, const struct arranged *arranged, co
     json_open(json, key, '[');
     for (size_t i = 0; i < count; i++) {
         json_open(json, NULL, '{');
-        json_whole(json, "luminaires", (size_t)layouts[i].n[0] * layouts[i].n[1]);
-        json_wholes(json, "n", layouts[i].n, 2);
-        json_numbers(json, "spacing", layouts[i].spacing_mm, 2);
+        if (layouts[i].numbers) {
+            json_open(json, "numbers", '{');
+            for (size_t k = 0; k < arranged->found->number_count; k++)
+                json_number(json, arranged->found->names[k], layouts[i].numbers[k]);
+            json_close(json, '}');
+        } else {
+            json_whole(json, "luminaires", (size_t)layouts[i].n[0] * layouts[i].n[1]);
+            json_wholes(json, "n", layouts[i].n, 2);
+            json_numbers(json, "spacing", layouts[i].spacing_mm, 2);
+        }
         json_number(json, "dimming", layouts[i].dimming);
         json_number(json, "reserve", layouts[i].reserve);
         print_limits(json, arranged, &layouts[i]);
@@ -78,8 +85,10 @@ static void print_json(const struct arranged *arranged)
     struct json json = {.stream = stdout};
 
     json_open(&json, NULL, '{');
-    json_whole(&json, "light", found->light);
-    json_text(&json, "light_name", luxel_scene_light_name(arranged->loaded->scene, found->light));
+    if (found->number_count == 0) {
+        json_whole(&json, "light", found->light);
+        json_text(&json, "light_name", luxel_scene_light_name(arranged->loaded->scene, found->light));
+    }
     json_text(&json, "unit", arranged->unit);
     print_layouts(&json, arranged, "layouts", found->found, found->count);
     print_layouts(&json, arranged, "missed", found->missed, found->missed_count);
@@ -136,12 +145,42 @@ static const char *text_spacings(const luxel_layout *layout, char buffer[TEXT_SI
                        layout->n[1] > 1 ? text_format(rows, "%.6g", layout->spacing_mm[1]) : "–");
 }
 
+/* The numbers of keys, layout by layout in columns. */
+static void print_numbers(const struct arranged *arranged, const luxel_layout *layouts, size_t count)
+{
+    const luxel_arrangement *found = arranged->found;
+    const size_t columns = count < TEXT_COLUMNS - 2 ? count : TEXT_COLUMNS - 2;
+    char alignment[TEXT_COLUMNS + 1] = "l", texts[TEXT_COLUMNS][TEXT_SIZE];
+    const char *cells[TEXT_COLUMNS] = {_("key")};
+    struct text_table *table;
+
+    for (size_t i = 0; i < columns; i++) {
+        alignment[1 + i] = 'r';
+        cells[1 + i] = text_format(texts[i], "%zu", i + 1);
+    }
+    alignment[1 + columns] = 'l';
+    cells[1 + columns] = "";
+    table = text_table_new(alignment);
+    text_table_row(table, cells);
+    for (size_t k = 0; k < found->number_count; k++) {
+        cells[0] = found->names[k];
+        for (size_t i = 0; i < columns; i++)
+            cells[1 + i] = text_format(texts[i], "%.8g", layouts[i].numbers[k]);
+        cells[1 + columns] = text_unit(found->units[k]);
+        text_table_row(table, cells);
+    }
+    fputc('\n', stdout);
+    text_table_print(table, stdout, 4);
+}
+
 static void print_table(const struct arranged *arranged, const luxel_layout *layouts, size_t count)
 {
     enum { FIXED = 5 };
+    const bool tunes = layouts[0].numbers;
     const size_t limits = layouts[0].limit_count < TEXT_COLUMNS - FIXED ? layouts[0].limit_count : TEXT_COLUMNS - FIXED;
     char alignment[TEXT_COLUMNS + 1] = "rrrrr", texts[TEXT_COLUMNS][TEXT_SIZE];
-    const char *cells[TEXT_COLUMNS] = {_("luminaires"), _("columns × rows"), _("spacing, mm"),
+    const char *cells[TEXT_COLUMNS] = {tunes ? "" : _("luminaires"), tunes ? "" : _("columns × rows"),
+                                       tunes ? "" : _("spacing, mm"),
                                        arranged->options->arrange.dims ? _("dimmed to") : "", _("reserve")};
     struct text_table *table;
 
@@ -154,9 +193,9 @@ static void print_table(const struct arranged *arranged, const luxel_layout *lay
     for (size_t i = 0; i < count; i++) {
         const luxel_layout *layout = &layouts[i];
 
-        cells[0] = text_format(texts[0], "%u", layout->n[0] * layout->n[1]);
-        cells[1] = text_format(texts[1], "%u × %u", layout->n[0], layout->n[1]);
-        cells[2] = text_spacings(layout, texts[2]);
+        cells[0] = text_format(texts[0], "%zu", tunes ? i + 1 : (size_t)layout->n[0] * layout->n[1]);
+        cells[1] = tunes ? "" : text_format(texts[1], "%u × %u", layout->n[0], layout->n[1]);
+        cells[2] = tunes ? "" : text_spacings(layout, texts[2]);
         cells[3] = arranged->options->arrange.dims ? text_format(texts[3], "%.4g %%", 100 * layout->dimming) : "";
         cells[4] = text_format(texts[4], "%+.1f %%", 100 * (layout->reserve - 1));
         for (size_t k = 0; k < limits; k++)
@@ -164,28 +203,34 @@ static void print_table(const struct arranged *arranged, const luxel_layout *lay
         text_table_row(table, cells);
     }
     text_table_print(table, stdout, 4);
+    if (tunes)
+        print_numbers(arranged, layouts, count);
 }
 
 static void print_text(const struct arranged *arranged)
 {
     const luxel_arrangement *found = arranged->found;
-    const char *name = luxel_scene_light_name(arranged->loaded->scene, found->light);
+    const bool tunes = found->number_count > 0;
+    const char *name = tunes ? NULL : luxel_scene_light_name(arranged->loaded->scene, found->light);
 
     text_print_escaped(stdout, arranged->loaded->name);
     fputs(": ", stdout);
     if (name)
         text_print_escaped(stdout, name);
-    else
+    else if (!tunes)
         printf("lights[%zu]", found->light);
-    printf(_(", arranged; %zu numbers of columns and rows were tried\n\n"), found->tried);
+    if (tunes)
+        printf(_("numbers of keys to reach the goals by; %zu starts\n"), found->tried);
+    else
+        printf(_(", arranged; %zu numbers of columns and rows were tried\n"), found->tried);
     if (found->count > 0) {
-        printf("%s\n", _("Layouts that reach the goals:"));
+        printf("\n%s\n", _("Layouts that reach the goals:"));
         print_table(arranged, found->found, found->count);
     }
     if (found->missed_count > 0) {
-        printf("%s%s\n", found->count > 0 ? "\n" : "",
-               found->count > 0 ? _("Of fewer luminaires none was found that does. The nearest:")
-                                : _("No layout reaches the goals. The nearest:"));
+        printf("\n%s\n", found->count > 0 ? _("Of fewer luminaires none was found that does. The nearest:")
+                         : tunes          ? _("No numbers that reach the goals were found. The nearest:")
+                                          : _("No layout reaches the goals. The nearest:"));
         print_table(arranged, found->missed, found->missed_count);
     }
     if (found->fewest > 1)
@@ -224,7 +269,12 @@ static void tell_unreached(const struct arranged *arranged)
 {
     const luxel_arrangement *found = arranged->found;
 
-    if (found->missed_count == 0)
+    if (found->number_count > 0 && found->missed_count > 0)
+        message_error(_("no numbers that reach the goals were found: the nearest come to %.1f %% of what is wanted"),
+                      100 * found->missed[0].reserve);
+    else if (found->tried == 0)
+        message_error(_("no layout reaches the goals: it takes %u luminaires at least"), found->fewest);
+    else if (found->missed_count == 0)
         message_error(_("no layout reaches the goals"));
     else
         message_error(_("no layout reaches the goals: the nearest, %u × %u, comes to %.1f %% of what is wanted"),
@@ -236,7 +286,9 @@ static int arrange(const struct options *options, const struct loaded *loaded)
     const luxel_arranging wanted = {.goals = options->arrange.goals,
                                     .goal_count = options->arrange.goal_count,
                                     .dims = options->arrange.dims,
-                                    .most = options->arrange.most};
+                                    .most = options->arrange.most,
+                                    .keys = options->free_keys,
+                                    .key_count = options->free_key_count};
     luxel_arrangement *found = NULL;
     struct work work;
     int code = outputs_check(options, check_name);
@@ -279,9 +331,13 @@ const struct command command_arrange = {
         "and the goals of --goal with the fewest luminaires, and with --dimming the least power. Walls, furniture, "
         "other lights and reflected light count. Several layouts are offered, and of fewer luminaires the nearest "
         "are told with what they miss; -o writes the scene of the first. The exit code is 1 where no layout is found. "
-        "The light is the only one with an array, or that of --lights."),
+        "The light is the only one with an array, or that of --lights. With --free the numbers of luminaires stay, and "
+        "keys are found instead: aims, places, the spacings of several arrays, the strength of each light; with "
+        "--dimming the least flux that reaches the goals."),
     .examples = "luxel arrange room.yaml --goal 'average>=500' --goal 'U0>=0.6'\n"
                 "luxel arrange room.yaml --goal 'ugr<=19' --dimming -o arranged.yaml\n"
-                "luxel arrange -s 'grids[0].limits.average=500' room.yaml --json",
+                "luxel arrange -s 'grids[0].limits.average=500' room.yaml --json\n"
+                "luxel arrange hall.yaml --goal 'U0>=0.7' --free lights[0].aim --free lights[1].aim\n"
+                "luxel arrange hall.yaml --goal 'average>=300' --dimming --free 'dimming[windows].factor'",
     .run = run,
 };

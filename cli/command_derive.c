@@ -3,6 +3,7 @@
 #include <luxel/luxel.h>
 
 #include "cli.h"
+#include "derived_grid.h"
 #include "load.h"
 #include "message.h"
 #include "places.h"
@@ -108,6 +109,8 @@ static int derive(const struct options *options, const struct loaded *loaded)
         message_error(_("name the keys to derive by: --free lights[0].intensity, for instance"));
         return EXIT_USAGE;
     }
+    if (options->drawing.grid)
+        return derived_grid(options, loaded);
     code = find(options, loaded, NULL, &derivatives);
     luxel_derivatives_free(derivatives);
     if (code != EXIT_DONE)
@@ -140,10 +143,13 @@ const struct command command_derive = {
     .summary = N_("how exact values at points change with keys of the scene"),
     .description = N_("Prints the value at each point and its derivative by each number of the keys of --free, per the "
                       "key's own unit, with about how far it may be off. The points are those that luxel probe takes. "
-                      "A point of the screen stays there where a surface moves. Where the value jumps or has a kink, "
+                      "A point of the screen stays there where a surface moves. With --grid they are the cells of a "
+                      "measuring grid, which move with it, and their average is told. A key lights[*].intensity is of "
+                      "all lights that have one, which change alike. Where the value jumps or has a kink, "
                       "as at the border of a hard shadow, there is no derivative, and that is said."),
     .examples = "luxel derive --free lights[0].intensity --free lights[0].position -p 150,0\n"
                 "luxel derive my.yaml --free surfaces[0].material.shininess --json\n"
-                "luxel derive my.yaml --free lights[0].position --at 0,0,0,0,0,1 --quantity irradiance",
+                "luxel derive my.yaml --free lights[0].position --at 0,0,0,0,0,1 --quantity irradiance\n"
+                "luxel derive office --grid floor --free grids[floor].center --free 'lights[*].factor'",
     .run = run,
 };

@@ -75,8 +75,10 @@ static void print_endings(const struct command *command)
     if (command->endings && !*command->endings)
         return;
     for (size_t i = 0; options_row(i); i++)
-        if (options_row(i)->value == VALUE_OUTPUT && (options_row(i)->commands & command->bit))
+        if (options_row(i)->value == VALUE_OUTPUT && (options_row(i)->commands & command->bit)) {
             printf(_("\nExtensions of FILE: %s\n"), command_endings(command, endings, sizeof endings));
+            return; /* -o comes first; other files have the words of their own options */
+        }
 }
 
 void help_print_command(const struct command *command)

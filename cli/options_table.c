@@ -103,7 +103,8 @@ static bool take_assignment(struct options *options, const char *argument)
 
 static bool take_free(struct options *options, const char *argument)
 {
-    return argument_single_key("--free", options->free_keys[options->free_key_count++] = argument);
+    options->free_keys[options->free_key_count++] = argument;
+    return true;
 }
 
 static bool take_purpose(struct options *options, const char *argument)
@@ -388,7 +389,7 @@ static const struct option_row rows[] = {
      .help = N_("of the hours of sun, in degrees to north and east; else that of the scene's sun or sky")},
     {"least-altitude", 0, N_("DEGREES"), COMMAND_DAYLIGHT, TAKES(sun_take_least_altitude),
      .help = N_("of the hours of sun: lower the sun does not count; the default is 0, the horizon")},
-    {"free", 0, N_("KEY"), COMMAND_DERIVE | COMMAND_FIT, TAKES(take_free),
+    {"free", 0, N_("KEY"), COMMAND_DERIVE | COMMAND_FIT | COMMAND_ARRANGE, TAKES(take_free),
      .help = N_("a key of the scene to derive by, or to find, such as lights[0].position; may be repeated")},
     {"picture", 0, N_("FILE"), COMMAND_FIT, KEEPS(fit.picture), .value = VALUE_FILE,
      .help = N_("fit to a picture of as many pixels as the scene's: .exr, .npy, .pfm, .csv, or the grey levels of a "
@@ -488,7 +489,8 @@ static const struct option_row rows[] = {
     {"palette", 0, N_("NAME"), COMMAND_FIGURE | COMMAND_REPORT, KEEPS(drawing.palette), .value = VALUE_PALETTE,
      .help = N_("the colours: viridis (default) or another of --palettes")},
     {"palettes", 0, NULL, COMMAND_FIGURE, SETS(drawing.palettes), .help = N_("list the palettes")},
-    {"grid", 0, N_("NAME"), COMMAND_FIGURE | COMMAND_ISOPHOTES, KEEPS(drawing.grid), .value = VALUE_GRIDS,
+    {"grid", 0, N_("NAME"), COMMAND_FIGURE | COMMAND_ISOPHOTES | COMMAND_DERIVE, KEEPS(drawing.grid),
+     .value = VALUE_GRIDS,
      .help = N_("the plane of a measuring grid, by its name or number; figures have its values and lights")},
     {"daylight", 0, NULL, COMMAND_FIGURE, SETS(drawing.daylight),
      .help = N_("of a measuring grid: its daylight factors in percent instead of the irradiance")},

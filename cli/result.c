@@ -185,7 +185,7 @@ static void write_element(struct json *json, const luxel_probe *probe)
         json_null(json, "inside");
 }
 
-static void write_derivative(struct json *json, const char *key, const luxel_derivative *derivative)
+void result_write_derivative(struct json *json, const char *key, const luxel_derivative *derivative)
 {
     const char *words = luxel_derivative_words(derivative->state);
 
@@ -199,18 +199,18 @@ static void write_derivative(struct json *json, const char *key, const luxel_der
     json_close(json, '}');
 }
 
-/* The derivatives at the i-th place, by key: one, or a list of them for a key of several numbers. */
-static void write_derivatives(struct json *json, const struct result *result, size_t place)
+void result_write_derivatives(struct json *json, const struct options *options, const luxel_derivatives *derivatives,
+                              size_t place)
 {
     json_open(json, "derivatives", '{');
-    for (size_t k = 0; k < result->options->free_key_count; k++) {
-        const char *key = result->options->free_keys[k];
-        const size_t numbers = luxel_derivatives_numbers(result->derivatives, k);
+    for (size_t k = 0; k < options->free_key_count; k++) {
+        const char *key = options->free_keys[k];
+        const size_t numbers = luxel_derivatives_numbers(derivatives, k);
 
         if (numbers > 1)
             json_open(json, key, '[');
         for (size_t i = 0; i < numbers; i++)
-            write_derivative(json, numbers > 1 ? NULL : key, luxel_derivatives_get(result->derivatives, place, k, i));
+            result_write_derivative(json, numbers > 1 ? NULL : key, luxel_derivatives_get(derivatives, place, k, i));
         if (numbers > 1)
             json_close(json, ']');
     }
@@ -248,7 +248,7 @@ static void write_probe(struct json *json, const struct result *result, size_t p
     json_close(json, ']');
     result_write_reflected(json, probe);
     if (result->derivatives)
-        write_derivatives(json, result, place);
+        result_write_derivatives(json, result->options, result->derivatives, place);
     if (probe->source_on_element)
         json_text(json, "reason", text_format(reason, on_element, probe->blocking_light));
     json_close(json, '}');

@@ -54,6 +54,12 @@ void result_write_reflected(struct json *json, const luxel_probe *probe);
 /* Writes the directional albedo of a probe's material at its view as the member `albedo`; null where it has none. */
 void result_write_albedo(struct json *json, const luxel_scene *scene, const luxel_probe *probe);
 
+/* Writes a derivative; those of the i-th place by the keys of --free as the member `derivatives`, one or, for a key of
+ * several numbers, a list of them. */
+void result_write_derivative(struct json *json, const char *key, const luxel_derivative *derivative);
+void result_write_derivatives(struct json *json, const struct options *options, const luxel_derivatives *derivatives,
+                              size_t place);
+
 /* Writes the object of SPEC's `--json`, and prints it on standard output. */
 void result_write_json(FILE *stream, const struct result *result);
 void result_print_json(const struct result *result);

@@ -58,6 +58,7 @@ OWN_TESTS = {
     "src/parameter": ["plain", "parameters", "validate", "yaml", "edit"],
     "src/format": ["formats", "formats_read", "exr", "field_files", "formats in Python"],
     "src/api": ["api", "grid", "evaluator", "light", "stride"],
+    "src/inverse": ["cli derive", "cli arrange", "cli fit"],
     "src/exercise": ["judge", "alternatives", "advice_texts", "explain_texts", "scout", "advise_peak"],
 }
 MESON = "/usr/bin/meson" if os.path.exists("/usr/bin/meson") else "meson"

@@ -3,11 +3,11 @@
  * Layouts: how many luminaires a room needs, and how far apart, to reach goals on measuring grids and for observers.
  *
  * One light of the scene stands in columns and rows around its place (its key `array`).  Numbers and spacings are
- * looked for that reach every limit of the scene's grids and observers (<luxel/limits.h>) with the fewest luminaires,
- * then, where they can be dimmed, with the least power.  Places are tried by superposition: the light of one luminaire
- * at places all over the field is found once, and that of an array is a sum of these.  What surfaces reflect is taken
- * for what one array of them gives, and corrected by each that is computed.  What is told of a layout is computed from
- * its scene, with bounds: the search finds it, and proves nothing of layouts in between.
+ * looked for that reach every limit of the scene's grids, the areas around them and observers (<luxel/limits.h>) with
+ * the fewest luminaires, then, where they can be dimmed, with the least power.  Places are tried by superposition: the
+ * light of one luminaire at places all over the field is found once, and that of an array is a sum of these.  What
+ * surfaces reflect is taken for what one array of them gives, and corrected by each that is computed.  What is told of
+ * a layout is computed from its scene, with bounds: the search finds it, and proves nothing of layouts in between.
  *
  * Threads as luxel.h says.
  */
@@ -33,13 +33,23 @@ typedef struct luxel_arranging {
     bool dims;                /* luminaires may be dimmed, all alike: then the least power is looked for */
     bool is_even;             /* columns and rows stand as far apart as twice their distance from the walls */
     unsigned most;            /* luminaires; 0: LUXEL_MOST_ARRANGED */
-    void *reserved[4];        /* for later versions: NULL */
+    const char *const *keys;  /* of the scene, to be changed instead of numbers and spacings; see below */
+    size_t key_count;         /* of them */
+    void *reserved[2];        /* for later versions: NULL */
 } luxel_arranging;
 
 /*
  * A goal is a limit of a grid or an observer: [NAME:]KEY>=NUMBER or [NAME:]KEY<=NUMBER.  KEY is average (E), minimum,
  * uniformity (U0), ratio, which are least values, maximum and ugr, which are greatest ones.  NAME may be left out where
  * there is one grid; of ugr all observers are meant then.
+ */
+
+/*
+ * Keys that take numbers, as luxel_derive_places() knows them, are changed where numbers of luminaires stay: aims
+ * (lights[0].aim), places, spacings of arrays (lights[1].array.spacing), intensities or dimming[row].factor one by
+ * one.  From several starts the least of all values by their goals is made as great as can be, by linear programs; with
+ * `dims` the flux of all lights as small as the goals allow, and `dimming` is its share of the scene's.  Layouts have
+ * no columns and rows then, and are told by what they reach.
  */
 
 /* A limit and what a layout makes of it. */
@@ -60,28 +70,33 @@ typedef struct luxel_layout {
     double reserve;                   /* the least of the values by their goals; below 1 one is missed */
     const luxel_layout_limit *limits; /* in the order of the scene: grids, then observers */
     size_t limit_count;               /* of them */
-    void *reserved[4];                /* for later versions: NULL */
+    const double *numbers;            /* where keys were changed: theirs, number_count of them; else NULL */
+    void *reserved[3];                /* for later versions: NULL */
 } luxel_layout;
 
 /* What was found.  Texts and arrays live as long as it does. */
 typedef struct luxel_arrangement {
-    size_t light;               /* the one that is arranged, by index */
+    size_t light;               /* the one that is arranged, by index; SIZE_MAX where keys were changed */
     size_t count;               /* of the next; 0: the goals are not reached */
     const luxel_layout *found;  /* that reach the goals: the fewest first, of these the least power, the most reserve */
     size_t missed_count;        /* of the next */
     const luxel_layout *missed; /* of fewer luminaires (or, where none reaches them, of all): the nearest first */
-    unsigned fewest;            /* so many were tried first: fewer give too little light, wherever they stand */
-    size_t tried;               /* how many numbers of columns and rows were looked at */
+    unsigned fewest;            /* fewer give too little light, wherever they stand; none is tried above `most` */
+    size_t tried;               /* how many numbers of columns and rows, or starts of keys, were looked at */
     size_t computed;            /* layouts whose scene was computed */
+    size_t number_count;        /* of the keys' numbers: 0 where columns and rows were looked for */
+    const char *const *names;   /* of each: lights[0].aim[2] */
+    const char *const *units;   /* of each in UTF-8, "" where it has none */
 } luxel_arrangement;
 
 /*
- * Looks for layouts.  *arrangement is the caller's: free it with luxel_arrangement_free().  It succeeds, too, where the
- * goals are not reached.  The answer is the same for any number of threads.  Progress and cancelling as of
+ * Looks for layouts.  *arrangement is the caller's: free it with luxel_arrangement_free().  It succeeds, too, where
+ * the goals are not reached.  The answer is the same for any number of threads.  Progress and cancelling as of
  * luxel_render().
  * LUXEL_ERROR_ARGUMENT: no limit and no goal; goals that cannot be read, of which all are reported; no light that can
- * be arranged, or several; it gives no light.  LUXEL_ERROR_SCENE: a goal is no legal limit.  Else errors as
- * luxel_find_grid() and luxel_find_glare() list them.
+ * be arranged, or several; it gives no light; too many keys.  LUXEL_ERROR_SCENE: a goal is no legal limit.
+ * LUXEL_ERROR_PATH: keys that take no numbers, all of them reported.  Else errors as luxel_find_grid() and
+ * luxel_find_glare() list them.
  */
 LUXEL_API luxel_status luxel_arrange(const luxel_scene *scene, const luxel_settings *settings,
                                      const luxel_arranging *arranging, luxel_diagnostics *diagnostics,

@@ -42,7 +42,8 @@ typedef struct luxel_derivatives luxel_derivatives;
 
 /*
  * Derives the values at `count` places by `key_count` keys, which are paths such as lights[0].position or
- * surfaces[0].material.shininess of keys that take a number or numbers.  settings->tolerance 0 is 1e-11 here.  `probes`
+ * surfaces[0].material.shininess of keys that take a number or numbers; lights[*].intensity means all elements of the
+ * list that have one, changed by as much, so that theirs add up.  settings->tolerance 0 is 1e-11 here.  `probes`
  * are what luxel_probe_places() tells of these places, so that they are not probed again, or NULL.  *derivatives is the
  * caller's: free it with luxel_derivatives_free().  Each number of a key takes 4 to some 16 values of every place, of
  * scenes that are prepared once for all of them.  Without places the keys alone are checked.  Progress and cancelling
@@ -55,6 +56,16 @@ LUXEL_API luxel_status luxel_derive_places(const luxel_scene *scene, const luxel
                                            const luxel_place *places, const luxel_probes *probes, size_t count,
                                            const char *const *keys, size_t key_count, luxel_diagnostics *diagnostics,
                                            luxel_derivatives **derivatives);
+
+/*
+ * Derives the values of the i-th grid as luxel_find_grid_values() measures them: its cells are the places, row by row,
+ * and move with the grid.  A cell whose number changes beside this scene has no derivative, as a rule of spacing makes
+ * of the grid's size.
+ * LUXEL_ERROR_ARGUMENT: there is no such grid.  Else as luxel_derive_places() and luxel_find_grid_values().
+ */
+LUXEL_API luxel_status luxel_derive_grid(const luxel_scene *scene, const luxel_settings *settings, size_t i,
+                                         const char *const *keys, size_t key_count, luxel_diagnostics *diagnostics,
+                                         luxel_derivatives **derivatives);
 
 /* The value at a place, with its bound; false: it has none. */
 LUXEL_API bool luxel_derivatives_value(const luxel_derivatives *derivatives, size_t place, luxel_bounded *value);

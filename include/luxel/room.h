@@ -51,12 +51,13 @@ typedef struct luxel_room_design {
 
 /*
  * Makes the scene.  `path` is the file that it will be, in whose folder the photometry file is looked for; NULL: the
- * current one.  With a target arrays are tried by rising numbers of luminaires, those whose spacings differ by no more
- * than 2 to 1, and of equal numbers the more uniform one is taken; a mean whose bound spans the target does not reach
- * it.  Luminaires that send more than LUXEL_ROOM_UPWARDS percent of their light upwards hang half a metre below the
- * ceiling, others are level with it.  The answer is the same for any number of threads.
- * LUXEL_ERROR_ARGUMENT: NULL, a number out of its range, no light reaches the plane, or more than 10 000 luminaires
- * would be needed; reported.  Else errors as luxel_scene_commit() and luxel_find_grid() list them.
+ * current one.  With a target arrays are tried as luxel_arrange() tries even ones, by rising numbers of luminaires,
+ * those whose spacings differ by no more than 2 to 1, and of equal numbers the more uniform one is taken; a mean whose
+ * bound spans the target does not reach it.  Luminaires that send more than LUXEL_ROOM_UPWARDS percent of their light
+ * upwards hang half a metre below the ceiling, others are level with it.  The answer is the same for any number of
+ * threads.
+ * LUXEL_ERROR_ARGUMENT: NULL, a number out of its range, no light reaches the plane, or it takes more than 10 000
+ * luminaires, or more than have room; reported.  Else errors as luxel_scene_commit() and luxel_find_grid() list them.
  */
 LUXEL_API luxel_status luxel_design_room(const luxel_room *room, const char *path, const luxel_settings *settings,
                                          luxel_diagnostics *diagnostics, luxel_room_design *design);

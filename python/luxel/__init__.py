@@ -34,6 +34,7 @@ from ._results import (Alternative, Comparison, Extrema, Extremum, GridArea, Gri
                        Histogram, Isophote, Judgement, Light, Mesh, Peak, Profile, Statistics, Summary)
 from ._room import Limit, Observer, Room, RoomArray, room
 from ._scene import Scene, builtin_scenes, instruction_sets, schema, variant
+from ._stereo import StereoSet
 from ._study import Study
 from ._luxel import version as _version
 
@@ -47,7 +48,7 @@ __all__ = [
     "Light", "Limit", "LitSide", "LuxelError", "LuxelFileError", "LuxelKeyError", "LuxelMemoryError",
     "LuxelNotFoundError", "LuxelValueError", "LuxelWarning", "Mesh", "Observer", "Opening", "Peak", "Photometry",
     "PhotometryFigures", "Probe", "Probes", "Profile", "Room", "RoomArray", "STATES", "Scene", "Share", "Statistics",
-    "Study", "Summary", "SunGrid", "SunHours", "SunPatch", "Sunlight", "UgrReflectances", "UgrRoom",
+    "StereoSet", "Study", "Summary", "SunGrid", "SunHours", "SunPatch", "Sunlight", "UgrReflectances", "UgrRoom",
     "UgrTable", "builtin_scenes", "compare", "instruction_sets", "measured", "palettes", "read",
     "room", "schema", "set_language", "variant", "__version__",
 ]

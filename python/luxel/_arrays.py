@@ -19,6 +19,15 @@ def shared(view: Any) -> Any:
     return numpy.asarray(view)
 
 
+def taken(given: Any) -> Any:
+    """An array of what NumPy knows, or of another library's that hands it over by DLPack alone."""
+    import numpy
+
+    if hasattr(given, "__dlpack__") and not any(hasattr(given, name) for name in ("__array__", "__array_interface__")):
+        return numpy.from_dlpack(given)
+    return numpy.asarray(given)
+
+
 def floats(numbers: Any) -> "Floats":
     """An array of float64; one that is so already is taken as it is.  What is masked is NaN."""
     import numpy
@@ -26,7 +35,7 @@ def floats(numbers: Any) -> "Floats":
     given: Any = numbers
     if hasattr(given, "filled"):  # a masked array
         given = given.astype(numpy.float64).filled(numpy.nan)
-    given = numpy.asarray(given)
+    given = taken(given)
     if given.dtype.kind == "c":
         raise TypeError("real numbers are expected, not complex ones")
     array: "Floats" = numpy.asarray(given, dtype=numpy.float64)
@@ -37,7 +46,7 @@ def spacing(numbers: Any) -> "Optional[Floats]":
     """How far apart the numbers of float32 or float16 are where places of such numbers lie; None of all others."""
     import numpy
 
-    array: Any = numpy.asarray(numbers)
+    array: Any = taken(numbers)
     if array.dtype.kind != "f" or array.dtype.itemsize > 4 or array.ndim < 1:
         return None
     return floats(numpy.spacing(numpy.abs(array).max(axis=-1)))

@@ -65,15 +65,16 @@ def elements_of(elements: Any) -> "Floats":
     return array.reshape(-1, array.shape[-1])
 
 
-def derive(handle: "_luxel.SceneHandle", keys: List[str], places: "Floats", surface: int, how: Settings) -> Jacobian:
-    """Derives the values at places, rows of 2, 6 or 9 numbers."""
+def derive(handle: "_luxel.SceneHandle", keys: List[str], places: "Floats", surface: int, how: Settings,
+           grid: int = -1) -> Jacobian:
+    """Derives the values at places, rows of 2, 6 or 9 numbers, or of a grid, whose cells the places then are."""
     import numpy
 
     columns = columns_of(handle, keys)
     shape: Tuple[int, int] = (len(places), len(columns))
     values, value_errors = numpy.empty(shape[0]), numpy.empty(shape[0])
     found, errors, states = numpy.empty(shape), numpy.empty(shape), numpy.empty(shape)
-    _luxel.derive(handle, keys, (places, values, value_errors, found, errors, states), surface, how)
+    _luxel.derive(handle, keys, (places, values, value_errors, found, errors, states), surface, grid, how)
     return Jacobian(found, errors, states.astype(numpy.uint8), values, value_errors, columns)
 
 
@@ -85,6 +86,8 @@ def places_of(scene: "Scene", points: Any, elements: Any, grid: Union[None, str,
         return elements_of(elements)
     if grid is not None:
         plane = scene.grid(grid, lights=[])
+        if plane.measure != "plane":
+            raise ValueError("grid: one that measures on its plane is expected, not %s" % plane.measure)
         cells = plane.positions_mm
         cells[~plane.mask] = numpy.nan  # inside of bodies nobody measures
         return elements_of((cells, plane.axis))
@@ -129,10 +132,18 @@ def jacobian(self: "Scene", keys: Union[str, Iterable[str]], points: Any = None,
     cells of a `grid`, by name or index, row by row, for its irradiance; or the samples of all `pixels`, row by
     row from the top.  Each number of a key takes 4 to 16 values of all places, of scenes that they share.
     """
+    import numpy
+
     if sum((points is not None, elements is not None, grid is not None, pixels)) > 1:
         raise ValueError("one of points, elements, grid and pixels is expected")
     how = settings(self._carried, "irradiance" if grid is not None else quantity, None, threads, None, tolerance,
                    progress=progress, reflected_error=reflected_error, lights=self._group(lights))
-    places = places_of(self, points, elements, grid, pixels)
-    found = derive(self._handle, names_of(keys), places, self._surface(surface), how)
+    names = names_of(keys)
+    if grid is not None:
+        index = self._grid_index(grid)
+        cells = self.grid(index, lights=[]).values.size
+        found = derive(self._handle, names, numpy.zeros((cells, 2)), 0, how, index)
+    else:
+        places = places_of(self, points, elements, None, pixels)
+        found = derive(self._handle, names, places, self._surface(surface), how)
     return found if full else found.derivatives

@@ -8,7 +8,7 @@ from _thread import allocate_lock
 from typing import (TYPE_CHECKING, Any, Dict, Iterable, Iterator, List, Mapping, Optional, Sequence, Tuple, Union,
                     overload)
 
-from . import _arrange, _camera, _daylight, _exchange, _fit, _flow, _jacobian, _luxel, _torch
+from . import _arrange, _camera, _daylight, _exchange, _fit, _flow, _jacobian, _luxel, _stereo, _torch
 from ._arrays import floats, spacing
 from ._balance import Balance, balance
 from ._document import Document
@@ -95,7 +95,7 @@ class Scene(Rated, _exchange.Exchanging, _daylight.Daylit):
     _name: str
     _carried: Optional[Carried]
     jacobian, fit, arrange = _jacobian.jacobian, _fit.fit, _arrange.arrange
-    camera, torch_function = _camera.camera, _torch.torch_function
+    camera, torch_function, stereo = _camera.camera, _torch.torch_function, _stereo.stereo
 
     def __init__(self, source: "Union[str, bytes, os.PathLike[str], Mapping[str, Any], Scene]" = "report") -> None:
         if isinstance(source, Scene):

@@ -23,7 +23,8 @@ def torch_function(self: "Scene", keys: Union[str, Iterable[str]], points: Any =
     import numpy
     torch: Any = importlib.import_module("torch")
 
-    names, places = names_of(keys), places_of(self, points, elements, grid, False)
+    names = names_of(keys)
+    places = None if grid is not None else places_of(self, points, elements, None, False)
     columns = columns_of(self._handle, names)
     wanted = "irradiance" if grid is not None else quantity
 
@@ -34,7 +35,8 @@ def torch_function(self: "Scene", keys: Union[str, Iterable[str]], points: Any =
             if array.shape != (len(columns),):
                 raise ValueError("a tensor of %d numbers is expected: %s" % (len(columns), ", ".join(columns)))
             scene = self.changed(dict(zip(columns, array.tolist())))
-            seen: Any = {"points": places} if places.shape[1] == 2 else {"elements": places}
+            seen: Any = ({"grid": grid} if places is None else
+                         {"points": places} if places.shape[1] == 2 else {"elements": places})
             told = scene.jacobian(names, full=True, quantity=wanted, threads=threads, **seen)
             context.slopes = numpy.nan_to_num(told.derivatives, nan=0.0)
             return torch.as_tensor(told.values, dtype=numbers.dtype, device=numbers.device)

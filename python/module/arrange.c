@@ -20,6 +20,21 @@ static PyObject *limits_of(const luxel_layout *layout)
     return list;
 }
 
+/* The numbers of keys by their names; empty where there are none. */
+static PyObject *numbers_of(const luxel_arrangement *found, const luxel_layout *layout)
+{
+    PyObject *numbers = PyDict_New();
+
+    for (size_t k = 0; numbers && k < found->number_count; k++) {
+        PyObject *number = PyFloat_FromDouble(layout->numbers[k]);
+
+        if (!number || PyDict_SetItemString(numbers, found->names[k], number) < 0)
+            Py_CLEAR(numbers);
+        Py_XDECREF(number);
+    }
+    return numbers;
+}
+
 static PyObject *layouts_list(PyObject *module, const luxel_arrangement *found, const luxel_layout *layouts,
                               size_t count)
 {
@@ -28,37 +43,43 @@ static PyObject *layouts_list(PyObject *module, const luxel_arrangement *found, 
     for (size_t i = 0; list && i < count; i++) {
         const luxel_layout *layout = &layouts[i];
 
-        if (append(list,
-                   Py_BuildValue("((II)(dd)ddNN)", layout->n[0], layout->n[1], layout->spacing_mm[0],
-                                 layout->spacing_mm[1], layout->dimming, layout->reserve, limits_of(layout),
-                                 scene_handle(module, luxel_scene_copy(luxel_arrangement_scene(found, layout))))) < 0)
+        if (append(list, Py_BuildValue("((II)(dd)ddNNN)", layout->n[0], layout->n[1], layout->spacing_mm[0],
+                                       layout->spacing_mm[1], layout->dimming, layout->reserve, limits_of(layout),
+                                       scene_handle(module, luxel_scene_copy(luxel_arrangement_scene(found, layout))),
+                                       numbers_of(found, layout))) < 0)
             Py_CLEAR(list);
     }
     return list;
 }
 
-/* arrange(scene, goals, (light, dims, is_even, most), settings): the light, what was found, what was missed, how many
- * were tried. */
+/* arrange(scene, goals, keys, (light, dims, is_even, most), settings): the light, what was found, what was missed, how
+ * many were tried. */
 static PyObject *arrange(PyObject *module, PyObject *arguments)
 {
-    PyObject *handle, *list, *settings, *result = NULL;
+    PyObject *handle, *list, *key_list, *settings, *result = NULL;
     luxel_arranging wanted = {.goals = NULL};
     int dims, even;
     struct work work;
     luxel_arrangement *found = NULL;
     luxel_diagnostics *diagnostics;
     const luxel_scene *scene;
-    const char **goals;
+    const char **goals, **keys = NULL;
 
-    if (!PyArg_ParseTuple(arguments, "OO(zppI)O", &handle, &list, &wanted.light, &dims, &even, &wanted.most,
+    if (!PyArg_ParseTuple(arguments, "OOO(zppI)O", &handle, &list, &key_list, &wanted.light, &dims, &even, &wanted.most,
                           &settings) ||
         !(scene = scene_of(module, handle)) || !(goals = keys_of(list, &wanted.goal_count)))
         return NULL;
+    if (!(keys = keys_of(key_list, &wanted.key_count))) {
+        PyMem_Free(goals);
+        return NULL;
+    }
     wanted.goals = goals;
+    wanted.keys = keys;
     wanted.dims = dims;
     wanted.is_even = even;
     if (!work_begin(&work, settings) || !(diagnostics = diagnostics_begin())) {
         PyMem_Free(goals);
+        PyMem_Free(keys);
         return NULL;
     }
     work_leave(&work);
@@ -66,6 +87,7 @@ static PyObject *arrange(PyObject *module, PyObject *arguments)
 
     work_return(&work);
     PyMem_Free(goals);
+    PyMem_Free(keys);
     if (diagnostics_end(&module_state(module)->language, status, diagnostics))
         result =
             Py_BuildValue("(nNNInn)", (Py_ssize_t)found->light, layouts_list(module, found, found->found, found->count),
@@ -77,7 +99,8 @@ static PyObject *arrange(PyObject *module, PyObject *arguments)
 
 const PyMethodDef arrange_functions[] = {
     FUNCTION("arrange", arrange, METH_VARARGS,
-             "scene: SceneHandle, goals: List[str], how: Tuple[Optional[str], bool, bool, int], settings: _Settings, /",
+             "scene: SceneHandle, goals: List[str], keys: List[str], how: Tuple[Optional[str], bool, bool, int], "
+             "settings: _Settings, /",
              "Tuple[Any, ...]"),
     {NULL, NULL, 0, NULL},
 };

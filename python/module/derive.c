@@ -119,6 +119,19 @@ static void write_all(const struct strided *arrays, const luxel_derivatives *fou
     }
 }
 
+static luxel_status derive_cells(const luxel_scene *scene, const struct strided *arrays, size_t grid,
+                                 const char *const *keys, size_t count, struct work *work,
+                                 luxel_diagnostics *diagnostics)
+{
+    luxel_derivatives *found = NULL;
+    const luxel_status status = luxel_derive_grid(scene, &work->settings, grid, keys, count, diagnostics, &found);
+
+    if (status == LUXEL_OK)
+        write_all(arrays, found, count);
+    luxel_derivatives_free(found);
+    return status;
+}
+
 static luxel_status derive_all(const luxel_scene *scene, const struct strided *arrays, size_t surface,
                                const char *const *keys, size_t count, struct work *work, luxel_diagnostics *diagnostics)
 {
@@ -139,7 +152,7 @@ static luxel_status derive_all(const luxel_scene *scene, const struct strided *a
 static PyObject *derive(PyObject *module, PyObject *arguments)
 {
     PyObject *handle, *tuple, *list, *settings;
-    Py_ssize_t surface;
+    Py_ssize_t surface, grid;
     struct strided arrays[ARRAYS] = {{.is_held = false}};
     struct work work;
     const luxel_scene *scene;
@@ -148,7 +161,7 @@ static PyObject *derive(PyObject *module, PyObject *arguments)
     const char **keys;
     size_t count;
 
-    if (!PyArg_ParseTuple(arguments, "OOOnO", &handle, &list, &tuple, &surface, &settings) ||
+    if (!PyArg_ParseTuple(arguments, "OOOnnO", &handle, &list, &tuple, &surface, &grid, &settings) ||
         !(scene = scene_of(module, handle)) || !(keys = keys_of(list, &count)))
         return NULL;
     if (!work_begin(&work, settings) || !(diagnostics = diagnostics_begin())) {
@@ -157,7 +170,8 @@ static PyObject *derive(PyObject *module, PyObject *arguments)
     }
     if (take(tuple, arrays)) {
         work_leave(&work);
-        status = derive_all(scene, arrays, (size_t)surface, keys, count, &work, diagnostics);
+        status = grid < 0 ? derive_all(scene, arrays, (size_t)surface, keys, count, &work, diagnostics)
+                          : derive_cells(scene, arrays, (size_t)grid, keys, count, &work, diagnostics);
         work_return(&work);
     }
     release(arrays);
@@ -168,7 +182,8 @@ static PyObject *derive(PyObject *module, PyObject *arguments)
 const PyMethodDef derive_functions[] = {
     FUNCTION("derive_numbers", derive_numbers, METH_VARARGS, "scene: SceneHandle, keys: List[str], /", "List[int]"),
     FUNCTION("derive", derive, METH_VARARGS,
-             "scene: SceneHandle, keys: List[str], arrays: Tuple[Any, ...], surface: int, settings: _Settings, /",
+             "scene: SceneHandle, keys: List[str], arrays: Tuple[Any, ...], surface: int, grid: int, "
+             "settings: _Settings, /",
              "None"),
     {NULL, NULL, 0, NULL},
 };

@@ -47,11 +47,10 @@ static PyObject *alternatives_list(struct language *language, const luxel_altern
     for (size_t i = 0; list && i < count; i++) {
         const luxel_alternative *one = &alternatives[i];
 
-        if (append(list,
-                   Py_BuildValue("(NNNNONN)", words(language, one->convention), words(language, one->choice),
-                                 words(language, one->meaning), text_or_none(one->assignment),
-                                 one->is_present ? Py_True : Py_False, number_or_none(one->has_value, one->value),
-                                 number_or_none(one->has_value, one->error))) < 0)
+        if (append(list, Py_BuildValue("(NNNNONN)", words(language, one->convention), words(language, one->choice),
+                                       words(language, one->meaning), text_or_none(one->assignment),
+                                       one->is_present ? Py_True : Py_False, number_or_none(one->has_value, one->value),
+                                       number_or_none(one->has_value, one->error))) < 0)
             Py_CLEAR(list);
     }
     return list;

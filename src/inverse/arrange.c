@@ -2,6 +2,7 @@
 /* Layouts of luminaires: which light, by rising numbers of them, and what is computed of those that come near. */
 #include <luxel/arrange.h>
 
+#include <limits.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -14,7 +15,7 @@
 #include "../light/array.h"
 #include "../parameter/decode.h"
 #include "../scene/lit.h"
-#include "layouts.h"
+#include "tuning.h"
 
 enum {
     MOST_IN_A_LINE = 1000,
@@ -26,51 +27,20 @@ enum {
 };
 /* Sums come so near to what is computed; where light is reflected, by what another array has told. */
 static const double NEAR = 0.995, NEAR_REFLECTED = 0.96;
-/* The error of reflected light that decides most tries. */
-static const double COARSE = 0.01;
 /* Rows and columns as far apart as each other, up to this factor, where they are even. */
 static const double MOST_UNEVEN = 2;
 
-/* A layout whose scene was computed. */
-struct computed {
-    luxel_layout layout;
-    luxel_scene *scene;
-    bool grids_pass; /* the limits of grids are kept, whatever observers say */
-};
-
-struct own_arrangement {
-    luxel_arrangement arrangement; /* first, so that its address is that of the whole */
-    luxel_scene *goals;
-    struct computed *computed;    /* as they were found */
-    luxel_layout *found, *missed; /* copies of these layouts */
-};
-
-struct arranging {
-    const luxel_arranging *wanted;
-    luxel_settings settings;
-    luxel_diagnostics *diagnostics;
-    luxel_progress progress;
-    void *progress_data;
-    double done;
-    struct own_arrangement *made;
-    struct lx_superposition superposition;
-    size_t capacity, found;       /* how many computed ones reach the goals */
-    struct lx_lamp_layout *tried; /* the best spacings of each array */
-    size_t tried_capacity;
-    bool reflects;
-    double near; /* arrays whose sums come to so much of the goals are computed */
-    double *values, *room;
-};
-
 void luxel_arrangement_free(luxel_arrangement *arrangement)
 {
-    struct own_arrangement *own = (struct own_arrangement *)(void *)arrangement;
+    struct lx_own_arrangement *own = (struct lx_own_arrangement *)(void *)arrangement;
     if (!own)
         return;
-    for (size_t i = 0; i < arrangement->computed; i++) {
-        free((luxel_layout_limit *)own->computed[i].layout.limits);
-        luxel_scene_free(own->computed[i].scene);
-    }
+    for (size_t i = 0; i < arrangement->computed; i++)
+        lx_computed_clear(&own->computed[i]);
+    for (size_t i = 0; own->names && i < arrangement->number_count; i++)
+        free(own->names[i]);
+    free(own->names);
+    free(own->units);
     free(own->computed);
     free(own->found);
     free(own->missed);
@@ -80,7 +50,7 @@ void luxel_arrangement_free(luxel_arrangement *arrangement)
 
 const luxel_scene *luxel_arrangement_scene(const luxel_arrangement *arrangement, const luxel_layout *layout)
 {
-    const struct own_arrangement *own = (const struct own_arrangement *)(const void *)arrangement;
+    const struct lx_own_arrangement *own = (const struct lx_own_arrangement *)(const void *)arrangement;
     for (size_t i = 0; own && layout && i < arrangement->computed; i++)
         if (own->computed[i].layout.limits == layout->limits)
             return own->computed[i].scene;
@@ -90,13 +60,8 @@ const luxel_scene *luxel_arrangement_scene(const luxel_arrangement *arrangement,
 /* How far the work is nobody knows: each part of it takes a share of what is left. */
 static bool tell_progress(double share, void *data)
 {
-    const struct arranging *arranging = data;
+    const struct lx_arranging *arranging = data;
     return arranging->progress(arranging->done + share * (1 - arranging->done) / 8, arranging->progress_data);
-}
-
-static void end_part(struct arranging *arranging)
-{
-    arranging->done += (1 - arranging->done) / 8;
 }
 
 /* ---- which light ---- */
@@ -172,105 +137,47 @@ static luxel_status dim(luxel_scene *scene, size_t light, double dimming, luxel_
     return status;
 }
 
-static luxel_status judge_observers(struct arranging *arranging, const luxel_scene *scene,
-                                    const luxel_settings *settings, luxel_layout *told, luxel_layout_limit *limits)
-{
-    luxel_status status = LUXEL_OK;
-    for (size_t i = 0; i < luxel_scene_observer_count(scene) && status == LUXEL_OK; i++) {
-        luxel_limit judged[LUXEL_MOST_LIMITS];
-        luxel_glare_sight sight;
-        luxel_glare *glare = NULL;
-        size_t count = 0;
-        luxel_judge_glare(scene, i, &(luxel_glare){.has_rating = false}, judged, &count);
-        if (count == 0) /* it has no limit */
-            continue;
-        luxel_scene_observer(scene, i, NULL, &sight);
-        status = luxel_find_glare(scene, settings, &sight, arranging->diagnostics, &glare);
-        if (status == LUXEL_OK)
-            status = luxel_judge_glare(scene, i, glare, judged, &count);
-        for (size_t k = 0; status == LUXEL_OK && k < count; k++)
-            limits[told->limit_count++] = (luxel_layout_limit){.is_observer = true, .index = i, .limit = judged[k]};
-        luxel_glare_free(glare);
-    }
-    return status;
-}
-
-/* Computes the limits of a layout's scene; `limits` has room for all. */
-static luxel_status judge_scene(struct arranging *arranging, const luxel_scene *scene, const luxel_settings *settings,
-                                luxel_layout *told, luxel_layout_limit *limits, bool *grids_pass)
-{
-    told->limit_count = 0;
-    luxel_status status =
-        lx_measure_goals(&arranging->superposition, scene, settings, arranging->values, limits, &told->limit_count);
-    if (status == LUXEL_OK)
-        status = judge_observers(arranging, scene, settings, told, limits);
-    told->reaches = true;
-    *grids_pass = true;
-    told->is_undecided = false;
-    told->reserve = HUGE_VAL;
-    for (size_t i = 0; i < told->limit_count; i++) {
-        told->reaches = told->reaches && limits[i].limit.verdict == LUXEL_PASS;
-        *grids_pass = *grids_pass && (limits[i].is_observer || limits[i].limit.verdict == LUXEL_PASS);
-        told->is_undecided = told->is_undecided || limits[i].limit.verdict == LUXEL_UNDECIDED;
-        told->reserve = fmin(told->reserve, lx_goal_reserve_of(&limits[i].limit));
-    }
-    end_part(arranging);
-    return status;
-}
-
-/* Computes the scene of a layout, as well as it takes to decide, and corrects the sums by it. */
-static luxel_status compute(struct arranging *arranging, const struct lx_lamp_layout *layout, struct computed *computed)
+/* Computes the scene of a layout with that error of reflected light, and corrects the sums by it. */
+static luxel_status compute(struct lx_arranging *arranging, const struct lx_lamp_layout *layout, double reflected_error,
+                            struct lx_computed *computed)
 {
     struct lx_superposition *superposition = &arranging->superposition;
-    const luxel_scene *goals = arranging->made->goals;
-    luxel_diagnostics *diagnostics = arranging->diagnostics;
     luxel_layout *told = &computed->layout;
-    const size_t most = luxel_scene_grid_count(goals) * LX_GRID_LIMITS + luxel_scene_observer_count(goals) + 1;
-    luxel_layout_limit *limits = lx_new_array(most, sizeof *limits);
-    luxel_settings coarse = arranging->settings;
-    told->limits = limits;
-    computed->scene = luxel_scene_copy(goals);
-    if (!limits || !computed->scene)
-        return lx_out_of_memory(diagnostics);
+    computed->scene = luxel_scene_copy(arranging->made->goals);
+    if (!computed->scene)
+        return lx_out_of_memory(arranging->diagnostics);
     memcpy(told->n, layout->array.n, sizeof told->n);
     memcpy(told->spacing_mm, layout->array.spacing_mm, sizeof told->spacing_mm);
     told->dimming = layout->dimming;
-    luxel_status status = dim(computed->scene, superposition->light, layout->dimming, diagnostics);
+    luxel_status status = dim(computed->scene, superposition->light, layout->dimming, arranging->diagnostics);
     if (status == LUXEL_OK)
-        status = lx_array_set(computed->scene, superposition->light, &layout->array, diagnostics);
-    /* one solution for all that is asked */
-    coarse.share_reflected = arranging->reflects;
-    coarse.reflected_error = fmax(coarse.reflected_error, COARSE);
+        status = lx_array_set(computed->scene, superposition->light, &layout->array, arranging->diagnostics);
     if (status == LUXEL_OK)
-        status = judge_scene(arranging, computed->scene, &coarse, told, limits, &computed->grids_pass);
-    if (status == LUXEL_OK && arranging->reflects && told->is_undecided)
-        status = judge_scene(arranging, computed->scene, &arranging->settings, told, limits, &computed->grids_pass);
+        status = lx_judge_layout(arranging, reflected_error, computed);
     if (status == LUXEL_OK)
         lx_superposition_learn(superposition, &layout->array, layout->dimming, arranging->values);
     return status;
 }
 
 /* Computes a layout and keeps it. */
-static luxel_status keep(struct arranging *arranging, const struct lx_lamp_layout *layout, struct computed **kept)
+static luxel_status keep(struct lx_arranging *arranging, const struct lx_lamp_layout *layout, struct lx_computed **kept)
 {
-    struct own_arrangement *made = arranging->made;
+    struct lx_own_arrangement *made = arranging->made;
     const size_t count = made->arrangement.computed;
     if (lx_reserve(&made->computed, &arranging->capacity, count + 1, sizeof *made->computed) != 0)
         return lx_out_of_memory(arranging->diagnostics);
     *kept = &made->computed[count];
-    **kept = (struct computed){.scene = NULL};
+    **kept = (struct lx_computed){.scene = NULL};
     made->arrangement.computed++;
-    const luxel_status status = compute(arranging, layout, *kept);
+    const luxel_status status = compute(arranging, layout, LX_COARSE, *kept);
     arranging->found += status == LUXEL_OK && (*kept)->layout.reaches;
     return status;
 }
 
 /* Forgets what was computed last. */
-static void drop_last(struct arranging *arranging)
+static void drop_last(struct lx_arranging *arranging)
 {
-    struct computed *last = &arranging->made->computed[--arranging->made->arrangement.computed];
-    free((luxel_layout_limit *)last->layout.limits);
-    luxel_scene_free(last->scene);
+    lx_computed_clear(&arranging->made->computed[--arranging->made->arrangement.computed]);
 }
 
 static bool is_same(const struct lx_lamp_layout *a, const struct lx_lamp_layout *b)
@@ -279,7 +186,7 @@ static bool is_same(const struct lx_lamp_layout *a, const struct lx_lamp_layout 
            a->dimming == b->dimming;
 }
 
-static struct lx_lamp_layout find_again(struct arranging *arranging, const struct lx_lamp_layout *layout)
+static struct lx_lamp_layout find_again(struct lx_arranging *arranging, const struct lx_lamp_layout *layout)
 {
     return lx_layout_find(&arranging->superposition, arranging->wanted, layout->array.n[0], layout->array.n[1],
                           arranging->room);
@@ -296,13 +203,13 @@ static void add_light(const luxel_layout *layout, struct lx_lamp_layout *other)
 }
 
 /* Where observers alone are in the way: spacings half of which are left to the walls spread the luminaires farther. */
-static luxel_status try_even(struct arranging *arranging, const struct lx_lamp_layout *layout)
+static luxel_status try_even(struct lx_arranging *arranging, const struct lx_lamp_layout *layout)
 {
     luxel_arranging even = *arranging->wanted;
     even.is_even = true;
     const struct lx_lamp_layout other =
         lx_layout_find(&arranging->superposition, &even, layout->array.n[0], layout->array.n[1], arranging->room);
-    struct computed *computed;
+    struct lx_computed *computed;
     if (other.reserve < 1 || is_same(&other, layout))
         return LUXEL_OK;
     const luxel_status status = keep(arranging, &other, &computed);
@@ -315,10 +222,10 @@ static luxel_status try_even(struct arranging *arranging, const struct lx_lamp_l
  * Computes an array with the spacings that are best as far as is known, and anew with what was learned by that, as long
  * as its grids may then keep their limits.  Observers do not decide on spacings.
  */
-static luxel_status consider(struct arranging *arranging, struct lx_lamp_layout *layout)
+static luxel_status consider(struct lx_arranging *arranging, struct lx_lamp_layout *layout)
 {
     for (int i = 0; i < TRIES; i++) {
-        struct computed *computed;
+        struct lx_computed *computed;
         const luxel_status status = keep(arranging, layout, &computed);
         if (status == LUXEL_OK && computed->grids_pass && !computed->layout.reaches)
             return try_even(arranging, layout);
@@ -363,7 +270,7 @@ static int compare_scores(const void *a, const void *b)
 }
 
 /* Tries all arrays of so many luminaires; those that come near are computed, best first. */
-static luxel_status try_count(struct arranging *arranging, unsigned count)
+static luxel_status try_count(struct lx_arranging *arranging, unsigned count)
 {
     luxel_arrangement *arrangement = &arranging->made->arrangement;
     const size_t first = arrangement->tried;
@@ -394,22 +301,21 @@ static luxel_status try_count(struct arranging *arranging, unsigned count)
 }
 
 /* What reflected light adds, by an array that is none too bad: how many luminaires there are matters little to it. */
-static luxel_status learn_reflected(struct arranging *arranging)
+static luxel_status learn_reflected(struct lx_arranging *arranging)
 {
     struct lx_superposition *superposition = &arranging->superposition;
-    struct computed computed = {.scene = NULL};
+    struct lx_computed computed = {.scene = NULL};
     struct lx_lamp_layout layout = {.dimming = 1};
     for (int i = 0; i < 2; i++) {
         layout.array.n[i] = 1 + (2 * superposition->least_mm[i] < superposition->half_mm[i]);
         layout.array.spacing_mm[i] = fmax(superposition->wall_mm[i], 1);
     }
-    const luxel_status status = compute(arranging, &layout, &computed);
-    free((luxel_layout_limit *)computed.layout.limits);
-    luxel_scene_free(computed.scene);
+    const luxel_status status = compute(arranging, &layout, LX_ROUGH, &computed);
+    lx_computed_clear(&computed);
     return status;
 }
 
-static luxel_status search(struct arranging *arranging)
+static luxel_status search(struct lx_arranging *arranging)
 {
     const unsigned most = arranging->wanted->most > 0 ? arranging->wanted->most : LUXEL_MOST_ARRANGED;
     luxel_arrangement *arrangement = &arranging->made->arrangement;
@@ -419,13 +325,17 @@ static luxel_status search(struct arranging *arranging)
     if (!isfinite(fewest))
         return lx_refuse(arranging->diagnostics, LX_MSG_ARRANGE_DARK, NULL);
     /* what is reflected is known from one array, and none sends more of it to a grid by this much */
-    arrangement->fewest = (unsigned)fmin(fmax(ceil(fewest * (arranging->reflects ? 0.9 : 0.9999)), 1), most);
-    unsigned last = most;
+    arrangement->fewest = (unsigned)fmin(fmax(ceil(fewest * (arranging->reflects ? 0.9 : 0.9999)), 1), UINT_MAX / 2);
+    unsigned below = arrangement->fewest, last = most;
+    /* what there is below, so that something smaller can be told */
+    while (below > 1 && below <= most && arrangement->tried == 0 && status == LUXEL_OK)
+        status = try_count(arranging, --below);
     for (unsigned count = arrangement->fewest; count <= last && status == LUXEL_OK; count++) {
         const bool is_first = arranging->found == 0;
         status = try_count(arranging, count);
+        /* of even arrays more light is nothing but more luminaires */
         if (is_first && arranging->found > 0)
-            last = count + 2 < most ? count + 2 : most;
+            last = arranging->wanted->is_even ? count : count + 2 < most ? count + 2 : most;
         if (arrangement->computed >= MOST_COMPUTED)
             break;
     }
@@ -434,9 +344,9 @@ static luxel_status search(struct arranging *arranging)
 
 /* ---- what is told ---- */
 
-static bool is_computed(const struct arranging *arranging, const struct lx_lamp_layout *layout)
+static bool is_computed(const struct lx_arranging *arranging, const struct lx_lamp_layout *layout)
 {
-    const struct own_arrangement *made = arranging->made;
+    const struct lx_own_arrangement *made = arranging->made;
     for (size_t i = 0; i < made->arrangement.computed; i++)
         if (memcmp(made->computed[i].layout.n, layout->array.n, sizeof layout->array.n) == 0)
             return true;
@@ -444,9 +354,9 @@ static bool is_computed(const struct arranging *arranging, const struct lx_lamp_
 }
 
 /* Computes the nearest of the arrays that are smaller than those found. */
-static luxel_status compute_missed(struct arranging *arranging)
+static luxel_status compute_missed(struct lx_arranging *arranging)
 {
-    const struct own_arrangement *made = arranging->made;
+    const struct lx_own_arrangement *made = arranging->made;
     luxel_status status = LUXEL_OK;
     unsigned smallest = ~0u;
     size_t told = 0;
@@ -454,9 +364,9 @@ static luxel_status compute_missed(struct arranging *arranging)
         if (made->computed[i].layout.reaches && number_of(made->computed[i].layout.n) < smallest)
             smallest = number_of(made->computed[i].layout.n);
     qsort(arranging->tried, made->arrangement.tried, sizeof *arranging->tried, compare_scores);
-    const size_t most = arranging->reflects ? MOST_TOLD_SLOW : MOST_TOLD;
+    const size_t most = !arranging->reflects ? MOST_TOLD : arranging->wanted->is_even ? 1 : MOST_TOLD_SLOW;
     for (size_t i = 0; i < made->arrangement.tried && told < most && status == LUXEL_OK; i++) {
-        struct computed *computed;
+        struct lx_computed *computed;
         if (number_of(arranging->tried[i].array.n) >= smallest)
             continue;
         told++;
@@ -484,11 +394,11 @@ static int compare_found(const void *a, const void *b)
     return compare_missed(a, b);
 }
 
-static luxel_status tell(struct arranging *arranging)
+static luxel_status tell(struct lx_arranging *arranging)
 {
-    struct own_arrangement *made = arranging->made;
+    struct lx_own_arrangement *made = arranging->made;
     luxel_arrangement *arrangement = &made->arrangement;
-    luxel_status status = compute_missed(arranging);
+    luxel_status status = arranging->wanted->key_count > 0 ? LUXEL_OK : compute_missed(arranging);
     made->found = lx_new_array(arrangement->computed + 1, sizeof *made->found);
     made->missed = lx_new_array(arrangement->computed + 1, sizeof *made->missed);
     if (status != LUXEL_OK || !made->found || !made->missed)
@@ -509,36 +419,43 @@ static luxel_status tell(struct arranging *arranging)
     return LUXEL_OK;
 }
 
-static luxel_status begin(struct arranging *arranging, const luxel_scene *scene)
+static luxel_status begin(struct lx_arranging *arranging, const luxel_scene *scene)
 {
     luxel_diagnostics *diagnostics = arranging->diagnostics;
     size_t *light = &arranging->made->arrangement.light;
+    const bool tunes = arranging->wanted->key_count > 0;
     bool *on = lx_lights_on(lx_scene_parameters(scene), &arranging->settings);
-    luxel_status status = on ? find_light(lx_scene_parameters(scene), on, arranging->wanted->light, diagnostics, light)
-                             : lx_out_of_memory(diagnostics);
+    luxel_status status = on ? LUXEL_OK : lx_out_of_memory(diagnostics);
+    if (on && tunes)
+        *light = SIZE_MAX;
+    else if (on)
+        status = find_light(lx_scene_parameters(scene), on, arranging->wanted->light, diagnostics, light);
     free(on);
     const luxel_status goals = lx_goals_set(scene, arranging->wanted, diagnostics, &arranging->made->goals);
     if (status == LUXEL_OK)
         status = goals;
     if (status == LUXEL_OK)
-        status = lx_superposition_make(arranging->made->goals, &arranging->settings, *light, diagnostics,
-                                       &arranging->superposition);
+        status = tunes ? lx_superposition_list(arranging->made->goals, &arranging->settings, diagnostics,
+                                               &arranging->superposition)
+                       : lx_superposition_make(arranging->made->goals, &arranging->settings, *light, diagnostics,
+                                               &arranging->superposition);
     arranging->reflects = lx_wants_reflections(lx_scene_parameters(scene));
     arranging->values = lx_new_array(arranging->superposition.cells + 1, sizeof *arranging->values);
     arranging->room = lx_new_array(arranging->superposition.cells + 1, sizeof *arranging->room);
-    end_part(arranging);
+    lx_end_part(arranging);
     return status != LUXEL_OK || (arranging->values && arranging->room) ? status : lx_out_of_memory(diagnostics);
 }
 
 luxel_status luxel_arrange(const luxel_scene *scene, const luxel_settings *settings, const luxel_arranging *wanted,
                            luxel_diagnostics *diagnostics, luxel_arrangement **arrangement)
 {
-    if (!scene || !wanted || !arrangement || (!wanted->goals && wanted->goal_count > 0))
+    if (!scene || !wanted || !arrangement || (!wanted->goals && wanted->goal_count > 0) ||
+        (!wanted->keys && wanted->key_count > 0))
         return LUXEL_ERROR_ARGUMENT;
     *arrangement = NULL;
     if (!luxel_scene_is_committed(scene))
         return lx_refuse(diagnostics, LX_MSG_NOT_COMMITTED, NULL);
-    struct arranging arranging = {.wanted = wanted, .diagnostics = diagnostics};
+    struct lx_arranging arranging = {.wanted = wanted, .diagnostics = diagnostics};
     luxel_status status = LX_CHECK_RESERVE(wanted, diagnostics);
     if (status != LUXEL_OK)
         return status;
@@ -554,7 +471,7 @@ luxel_status luxel_arrange(const luxel_scene *scene, const luxel_settings *setti
     arranging.made = lx_new_array(1, sizeof *arranging.made);
     status = arranging.made ? begin(&arranging, scene) : lx_out_of_memory(diagnostics);
     if (status == LUXEL_OK)
-        status = search(&arranging);
+        status = wanted->key_count > 0 ? lx_tune(&arranging) : search(&arranging);
     if (status == LUXEL_OK)
         status = tell(&arranging);
     lx_superposition_clear(&arranging.superposition);

@@ -2,8 +2,10 @@
 /* Derivatives of exact values by numbers of the scene, from values of changed copies of it. */
 #include <luxel/derive.h>
 
+#include <float.h>
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "../base/diagnostics.h"
 #include "../base/memory.h"
@@ -25,11 +27,15 @@ struct luxel_derivatives {
     luxel_derivative *list;   /* number_count of each place */
 };
 
-/* A number of a key, and the scenes that it was changed for so far: all places share them. */
+/* What is so near, by the size of the number, counts as touching (a lamp in a ceiling): steps below tell
+ * nothing of the scene. */
+static const double LEAST_STEP = 1e-9;
+
+/* A number of one of a key's values, and the scenes that it was changed for so far: all places share them. */
 struct number {
     const struct lx_key *key;
-    size_t index; /* among the numbers of all keys */
-    double first; /* the first step, so far as it is legal */
+    size_t target, index; /* which value, and among the numbers of all keys */
+    double at, first;     /* what it is; the first step, so far as it is legal */
     bool is_one_sided;
     struct lx_prober sides[MOST_ROWS][2];
 };
@@ -37,7 +43,8 @@ struct number {
 struct derivation {
     const luxel_scene *scene;
     luxel_settings settings;
-    const luxel_place *places;
+    const luxel_place *places; /* NULL: they are the cells of a grid */
+    size_t grid;
     luxel_derivatives *made;
     luxel_diagnostics *diagnostics;
     luxel_progress progress;
@@ -45,9 +52,8 @@ struct derivation {
     size_t done;        /* values that were found, */
     double of_all;      /* of so many, as far as can be told */
     size_t part;        /* places at once */
-    double *numbers;    /* of all keys */
-    size_t *open;       /* which places of a part are not done, */
-    luxel_place *asked; /* these places, */
+    size_t *open;       /* which places are not done of a part, */
+    luxel_place *asked; /* these places, where they are no cells, */
     struct lx_probed *found[2];
     struct lx_differences *differences;
 };
@@ -62,23 +68,18 @@ static bool tell_progress(double share, void *data)
 /* ---- steps ---- */
 
 /* A step as it is taken: what was stepped to has no rounding of its own.  0: it is too small. */
-static double step_of(const struct derivation *derivation, const struct number *number, unsigned row)
+static double step_of(const struct number *number, unsigned row)
 {
-    const double at = derivation->numbers[number->index], step = ldexp(number->first, -(int)row);
-    const volatile double end = at + step;
-    return end - at;
+    const volatile double end = number->at + ldexp(number->first, -(int)row);
+    return end - number->at;
 }
 
 /* The scene that is changed by so much; LUXEL_ERROR_SCENE: there is none, which is told where diagnostics are given. */
 static luxel_status change_scene(const struct derivation *derivation, const struct number *number, double change,
                                  luxel_diagnostics *diagnostics, luxel_scene **changed)
 {
-    const double at = derivation->numbers[number->index];
-    derivation->numbers[number->index] = at + change;
-    const luxel_status status =
-        lx_keys_change(derivation->scene, &derivation->made->keys, derivation->numbers, diagnostics, changed);
-    derivation->numbers[number->index] = at;
-    return status;
+    return lx_key_shift(derivation->scene, number->key, number->target, number->index - number->key->offset, change,
+                        diagnostics, changed);
 }
 
 static bool is_legal(const struct derivation *derivation, const struct number *number, double change)
@@ -93,7 +94,7 @@ static bool is_legal(const struct derivation *derivation, const struct number *n
  * reported: no step is. */
 static luxel_status find_steps(const struct derivation *derivation, struct number *number)
 {
-    const double widest = number->key->scale * 0.05;
+    const double widest = number->key->targets[number->target].scale * 0.05;
     bool up = false, down = false;
     number->first = widest;
     for (int i = 0; i < MOST_HALVINGS; i++, number->first /= 2.0) {
@@ -113,25 +114,35 @@ static luxel_status find_steps(const struct derivation *derivation, struct numbe
     return change_scene(derivation, number, widest, derivation->diagnostics, &scene);
 }
 
-/* The values at the places asked for with the key's number changed to one side of a row. */
+static luxel_status open_prober(const struct derivation *derivation, luxel_scene *scene, struct lx_prober *prober)
+{
+    if (derivation->places)
+        return lx_prober_open(scene, &derivation->settings, derivation->diagnostics, prober);
+    return lx_prober_measure(scene, &derivation->settings, derivation->grid, derivation->made->place_count,
+                             derivation->diagnostics, prober);
+}
+
+/* The values at the open places of a part with the key's number changed to one side of a row. */
 static luxel_status probe_side(struct derivation *derivation, struct number *number, unsigned row, unsigned side,
-                               size_t count)
+                               size_t first, size_t count)
 {
     struct lx_prober *prober = &number->sides[row][side];
     if (!prober->scene) {
-        const double step = step_of(derivation, number, row);
+        const double step = step_of(number, row);
         luxel_scene *scene;
         luxel_status status =
             change_scene(derivation, number, side > 0 ? -step : step, derivation->diagnostics, &scene);
         if (status == LUXEL_OK)
-            status = lx_prober_open(scene, &derivation->settings, derivation->diagnostics, prober);
+            status = open_prober(derivation, scene, prober);
         if (status != LUXEL_OK)
             return status;
     }
-    const luxel_status status =
-        lx_prober_values(prober, derivation->asked, count, derivation->diagnostics, derivation->found[side]);
     derivation->done += count;
-    return status;
+    for (size_t i = 0; prober->cells && i < count; i++)
+        derivation->found[side][i] = prober->cells[first + derivation->open[i]];
+    return prober->cells
+               ? LUXEL_OK
+               : lx_prober_values(prober, derivation->asked, count, derivation->diagnostics, derivation->found[side]);
 }
 
 static void add_step(const struct derivation *derivation, const struct number *number, size_t i, double step,
@@ -148,6 +159,16 @@ static void add_step(const struct derivation *derivation, const struct number *n
         lx_differences_add(differences, step, values, errors);
 }
 
+/* Adds the derivative by one of several values that change alike; where there is none by one there is none. */
+static void add(luxel_derivative one, luxel_derivative *sum)
+{
+    const double before = sum->value;
+    sum->value += one.value;
+    sum->error += one.error + (before != 0 ? fabs(sum->value) * DBL_EPSILON : 0);
+    if (one.state > sum->state)
+        sum->state = one.state;
+}
+
 /* Takes steps at places from `first` on, at each until smaller ones tell no more. */
 static luxel_status derive_part(struct derivation *derivation, struct number *number, size_t first, size_t count)
 {
@@ -159,31 +180,34 @@ static luxel_status derive_part(struct derivation *derivation, struct number *nu
         derivation->differences[i].is_missing = !middle->exists;
     }
     for (unsigned row = 0; status == LUXEL_OK && row < MOST_ROWS; row++) {
-        const double step = step_of(derivation, number, row);
+        const double step = step_of(number, row);
         size_t open = 0;
         for (size_t i = 0; i < count; i++)
             if (!lx_differences_are_done(&derivation->differences[i])) {
-                derivation->open[open] = i;
-                derivation->asked[open++] = derivation->places[first + i];
+                if (derivation->places)
+                    derivation->asked[open] = derivation->places[first + i];
+                derivation->open[open++] = i;
             }
-        if (open == 0 || step == 0.0)
+        if (open == 0 || fabs(step) < LEAST_STEP * number->key->targets[number->target].scale)
             break;
-        status = probe_side(derivation, number, row, 0, open);
+        status = probe_side(derivation, number, row, 0, first, open);
         if (status == LUXEL_OK && !number->is_one_sided)
-            status = probe_side(derivation, number, row, 1, open);
+            status = probe_side(derivation, number, row, 1, first, open);
         for (size_t i = 0; status == LUXEL_OK && i < open; i++)
             add_step(derivation, number, i, step, &derivation->differences[derivation->open[i]]);
     }
     for (size_t i = 0; i < count; i++)
-        made->list[(first + i) * made->number_count + number->index] =
-            lx_differences_conclude(&derivation->differences[i]);
+        add(lx_differences_conclude(&derivation->differences[i]),
+            &made->list[(first + i) * made->number_count + number->index]);
     return status;
 }
 
-static luxel_status derive_number(struct derivation *derivation, size_t index)
+static luxel_status derive_number(struct derivation *derivation, size_t index, size_t target)
 {
     const size_t places = derivation->made->place_count;
-    struct number number = {.key = lx_keys_of(&derivation->made->keys, index), .index = index};
+    const struct lx_key *key = lx_keys_of(&derivation->made->keys, index);
+    struct number number = {
+        .key = key, .target = target, .index = index, .at = key->targets[target].numbers[index - key->offset]};
     luxel_status status = find_steps(derivation, &number);
     for (size_t first = 0; status == LUXEL_OK && first < places; first += derivation->part)
         status = derive_part(derivation, &number, first,
@@ -202,23 +226,17 @@ static bool make_room(struct derivation *derivation)
     const size_t part = derivation->part + 1;
     made->values = lx_new_array(made->place_count + 1, sizeof *made->values);
     made->list = lx_new_array(made->place_count * made->number_count + 1, sizeof *made->list);
-    derivation->numbers = lx_new_array(made->number_count + 1, sizeof *derivation->numbers);
     derivation->open = lx_new_array(part, sizeof *derivation->open);
     derivation->asked = lx_new_array(part, sizeof *derivation->asked);
     derivation->found[0] = lx_new_array(part, sizeof *derivation->found[0]);
     derivation->found[1] = lx_new_array(part, sizeof *derivation->found[1]);
     derivation->differences = lx_new_array(part, sizeof *derivation->differences);
-    for (size_t i = 0; derivation->numbers && i < made->number_count; i++) {
-        const struct lx_key *key = lx_keys_of(&made->keys, i);
-        derivation->numbers[i] = key->numbers[i - key->offset];
-    }
-    return made->values && made->list && derivation->numbers && derivation->open && derivation->asked &&
-           derivation->found[0] && derivation->found[1] && derivation->differences;
+    return made->values && made->list && derivation->open && derivation->asked && derivation->found[0] &&
+           derivation->found[1] && derivation->differences;
 }
 
 static void free_room(struct derivation *derivation)
 {
-    free(derivation->numbers);
     free(derivation->open);
     free(derivation->asked);
     free(derivation->found[0]);
@@ -240,8 +258,11 @@ static luxel_status find_values(struct derivation *derivation, const luxel_probe
     luxel_scene *copy = luxel_scene_copy(derivation->scene);
     if (!copy)
         return lx_out_of_memory(derivation->diagnostics);
-    luxel_status status = lx_prober_open(copy, &derivation->settings, derivation->diagnostics, &prober);
-    for (size_t first = 0; status == LUXEL_OK && first < made->place_count; first += derivation->part) {
+    luxel_status status = open_prober(derivation, copy, &prober);
+    if (status == LUXEL_OK && prober.cells)
+        memcpy(made->values, prober.cells, made->place_count * sizeof *made->values);
+    for (size_t first = 0; status == LUXEL_OK && !prober.cells && first < made->place_count;
+         first += derivation->part) {
         const size_t left = made->place_count - first, count = left < derivation->part ? left : derivation->part;
         status =
             lx_prober_values(&prober, &derivation->places[first], count, derivation->diagnostics, &made->values[first]);
@@ -255,14 +276,18 @@ static luxel_status derive_all(struct derivation *derivation, const luxel_probes
 {
     luxel_derivatives *made = derivation->made;
     luxel_status status = LUXEL_OK;
+    size_t numbers = 0; /* to be changed */
     derivation->part = made->place_count < PART || lx_prober_solves(derivation->scene) ? made->place_count : PART;
-    derivation->of_all = (double)(made->place_count * (1 + 12 * made->number_count) + 1);
+    for (size_t i = 0; i < made->keys.count; i++)
+        numbers += made->keys.list[i].count * made->keys.list[i].target_count;
+    derivation->of_all = (double)(made->place_count * (1 + 12 * numbers) + 1);
     if (!make_room(derivation))
         status = lx_out_of_memory(derivation->diagnostics);
     if (status == LUXEL_OK && made->place_count > 0)
         status = find_values(derivation, probes);
     for (size_t i = 0; status == LUXEL_OK && made->place_count > 0 && i < made->number_count; i++)
-        status = derive_number(derivation, i);
+        for (size_t t = 0; t < lx_keys_of(&made->keys, i)->target_count && status == LUXEL_OK; t++)
+            status = derive_number(derivation, i, t);
     free_room(derivation);
     return status;
 }
@@ -273,6 +298,41 @@ static bool is_any_seen(const luxel_place *places, size_t count)
         if (!places[i].is_element)
             return true;
     return false;
+}
+
+static luxel_status derive(struct derivation *derivation, const luxel_settings *settings, const luxel_probes *probes,
+                           size_t count, const char *const *keys, size_t key_count, luxel_derivatives **derivatives)
+{
+    if (settings)
+        derivation->settings = *settings;
+    else
+        luxel_settings_init(&derivation->settings);
+    derivation->progress = derivation->settings.progress;
+    derivation->progress_data = derivation->settings.progress_data;
+    if (derivation->progress)
+        derivation->settings.progress = tell_progress;
+    derivation->settings.progress_data = derivation;
+    derivation->settings.within = 0.0; /* what is differed by is the same each time */
+    derivation->settings.enough = NULL;
+    derivation->settings.skip_reflected_pixels = true;
+    if (derivation->settings.tolerance == 0.0)
+        derivation->settings.tolerance = 1e-11;
+    luxel_derivatives *made = derivation->made = lx_new_array(1, sizeof *made);
+    if (!made)
+        return lx_out_of_memory(derivation->diagnostics);
+    made->place_count = count;
+    luxel_status status = lx_keys_find(derivation->scene, keys, key_count, derivation->diagnostics, &made->keys);
+    made->number_count = made->keys.number_count;
+    if (status == LUXEL_OK && derivation->places && is_any_seen(derivation->places, count))
+        status = luxel_scene_check_view(derivation->scene, derivation->diagnostics);
+    if (status == LUXEL_OK)
+        status = derive_all(derivation, probes);
+    if (status != LUXEL_OK) {
+        luxel_derivatives_free(made);
+        return status;
+    }
+    *derivatives = made;
+    return LUXEL_OK;
 }
 
 luxel_status luxel_derive_places(const luxel_scene *scene, const luxel_settings *settings, const luxel_place *places,
@@ -286,36 +346,23 @@ luxel_status luxel_derive_places(const luxel_scene *scene, const luxel_settings 
     if (!luxel_scene_is_committed(scene))
         return lx_refuse(diagnostics, LX_MSG_NOT_COMMITTED, NULL);
     struct derivation derivation = {.scene = scene, .places = places, .diagnostics = diagnostics};
-    if (settings)
-        derivation.settings = *settings;
-    else
-        luxel_settings_init(&derivation.settings);
-    derivation.progress = derivation.settings.progress;
-    derivation.progress_data = derivation.settings.progress_data;
-    if (derivation.progress)
-        derivation.settings.progress = tell_progress;
-    derivation.settings.progress_data = &derivation;
-    derivation.settings.within = 0.0; /* what is differed by is the same each time */
-    derivation.settings.enough = NULL;
-    derivation.settings.skip_reflected_pixels = true;
-    if (derivation.settings.tolerance == 0.0)
-        derivation.settings.tolerance = 1e-11;
-    luxel_derivatives *made = derivation.made = lx_new_array(1, sizeof *made);
-    if (!made)
-        return lx_out_of_memory(diagnostics);
-    made->place_count = count;
-    luxel_status status = lx_keys_find(scene, keys, key_count, diagnostics, &made->keys);
-    made->number_count = made->keys.number_count;
-    if (status == LUXEL_OK && is_any_seen(places, count))
-        status = luxel_scene_check_view(scene, diagnostics);
-    if (status == LUXEL_OK)
-        status = derive_all(&derivation, probes);
-    if (status != LUXEL_OK) {
-        luxel_derivatives_free(made);
-        return status;
-    }
-    *derivatives = made;
-    return LUXEL_OK;
+    return derive(&derivation, settings, probes, count, keys, key_count, derivatives);
+}
+
+luxel_status luxel_derive_grid(const luxel_scene *scene, const luxel_settings *settings, size_t i,
+                               const char *const *keys, size_t key_count, luxel_diagnostics *diagnostics,
+                               luxel_derivatives **derivatives)
+{
+    unsigned columns, rows;
+    if (!scene || (!keys && key_count > 0) || !derivatives)
+        return LUXEL_ERROR_ARGUMENT;
+    *derivatives = NULL;
+    if (!luxel_scene_is_committed(scene))
+        return lx_refuse(diagnostics, LX_MSG_NOT_COMMITTED, NULL);
+    if (luxel_scene_grid_resolution(scene, i, &columns, &rows) != LUXEL_OK)
+        return LUXEL_ERROR_ARGUMENT;
+    struct derivation derivation = {.scene = scene, .grid = i, .diagnostics = diagnostics};
+    return derive(&derivation, settings, NULL, (size_t)columns * rows, keys, key_count, derivatives);
 }
 
 size_t luxel_derivatives_numbers(const luxel_derivatives *derivatives, size_t key)

@@ -19,8 +19,8 @@ static void add_row(struct lx_tableau *tableau, double value, double noise)
     const unsigned columns = tableau->rows + 1 < LX_EXTRAPOLATIONS ? tableau->rows + 1 : LX_EXTRAPOLATIONS;
     row[0] = value;
     noises[0] = noise;
-    for (unsigned j = 1; j < columns; j++) {
-        const double factor = ldexp(1.0, (int)(tableau->first + (j - 1) * tableau->step));
+    double factor = (double)(1u << tableau->first);
+    for (unsigned j = 1; j < columns; j++, factor *= (double)(1u << tableau->step)) {
         row[j] = row[j - 1] + (row[j - 1] - tableau->value[j - 1]) / (factor - 1.0);
         noises[j] = (factor * noises[j - 1] + tableau->noise[j - 1]) / (factor - 1.0) + fabs(row[j]) * 0x1p-50;
         const double error = 2.0 * spread(row, tableau->value, j) + noises[j];
@@ -74,7 +74,8 @@ bool lx_differences_are_done(const struct lx_differences *differences)
         return true;
     /* values along a line, from side to side, are done at once */
     const bool is_line = !differences->is_one_sided && slope->rows > 1 && fabs(gap->value[0]) <= gap->noise[0];
-    return (is_line || slope->rows >= FEWEST_ROWS) && slope->noise[0] >= slope->error;
+    /* half the step doubles what the function's errors make of the quotient, and more of what is extrapolated */
+    return (is_line || slope->rows >= FEWEST_ROWS) && 2.0 * slope->noise[0] >= slope->error;
 }
 
 luxel_derivative lx_differences_conclude(const struct lx_differences *differences)

@@ -79,19 +79,34 @@ static luxel_status check_how(const luxel_readings *readings, luxel_diagnostics 
     return LX_CHECK_RESERVE(readings, diagnostics);
 }
 
-/* No number is free twice. */
+/* Whether a value of one key is one of the other's, or has it as a component. */
+static bool are_both(const struct lx_key *key, const struct lx_key *other)
+{
+    for (size_t i = 0; i < key->target_count; i++)
+        for (size_t j = 0; j < other->target_count; j++) {
+            const size_t length = strlen(key->targets[i].path);
+            const char *path = other->targets[j].path;
+            if (strncmp(key->targets[i].path, path, length) == 0 && (path[length] == '[' || path[length] == '\0'))
+                return true;
+        }
+    return false;
+}
+
+/* No number is free twice, and elements of a list that are to have one number have one. */
 static luxel_status check_keys(const struct lx_keys *keys, luxel_diagnostics *diagnostics)
 {
     if (keys->count == 0)
         return lx_refuse(diagnostics, LX_MSG_FIT_NO_KEY, NULL);
-    for (size_t i = 0; i < keys->count; i++)
-        for (size_t j = 0; j < keys->count; j++) {
-            const size_t length = strlen(keys->list[i].path);
-            const char *other = keys->list[j].path;
-            if (i != j && strncmp(keys->list[i].path, other, length) == 0 &&
-                (other[length] == '[' || (other[length] == '\0' && i < j)))
-                return lx_refuse(diagnostics, LX_MSG_FIT_TWICE, LX_ARGS(keys->list[i].path, other));
-        }
+    for (size_t i = 0; i < keys->count; i++) {
+        const struct lx_key *key = &keys->list[i];
+        for (size_t j = 0; j < keys->count; j++)
+            if (i != j && are_both(key, &keys->list[j]))
+                return lx_refuse(diagnostics, LX_MSG_FIT_TWICE, LX_ARGS(key->path, keys->list[j].path));
+        for (size_t t = 1; t < key->target_count; t++)
+            if (memcmp(key->targets[t].numbers, key->targets[0].numbers, sizeof key->targets[0].numbers) != 0)
+                return lx_refuse(diagnostics, LX_MSG_FIT_DIFFERENT,
+                                 LX_ARGS(key->path, key->targets[0].path, key->targets[t].path));
+    }
     return LUXEL_OK;
 }
 
@@ -121,7 +136,8 @@ static luxel_status make_unknowns(struct lx_fit_problem *problem)
         return lx_out_of_memory(problem->diagnostics);
     for (size_t k = 0; k < problem->numbers; k++) {
         const struct lx_key *key = lx_keys_of(&problem->keys, k);
-        problem->scale[k] = key->is_length ? fmax(key->scale, key->legal.given ? 0.0 : extent) : key->scale;
+        problem->scale[k] =
+            key->is_length ? fmax(key->targets->scale, key->legal.given ? 0.0 : extent) : key->targets->scale;
         problem->low[k] = key->legal.given ? key->legal.low : -HUGE_VAL;
         problem->high[k] = key->legal.given ? key->legal.high : HUGE_VAL;
         if (key->legal.given && key->legal.low_open)

@@ -9,14 +9,21 @@
 
 enum { LX_MOST_NUMBERS = 8 }; /* that a key takes */
 
-/* A key and the numbers that it has in the scene. */
-struct lx_key {
+/* A value that a key is: its path, and the numbers that it has in the scene. */
+struct lx_target {
     char *path;
+    double numbers[LX_MOST_NUMBERS];
+    double scale; /* how large such a number is */
+};
+
+/* A key: one value, or with lights[*].intensity those of all elements of a list that have it, which change alike. */
+struct lx_key {
+    char *path;       /* as it was named */
     const char *unit; /* "" for none */
     bool is_list, is_length;
     size_t count, offset; /* its numbers, and the first of them among those of all keys */
-    double numbers[LX_MOST_NUMBERS];
-    double scale;             /* how large such a number is */
+    struct lx_target *targets;
+    size_t target_count;
     struct lx_interval legal; /* of each number */
 };
 
@@ -33,6 +40,11 @@ void lx_keys_clear(struct lx_keys *keys);
 /* The key that a number of all of them belongs to. */
 const struct lx_key *lx_keys_of(const struct lx_keys *keys, size_t number);
 
+/* Commits a copy of the scene in which number i of one of the key's values has changed so much.  LUXEL_ERROR_SCENE:
+ * there is no such scene. */
+luxel_status lx_key_shift(const luxel_scene *scene, const struct lx_key *key, size_t target, size_t i, double change,
+                          luxel_diagnostics *diagnostics, luxel_scene **changed);
+
 /* Commits a copy of the scene in which the keys have these numbers, number_count of them; what it has already is left
  * as it is written.  LUXEL_ERROR_SCENE: there is no such scene. */
 luxel_status lx_keys_change(const luxel_scene *scene, const struct lx_keys *keys, const double *numbers,
@@ -45,7 +57,8 @@ struct lx_changer {
     const luxel_scene *scene;
     const struct lx_keys *keys;
     luxel_scene *own;            /* the scene with other numbers */
-    struct lx_binding *bindings; /* of each key in it; NULL: it is made anew each time */
+    struct lx_binding *bindings; /* of each key's values in it; NULL: it is made anew each time */
+    size_t binding_count;
 };
 
 /* Clear it in any case. */

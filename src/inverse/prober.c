@@ -37,8 +37,25 @@ luxel_status lx_prober_open(luxel_scene *scene, const luxel_settings *settings, 
     return status;
 }
 
+luxel_status lx_prober_measure(luxel_scene *scene, const luxel_settings *settings, size_t i, size_t count,
+                               luxel_diagnostics *diagnostics, struct lx_prober *prober)
+{
+    luxel_grid *grid = NULL;
+    *prober = (struct lx_prober){.scene = scene, .own = scene, .cells = lx_new_array(count + 1, sizeof *prober->cells)};
+    luxel_status status =
+        prober->cells ? luxel_find_grid_values(scene, settings, i, diagnostics, &grid) : lx_out_of_memory(diagnostics);
+    const bool is_same = status == LUXEL_OK && (size_t)grid->columns * grid->rows == count;
+    for (size_t k = 0; is_same && k < count; k++)
+        prober->cells[k] = (struct lx_probed){grid->mask[k], grid->values[k], grid->errors[k]};
+    luxel_grid_free(grid);
+    if (status != LUXEL_OK)
+        lx_prober_close(prober);
+    return status;
+}
+
 void lx_prober_close(struct lx_prober *prober)
 {
+    free(prober->cells);
     luxel_evaluator_free(prober->evaluator);
     luxel_scene_free(prober->own);
     *prober = (struct lx_prober){.scene = NULL};

@@ -234,24 +234,23 @@ static bool is_prime(unsigned n)
     return true;
 }
 
-void lx_other_start(const struct lx_fit_problem *problem, unsigned i, double *unknowns)
+void lx_other_start(const struct lx_keys *keys, const double *lows, const double *highs, const double *scale,
+                    unsigned i, double *numbers)
 {
     unsigned base = 1;
-    for (size_t k = 0; k < problem->numbers; k++) {
-        const struct lx_key *key = lx_keys_of(&problem->keys, k);
-        const double at = key->numbers[k - key->offset], low = problem->low[k], high = problem->high[k];
+    for (size_t k = 0; k < keys->number_count; k++) {
+        const struct lx_key *key = lx_keys_of(keys, k);
+        const double at = key->targets->numbers[k - key->offset], low = lows[k], high = highs[k];
         while (!is_prime(++base))
             continue;
         const double share = radical_inverse(i, base);
         if (isfinite(low) && isfinite(high))
-            unknowns[k] = low + share * (high - low);
+            numbers[k] = low + share * (high - low);
         else if (isfinite(low) && at > low)
-            unknowns[k] = low + (at - low) * pow(4.0, 2.0 * share - 1.0);
+            numbers[k] = low + (at - low) * pow(4.0, 2.0 * share - 1.0);
         else if (isfinite(low))
-            unknowns[k] = low + share * problem->scale[k];
+            numbers[k] = low + share * scale[k];
         else
-            unknowns[k] = at + (2.0 * share - 1.0) * problem->scale[k];
+            numbers[k] = at + (2.0 * share - 1.0) * scale[k];
     }
-    if (problem->unknowns > problem->numbers)
-        unknowns[problem->numbers] = 1.0;
 }

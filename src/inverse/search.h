@@ -27,7 +27,8 @@ luxel_status lx_search(struct lx_fit_problem *problem, const struct lx_reading_s
                        struct lx_trial *found);
 
 /* The i-th start, from 1: numbers around those of the scene, always the same. */
-void lx_other_start(const struct lx_fit_problem *problem, unsigned i, double *unknowns);
+void lx_other_start(const struct lx_keys *keys, const double *lows, const double *highs, const double *scale,
+                    unsigned i, double *numbers);
 
 /* The factor that fits best where the rest stays as it is. */
 void lx_fit_factor(const struct lx_fit_problem *problem, const struct lx_reading_set *set, struct lx_trial *found);

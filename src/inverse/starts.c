@@ -103,10 +103,12 @@ luxel_status lx_starts_try(struct lx_fit_problem *problem, struct lx_starts *sta
         struct lx_trial *end = &starts->ends[starts->count++];
         if (!lx_trial_make(problem, starts->some.count, end))
             return lx_out_of_memory(problem->diagnostics);
-        lx_other_start(problem, i, end->unknowns);
+        lx_other_start(&problem->keys, problem->low, problem->high, problem->scale, i, end->unknowns);
+        if (problem->unknowns > problem->numbers)
+            end->unknowns[problem->numbers] = 1.0;
         for (size_t k = 0; i == 0 && k < problem->numbers; k++) {
             const struct lx_key *key = lx_keys_of(&problem->keys, k);
-            end->unknowns[k] = key->numbers[k - key->offset];
+            end->unknowns[k] = key->targets->numbers[k - key->offset];
         }
         status = lx_search(problem, &starts->some, i == 0 ? MOST_STEPS : steps, end);
         starts->exists[i] = status == LUXEL_OK;

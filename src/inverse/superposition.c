@@ -44,12 +44,25 @@ static bool has_limits(const struct lx_grid *grid)
 static luxel_status judge(const luxel_scene *scene, size_t i, const luxel_grid *grid, luxel_layout_limit *limits,
                           size_t *limit_count)
 {
-    luxel_limit judged[LUXEL_MOST_LIMITS];
-    size_t count;
-    const luxel_status status = luxel_judge_grid(scene, i, grid, judged, &count);
-    for (size_t k = 0; status == LUXEL_OK && k < count; k++)
+    luxel_limit judged[LX_GOALS_OF_GRID];
+    size_t count, around = 0;
+    luxel_status status = luxel_judge_grid(scene, i, grid, judged, &count);
+    if (status == LUXEL_OK)
+        status = luxel_judge_areas(scene, i, grid, judged + count, &around);
+    for (size_t k = 0; status == LUXEL_OK && k < count + around; k++)
         limits[(*limit_count)++] = (luxel_layout_limit){.index = i, .limit = judged[k]};
     return status;
+}
+
+/* A grid, or one of the areas around it; NULL: there is none. */
+static const luxel_grid *part_of(const luxel_grid *grid, enum lx_grid_part part)
+{
+    return part == LX_PART_TASK ? grid : part == LX_PART_SURROUND ? grid->surround : grid->background;
+}
+
+static size_t count_cells(const luxel_grid *part)
+{
+    return part ? (size_t)part->columns * part->rows : 0;
 }
 
 luxel_status lx_measure_goals(const struct lx_superposition *superposition, const luxel_scene *scene,
@@ -63,8 +76,11 @@ luxel_status lx_measure_goals(const struct lx_superposition *superposition, cons
         if (!has_limits(grid_of(scene, i)))
             continue;
         status = luxel_find_grid_values(scene, settings, i, superposition->diagnostics, &grid);
-        for (size_t k = 0; status == LUXEL_OK && k < (size_t)grid->columns * grid->rows; k++)
-            values[first++] = grid->mask[k] ? grid->values[k] : (double)NAN;
+        for (enum lx_grid_part part = 0; status == LUXEL_OK && part < LX_GRID_PARTS; part++) {
+            const luxel_grid *from = part_of(grid, part);
+            for (size_t k = 0; k < count_cells(from); k++)
+                values[first++] = from->mask[k] ? from->values[k] : (double)NAN;
+        }
         if (status == LUXEL_OK && limits)
             status = judge(scene, i, grid, limits, limit_count);
         luxel_grid_free(grid);
@@ -321,26 +337,60 @@ double lx_fewest_luminaires(const struct lx_superposition *superposition)
 
 /* ---- all of it ---- */
 
-static luxel_status list_goals(struct lx_superposition *superposition)
+static void add_goal(struct lx_superposition *superposition, const luxel_grid *grid, enum lx_grid_part part,
+                     enum lx_grid_limit which, const luxel_limit *limit)
 {
-    const luxel_scene *scene = superposition->scene;
-    superposition->goals = lx_new_array(luxel_scene_grid_count(scene) * LX_GRID_LIMITS + 1, sizeof(struct lx_goal));
+    size_t first = superposition->cells;
+    for (enum lx_grid_part before = 0; before < part; before++)
+        first += count_cells(part_of(grid, before));
+    superposition->goals[superposition->goal_count++] =
+        (struct lx_goal){first, count_cells(part_of(grid, part)), which, limit->wanted, limit->above};
+}
+
+/* The goals of a grid, and of the areas around it what is wanted of those; its cells are as many without any light. */
+static luxel_status list_goals_of(struct lx_superposition *superposition, size_t i, const luxel_settings *dark)
+{
+    const struct lx_grid *from = grid_of(superposition->scene, i);
+    luxel_limit limits[LX_GOALS_OF_GRID];
+    luxel_grid *grid = NULL;
+    size_t count = 0;
+    const char *name;
+    luxel_status status = luxel_find_grid_values(superposition->scene, dark, i, superposition->diagnostics, &grid);
+    if (status == LUXEL_OK)
+        status = luxel_judge_grid(superposition->scene, i, grid, limits, &count);
+    for (int k = 0, next = 0; status == LUXEL_OK && k < LX_GRID_LIMITS; k++)
+        if (!isnan(lx_grid_limit(&from->limits, (enum lx_grid_limit)k, &name)))
+            add_goal(superposition, grid, LX_PART_TASK, (enum lx_grid_limit)k, &limits[next++]);
+    if (status == LUXEL_OK)
+        status = luxel_judge_areas(superposition->scene, i, grid, limits, &count);
+    for (size_t k = 0; status == LUXEL_OK && k < count; k++)
+        add_goal(superposition, grid,
+                 strncmp(limits[k].name, "surround", 8) == 0 ? LX_PART_SURROUND : LX_PART_BACKGROUND,
+                 strstr(limits[k].name, "average") ? LX_LIMIT_AVERAGE : LX_LIMIT_UNIFORMITY, &limits[k]);
+    for (enum lx_grid_part part = 0; status == LUXEL_OK && part < LX_GRID_PARTS; part++)
+        superposition->cells += count_cells(part_of(grid, part));
+    luxel_grid_free(grid);
+    return status;
+}
+
+luxel_status lx_superposition_list(const luxel_scene *scene, const luxel_settings *settings,
+                                   luxel_diagnostics *diagnostics, struct lx_superposition *superposition)
+{
+    *superposition = (struct lx_superposition){.scene = scene, .settings = settings, .diagnostics = diagnostics};
+    luxel_settings dark = *superposition->settings;
+    const size_t none = 0;
+    luxel_status status = LUXEL_OK;
+    dark.lights = &none;
+    dark.light_count = 0;
+    superposition->goals = lx_new_array(luxel_scene_grid_count(scene) * LX_GOALS_OF_GRID + 1, sizeof(struct lx_goal));
     if (!superposition->goals)
         return lx_out_of_memory(superposition->diagnostics);
-    for (size_t i = 0; i < luxel_scene_grid_count(scene); i++) {
-        const struct lx_grid *grid = grid_of(scene, i);
-        const size_t count = (size_t)grid->n[0] * grid->n[1];
-        const char *name;
-        for (int k = 0; k < LX_GRID_LIMITS; k++) {
-            const double wanted = lx_grid_limit(&grid->limits, (enum lx_grid_limit)k, &name);
-            if (!isnan(wanted))
-                superposition->goals[superposition->goal_count++] =
-                    (struct lx_goal){superposition->cells, count, (enum lx_grid_limit)k, wanted,
-                                     k == LX_LIMIT_SHARE ? grid->limits.share.above : 0};
-        }
-        superposition->cells += has_limits(grid) ? count : 0;
-    }
-    return superposition->cells > 0 ? LUXEL_OK : lx_refuse(superposition->diagnostics, LX_MSG_ARRANGE_NO_GOAL, NULL);
+    for (size_t i = 0; i < luxel_scene_grid_count(scene) && status == LUXEL_OK; i++)
+        if (has_limits(grid_of(scene, i)))
+            status = list_goals_of(superposition, i, &dark);
+    if (status != LUXEL_OK || superposition->cells > 0)
+        return status;
+    return lx_refuse(superposition->diagnostics, LX_MSG_ARRANGE_NO_GOAL, NULL);
 }
 
 /* What the other lights give. */
@@ -382,11 +432,10 @@ luxel_status lx_superposition_make(const luxel_scene *scene, const luxel_setting
 {
     luxel_scene *one = NULL;
     luxel_settings alone = *settings;
-    *superposition =
-        (struct lx_superposition){.scene = scene, .settings = settings, .diagnostics = diagnostics, .light = light};
+    luxel_status status = lx_superposition_list(scene, settings, diagnostics, superposition);
+    superposition->light = light;
     alone.lights = &superposition->light;
     alone.light_count = 1;
-    luxel_status status = list_goals(superposition);
     if (status == LUXEL_OK)
         status = make_one(superposition, &one);
     if (status == LUXEL_OK)

@@ -36,6 +36,10 @@ struct lx_array_try {
     double spacing_mm[2];
 };
 
+/* Lists the goals and their cells alone, of any light. */
+luxel_status lx_superposition_list(const luxel_scene *scene, const luxel_settings *settings,
+                                   luxel_diagnostics *diagnostics, struct lx_superposition *superposition);
+
 /* Finds all of it.  LUXEL_ERROR_ARGUMENT: no light arrives.  Clear it in any case. */
 luxel_status lx_superposition_make(const luxel_scene *scene, const luxel_settings *settings, size_t light,
                                    luxel_diagnostics *diagnostics, struct lx_superposition *superposition);

@@ -152,10 +152,8 @@ static luxel_status set_each(luxel_scene *scene, const char *assignment, const c
 {
     luxel_status status = LUXEL_OK;
     for (size_t i = 0; i < count && status == LUXEL_OK; i++) {
-        struct lx_text text = {0};
         struct lx_path path;
-        lx_text_printf(&text, "%.*s[%zu]%s", (int)(all - assignment), assignment, i, all + strlen("[*]"));
-        char *one = lx_text_take(&text);
+        char *one = lx_text_of_element(assignment, all, i);
         if (!one)
             return lx_out_of_memory(diagnostics);
         const struct lx_place place = {.source = "-s", .text = one, .length = strlen(one)};

@@ -344,3 +344,10 @@ luxel_status lx_follow_list(const luxel_scene *scene, const struct lx_place *pla
     *size = list ? lx_document_size(document, list) : 0;
     return LUXEL_OK;
 }
+
+char *lx_text_of_element(const char *text, const char *all, size_t i)
+{
+    struct lx_text made = {0};
+    lx_text_printf(&made, "%.*s[%zu]%s", (int)(all - text), text, i, all + strlen("[*]"));
+    return lx_text_take(&made);
+}

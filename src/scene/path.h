@@ -44,6 +44,10 @@ luxel_status lx_follow_path(const luxel_scene *scene, const struct lx_place *pla
 luxel_status lx_follow_list(const luxel_scene *scene, const struct lx_place *place, luxel_diagnostics *diagnostics,
                             struct lx_path *path, size_t *size);
 
+/* The text with element i of a list in place of all of them, the "[*]" at `all`; the caller's, NULL where memory ran
+ * out. */
+char *lx_text_of_element(const char *text, const char *all, size_t i);
+
 /* Reports that the list of so many elements has no such element, at the whole path to it. */
 luxel_status lx_refuse_index(const struct lx_path *path, size_t size, luxel_diagnostics *diagnostics);
 

@@ -44,14 +44,6 @@ static unsigned width_of(const struct lx_parameter *parameter)
     }
 }
 
-/* Element i of the list in place of all of them: the text is the caller's, NULL where memory ran out. */
-static char *key_of_element(const char *key, const char *all, size_t i)
-{
-    struct lx_text text = {0};
-    lx_text_printf(&text, "%.*s[%zu]%s", (int)(all - key), key, i, all + strlen("[*]"));
-    return lx_text_take(&text);
-}
-
 /* Follows a key, one of all elements of a list (lights[*].factor) by the first that has it; the last one's errors are
  * told. */
 static luxel_status follow(const luxel_scene *scene, const char *key, luxel_diagnostics *found, struct lx_path *path)
@@ -72,7 +64,7 @@ static luxel_status follow(const luxel_scene *scene, const char *key, luxel_diag
         return status;
     status = LUXEL_ERROR_PATH;
     for (size_t i = 0; (i < count || i == 0) && status == LUXEL_ERROR_PATH; i++) {
-        char *one = key_of_element(key, all, i);
+        char *one = lx_text_of_element(key, all, i);
         if (!one)
             return LUXEL_ERROR_MEMORY;
         place = (struct lx_place){.source = "-s", .text = one, .length = strlen(one)};

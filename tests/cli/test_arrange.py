@@ -113,6 +113,101 @@ def reflected(tap, tool):
     tap.ok(spread[0] <= 3000.5 and spread[1] <= 2000.5, "panels stay within the walls", best)
 
 
+def areas(tap, tool):
+    """What EN 12464-1 wants around a task area counts as well: narrow beams alone would leave that dark."""
+    tool.write("task.yaml", ROOM.replace("size: [6200, 3800], n: [13, 9]",
+                                         "size: [2000, 1200], n: [9, 5], surround: 800, background: 3000")
+               .replace("pattern: lambertian, power: 3600", "pattern: cosine, exponent: 30, power: 1000"))
+    found = tool.run("arrange", "task.yaml", "--goal", "average>=500", "--json", "-o", "out.yaml").json()
+    limits = by_limit(found["layouts"][0])
+    tap.ok(set(limits) == {"average", "surround_average", "surround_uniformity", "background_average",
+                           "background_uniformity"} and {one["verdict"] for one in limits.values()} == {"pass"},
+           "the areas have goals", limits)
+    tap.equal(tool.run("grid", "out.yaml", "--limits").code, 0, "and keep them")
+
+
+HALL = """luxel: 1
+units: photometric
+screen: {width: 6000, height: 4000, resolution: [60, 40]}
+observer: {z: 9000}
+surfaces: []
+lights:
+%s
+grids:
+  - {name: desk, center: [0, 0, 0], size: [4000, 2000], n: [4, 2]}
+"""
+LAMP = "  - {type: point, position: [%d, 0, 2000], intensity: 500}\n"
+
+
+def one_by_one(tap, tool):
+    """Lamps dimmed one by one for the least flux: a linear program whose ends are tried by hand, pair by pair."""
+    at = (-1200, 100, 1500)
+    tool.write("hall.yaml", HALL % "".join(LAMP % x for x in at))
+    free = [word for i in range(3) for word in ("--free", "lights[%d].intensity" % i)]
+    result = tool.run("arrange", "hall.yaml", "--goal", "minimum>=100", "--dimming", "--json", "-o", "out.yaml", *free)
+    best = result.json()["layouts"][0]
+    # by symmetry one row of cells: the light of each lamp at each, per candela
+    light = [[2000 / ((x - lamp) ** 2 + 500 ** 2 + 2000 ** 2) ** 1.5 * 1e6 for lamp in at] for x in
+             (-1500, -500, 500, 1500)]
+    ends = []
+    bounds = light + [[float(i == k) for k in range(3)] for i in range(3)]
+    for rows in ((i, j, k) for i in range(7) for j in range(i) for k in range(j)):
+        a = [bounds[i] for i in rows]
+        b = [100.0 if i < 4 else 0.0 for i in rows]
+        whole = determinant(a)
+        if abs(whole) < 1e-12:
+            continue
+        ends.append([determinant([[b[n] if m == k else a[n][m] for m in range(3)] for n in range(3)]) / whole
+                     for k in range(3)])
+    least = min(sum(end) for end in ends if min(end) >= -1e-9 and
+                all(sum(c * i for c, i in zip(cell, end)) >= 100 - 1e-6 for cell in light))
+    numbers = [best["numbers"]["lights[%d].intensity" % i] for i in range(3)]
+    tap.ok(result.code == 0 and best["limits"][0]["verdict"] == "pass" and
+           least - 1e-9 <= sum(numbers) <= least * 1.001, "the least flux", sum(numbers), least)
+    tap.near(best["dimming"], sum(numbers) / 1500, 1e-9, "and its share")
+    tap.equal(tool.run("grid", "out.yaml", "--limits").code, 0, "its scene keeps the goal")
+
+
+def determinant(a):
+    return (a[0][0] * (a[1][1] * a[2][2] - a[1][2] * a[2][1]) - a[0][1] * (a[1][0] * a[2][2] - a[1][2] * a[2][0]) +
+            a[0][2] * (a[1][0] * a[2][1] - a[1][1] * a[2][0]))
+
+
+def aimed(tap, tool):
+    """A narrow lamp that looks away finds the plane: by symmetry its middle; nothing of a scan is better."""
+    lamp = ("  - {type: point, position: [0, 0, 2000], intensity: 5000, pattern: cosine, exponent: 4, "
+            "aim: [%r, %r, 0]}\n")
+    tool.write("aim.yaml", HALL % (lamp % (900, 700)))
+    result = tool.run("arrange", "aim.yaml", "--goal", "minimum>=100", "--free", "lights[0].aim", "--json")
+    best = result.json()["layouts"][0]
+    aim = [best["numbers"]["lights[0].aim[%d]" % k] for k in range(3)]
+    middle = [aim[k] * 2000 / (2000 - aim[2]) for k in range(2)]
+    tap.ok(result.code == 0 and math.hypot(*middle) < 10, "at the middle", aim)
+    scanned = []
+    for x in (0, 40, 400):
+        tool.write("scan.yaml", HALL % (lamp % (x, x / 2)))
+        scanned.append(min(sum(tool.run("grid", "scan.yaml", "--json").json()["grids"][0]["values"], [])))
+    tap.ok(best["limits"][0]["value"] >= max(scanned) * (1 - 1e-5), "none of a scan is better", best, scanned)
+    text = tool.run("arrange", "aim.yaml", "--goal", "minimum>=1e5", "--free", "lights[0].aim")
+    tap.ok(text.code == 1 and "lights[0].aim[2]" in text.out and "% of what is wanted" in text.err, "as text", text)
+
+
+def several_arrays(tap, tool):
+    """The spacings of two arrays at once: better than either alone."""
+    array = "  - {type: point, position: [0, %d, 2000], intensity: 200, array: {n: [2, 1], spacing: [500, 1]}}\n"
+    tool.write("rows.yaml", HALL % (array % -600 + array % 600))
+    goals = ("--goal", "U0>=0.99", "--json")
+    found = [tool.run("arrange", "rows.yaml", *goals, *(word for i in lights for word in
+                                                        ("--free", "lights[%d].array.spacing[0]" % i))).json()
+             for lights in ((0,), (1,), (0, 1))]
+    reserves = [(one["layouts"] + one["missed"])[0]["reserve"] for one in found]
+    tap.ok(reserves[2] > max(reserves[:2]) + 0.01, "two arrays", reserves)
+    for options, words in ((("--free", "lights[0].type"), "numbers that vary"),
+                           (("--free", "lights[9].position"), "lights")):
+        refused = tool.run("arrange", "rows.yaml", "--goal", "U0>=0.9", *options)
+        tap.ok(refused.code == 2 and words in refused.err and not refused.out, words, refused)
+
+
 def unreached(tap, tool):
     tool.write("room.yaml", ROOM)
     result = tool.run("arrange", "room.yaml", "--goal", "U0>=0.99", "--most", "12", "--json", "-o", "none.yaml")
@@ -146,6 +241,8 @@ def unreached(tap, tool):
             (("room.yaml", *GOALS, "-o", "out.png"), 2, ["out.png"], "a file that holds no scene")):
         result = tool.run("arrange", *arguments)
         tap.ok(result.code == code and result.out == "" and all(word in result.err for word in words), what, result)
+    few = tool.run("arrange", "room.yaml", "--goal", "average>=5000", "--most", "12")
+    tap.ok(few.code == 1 and "it takes 67 luminaires at least" in few.err, "so few give too little light anywhere", few)
     two = tool.run("arrange", "two.yaml", "--goal", "desk:average>=500", "--goal", "floor:U0>=0.4", "--json").json()
     tap.equal({limit["of_name"] for limit in two["layouts"][0]["limits"]}, {"desk", "floor"}, "a goal of each grid")
     one = tool.run("arrange", "lights.yaml", *GOALS, "--lights", "0", "--json").json()
@@ -153,4 +250,5 @@ def unreached(tap, tool):
 
 
 if __name__ == "__main__":
-    run_tests(Tap(), nine, dimmed, reflected, unreached)
+    run_tests(Tap(), nine, dimmed, reflected, areas, one_by_one, aimed, several_arrays,
+              unreached)

@@ -119,6 +119,63 @@ def none_there(tap, tool):
     tap.equal(tool.run("derive", "scene.yaml", *ORIGIN).code, 2, "no key")
 
 
+def of_all_lights(tap, tool):
+    """By a key of all lights that have it: theirs add up, and by a dimming group's factor they do in their shares."""
+    lamps = ("  - {type: ambient, irradiance: 1}\n  - {type: point, group: g, position: [300, 0, 900], intensity: 3}\n"
+             "  - {type: point, group: g, position: [-700, 200, 2000], intensity: 5}\n"
+             "dimming: [{name: g, factor: 0.5}]\n")
+    keys = ["lights[*].intensity", "lights[1].intensity", "lights[2].intensity", "dimming[g].factor",
+            "lights[*].position", "lights[1].position", "lights[2].position"]
+    found = derive(tool, lamps, keys)
+    by = [found[key] for key in keys]
+    holds(tap, by[0], by[1]["value"] + by[2]["value"], "by the intensity of all")
+    holds(tap, by[3], 2 * (3 * by[1]["value"] + 5 * by[2]["value"]), "by a dimming factor")
+    for k in range(3):
+        holds(tap, by[4][k], by[5][k]["value"] + by[6][k]["value"], "by the place of all", 1e-10)
+    wrong = tool.run("derive", "scene.yaml", *ORIGIN, "--free", "lights[*].inner", "--free", "grids[*].center")
+    tap.ok(wrong.code == 2 and "type spot" in wrong.err and "grids has no elements" in wrong.err, "none has it", wrong)
+
+
+def of_grids(tap, tool):
+    """The cells of a grid move with it: by its height as by the lamp's, but for the sign."""
+    lamp = ("  - {type: point, position: [300, 100, 2000], intensity: 100}\n"
+            "grids: [{name: desk, center: [0, 0, 500], size: [2000, 1000], n: [4, 3], measure: %s}]\n")
+    keys = ["grids[desk].center", "lights[0].position", "grids[0].size"]
+    options = ("--grid", "desk")
+    for measure in ("plane", "cylindrical"):
+        tool.write("scene.yaml", SCENE % (lamp % measure, "[]"))
+        free = [word for key in keys for word in ("--free", key)]
+        result = tool.run("derive", "scene.yaml", "--json", *options, *free)
+        found = result.json()
+        cells, average = found["cells"], found["average"]["derivatives"]
+        tap.ok(result.code == 0 and found["n"] == [4, 3] and len(cells) == 12, measure, result)
+        truth = tool.run("grid", "scene.yaml", "--json").json()["grids"][0]["values"]
+        tap.ok(max(abs(cell["value"] - truth[cell["cell"][1]][cell["cell"][0]]) for cell in cells) < 1e-9,
+               "the values are the grid's", cells, truth)
+        for k in range(3):
+            tap.ok(max(abs(cell["derivatives"][keys[0]][k]["value"] + cell["derivatives"][keys[1]][k]["value"]) -
+                       2e-11 for cell in cells) <= 0, "against the lamp's place", cells)
+            mean = sum(cell["derivatives"][keys[0]][k]["value"] for cell in cells) / 12
+            tap.ok(abs(average[keys[0]][k]["value"] - mean) <= 1e-14, "the average of the cells", average, mean)
+        corner = cells[0]["derivatives"]
+        tap.near(corner[keys[2]][0]["value"], -0.375 * corner[keys[0]][0]["value"], 1e-9, "by the grid's width")
+    text = tool.run("derive", "scene.yaml", *options, "--free", "grids[0].center")
+    tap.ok(text.code == 0 and "the average of 4 × 3 cells" in text.out and "grids[0].center[2]" in text.out, "as text",
+           text)
+    tap.equal((tool.run("derive", "scene.yaml", *options, "-p", "0,0", "--free", "lights[0].intensity").code,
+               tool.run("derive", "scene.yaml", "--grid", "dusk", "--free", "lights[0].intensity").code), (2, 2),
+              "a grid or points, and one that there is")
+
+
+def touching(tap, tool):
+    """A lamp in the ceiling is outside of a lower room: what counts as touching hides no jump."""
+    room = "[{type: room, center: [0, 0, 1400], size: [7200, 4800, 2800], up: z}]"
+    lamp = "  - {type: point, position: [0, 0, 2800], intensity: 100}\n"
+    found = derive(tool, lamp, ["surfaces[0].size"], room, ("--at", "100,200,750,0,0,1", "--quantity", "irradiance"))
+    tap.ok(found["surfaces[0].size"][2]["value"] is None, "lower the lamp is outside", found)
+    holds(tap, found["surfaces[0].size"][0], 0, "narrower it is not", 1e-10)
+
+
 def reflected_light(tap, tool):
     """A furnace: all is E/(1 - rho), so that by E it is 1/(1 - rho), within what the bounds leave."""
     room = ("[{type: room, center: [0, 0, 0], size: [2000, 2000, 2000], "
@@ -130,4 +187,5 @@ def reflected_light(tap, tool):
 
 
 if __name__ == "__main__":
-    run_tests(Tap(), the_exercise, closed_forms, soft_shadows, random_spots, none_there, reflected_light)
+    run_tests(Tap(), the_exercise, closed_forms, soft_shadows, random_spots, none_there, of_all_lights, of_grids,
+              touching, reflected_light)

@@ -147,5 +147,32 @@ def wrong(tap, tool):
            "luxel profile keeps its flag of that name")
 
 
+def told_once(tap, tool):
+    tap.equal(tool.run("fit", "--help").out.count("Extensions of FILE"), 1, "help names the extensions once")
+
+
+def of_all(tap, tool):
+    """One intensity of two lamps; where they have two there is no such number to begin with."""
+    lamps = "lights:\n" + "".join("  - {type: point, position: [%d, 0, 1000], intensity: %d}\n" % one
+                                  for one in ((-200, 3), (400, 3)))
+    tool.write("both.yaml", "luxel: 1\nscreen: {width: 400, height: 400, resolution: [8, 8]}\nobserver: {z: 9000}\n"
+               "surfaces: []\n" + lamps)
+    at = [(0, 0), (100, 0), (300, 50)]
+    told = [7 * sum(1000 / ((x - lamp) ** 2 + y * y + 1e6) ** 1.5 * 1e6 for lamp in (-200, 400)) for x, y in at]
+    tool.write("both.csv", "x,y,z,nx,ny,nz,value\n" + "".join("%r,%r,0,0,0,1,%r\n" % (x, y, value)
+                                                            for (x, y), value in zip(at, told)))
+    key = ("--free", "lights[*].intensity", "--values", "both.csv", "--quantity", "irradiance")
+    found = tool.run("fit", "both.yaml", *key, "--noise", "1%", "--json", "-o", "out.yaml").json()["parameters"]
+    tap.ok(len(found) == 1 and found[0]["key"] == "lights[*].intensity" and abs(found[0]["value"] - 7) < 1e-8,
+           "one number for both", found)
+    written = [float(part.split("}")[0]) for part in tool.read("out.yaml").decode().split("intensity: ")[1:]]
+    tap.equal(written, [found[0]["value"]] * 2, "both have it")
+    apart = tool.run("fit", "both.yaml", "-s", "lights[1].intensity=4", *key)
+    twice = tool.run("fit", "both.yaml", "--free", "lights[1].intensity", *key)
+    tap.ok(apart.code == 2 and "is to be one number" in apart.err and twice.code == 2 and "free only once" in twice.err,
+           "refused", apart, twice)
+
+
 if __name__ == "__main__":
-    run_tests(Tap(), readings, not_determined, pictures, wrong)
+    run_tests(Tap(), readings, not_determined, pictures, wrong, of_all,
+              told_once)

@@ -133,7 +133,7 @@ def refused(tap, tool):
                                  (("8,6,2.8", "--maintenance", "0"), 2, "maintenance"),
                                  (("8,6,2.8", "--array", "3"), 2, "N,M"), (("8,6,2.8", "--array", "0,2"), 2, "--array"),
                                  (("8,6,2.8", "--target", "-5"), 2, "--target"),
-                                 (("8,6,2.8", "--target", "1e9"), 2, "10000 luminaires"),
+                                 (("8,6,2.8", "--target", "1e9"), 2, "no regular array of up to 10000 luminaires"),
                                  (("8,6,2.8", "--file", "none.ies"), 4, "none.ies"),
                                  (("6,4,3", "--file", "up.ies", "--reflectances", "0,0,0"), 2, "no light"),
                                  (("6,4,3", "-o", "room.png"), 2, "room.png")):

@@ -40,6 +40,24 @@ def layouts(tap, tool):
     tap.ok(scene.arrange("average>=500", "U0>=0.6", dimming=True).layouts[0].dimming < 1, "dimmed")
 
 
+def keys(tap, tool):
+    """Keys instead of numbers of luminaires: those of the tool."""
+    hall = HALL.replace("power: 2880}", "power: 2880, array: {n: [3, 3], spacing: [1500, 900]}}")
+    found = luxel.Scene(hall).arrange("average>=500", "U0>=0.6", free="lights[0].array.spacing")
+    told = json.loads(tool.run("arrange", tool.write("hall.yaml", hall), "--goal", "average>=500", "--goal", "U0>=0.6",
+                               "--free", "lights[0].array.spacing", "--json").out)
+    tap.equal([(layout.numbers, layout.reserve) for layout in found.layouts],
+              [(layout["numbers"], layout["reserve"]) for layout in told["layouts"]], "those of the tool")
+    best = found.layouts[0]
+    spacing = [best.numbers["lights[0].array.spacing[%d]" % k] for k in range(2)]
+    free = luxel.Scene(HALL).arrange("average>=500", "U0>=0.6").layouts[0]
+    tap.ok(found.light is None and best.scene["lights[0].array.spacing"] == spacing and
+           best.reserve > free.reserve - 1e-3, "as good as the search of spacings", best, free)
+    tap.ok("spacing[1]" in found._repr_html_(), "a notebook shows it")
+    error = raises(luxel.LuxelError, lambda: luxel.Scene(hall).arrange("average>=500", free=["lights[0].type"]))
+    tap.ok(error and "numbers" in str(error), "no key of numbers")
+
+
 def refused(tap, tool):
     scene = luxel.Scene(HALL)
     for goals, options, words in (((), {}, "no grid has a goal"), (("avg>=5", "U0<=0.6"), {}, "avg>=5"),
@@ -53,4 +71,4 @@ def refused(tap, tool):
 
 
 if __name__ == "__main__":
-    run_tests(Tap(), layouts, refused)
+    run_tests(Tap(), layouts, keys, refused)

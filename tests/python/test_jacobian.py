@@ -84,6 +84,9 @@ def grids(tap, tool):
     truth = truth_at(plane.positions_mm.reshape(-1, 3))
     tap.ok(numpy.array_equal(found.values, plane.values.ravel()) and
            numpy.abs(found.derivatives - truth)[bright].max() < 1e-11 * numpy.abs(truth).max(), "cells of a grid")
+    moved = scene.jacobian(["grids[desk].center", "lights[0].position"], grid="desk")[bright]
+    tap.ok(numpy.abs(moved[:, :3] + moved[:, 3:6]).max() < 1e-10 * numpy.abs(moved).max() + 1e-15,
+           "cells move with their grid", moved)
     buried = luxel.Scene(DESK.replace("center: [0, 0, 1000]", "center: [0, 0, 0]").replace("n: [5, 4]", "n: [5, 5]"))
     tap.ok(numpy.isnan(buried.jacobian(KEYS, grid=0)[12]).all(), "none inside a body")
 

@@ -1,17 +1,18 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * Scenes of rooms to begin a design with: the text of one, what an array gives on its work plane, and the search for
- * the least one that reaches a target.  What is written is computed from that very text.
+ * Scenes of rooms to begin a design with: the text of one, what an array gives on its work plane, and the least even
+ * one that reaches a target, as layouts are searched.  What is written is computed from that very text.
  */
 #include <luxel/room.h>
 
 #include <float.h>
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
+#include <luxel/arrange.h>
 #include <luxel/glare.h>
-#include <luxel/limits.h>
 #include <luxel/photometry.h>
 
 #include "../base/diagnostics.h"
@@ -23,12 +24,6 @@ enum { MOST_IN_A_LINE = 1000, MOST_LUMINAIRES = 10000, USUAL_TARGET_LX = 500, PA
 /* Sizes in metres: the greatest room; the free border of the work plane; from luminaires that light the ceiling to it;
  * the height of eyes, and their distance from the wall. */
 static const double LARGEST_M = 1000, BORDER_M = 0.5, PENDANT_M = 0.5, EYE_M = 1.2, BACK_M = 0.1;
-/* Columns and rows of a regular array are as far apart as each other, up to this factor. */
-static const double MOST_UNEVEN = 2;
-/* No luminaire of an array lights the plane better than one in the middle, by this part of the target to be safe. */
-static const double SAFE = 0.8;
-/* The error of reflected light that decides most tries. */
-static const double COARSE = 0.01;
 
 void luxel_room_init(luxel_room *room)
 {
@@ -268,114 +263,61 @@ static luxel_status measure(const struct designing *designing, const luxel_scene
     return status;
 }
 
-static bool reaches(const struct designing *designing, const luxel_room_array *array)
-{
-    return array->average.value - array->average.error >= designing->target;
-}
-
-static bool misses(const struct designing *designing, const luxel_room_array *array)
-{
-    return array->average.value + array->average.error < designing->target;
-}
-
-static luxel_status measure_array(const struct designing *designing, luxel_room_array *array)
-{
-    luxel_room_design design = {.chosen = {.n = {array->n[0], array->n[1]}}};
-    luxel_scene *scene = NULL;
-    double uniformity;
-    luxel_status status = open_scene(designing, &design, &scene);
-    if (status == LUXEL_OK)
-        status = measure(designing, scene, array, &uniformity);
-    luxel_scene_free(scene);
-    return status;
-}
-
-/* Measures an array as well as it takes to decide. */
-static luxel_status try(const struct designing *designing, unsigned columns, unsigned rows, luxel_room_array *array)
-{
-    struct designing coarse = *designing;
-    luxel_settings settings;
-    luxel_settings_init(&settings);
-    if (designing->settings)
-        settings = *designing->settings;
-    settings.reflected_error = fmax(settings.reflected_error, COARSE);
-    coarse.settings = &settings;
-    *array = (luxel_room_array){.n = {columns, rows}};
-    const luxel_status status = measure_array(&coarse, array);
-    if (status != LUXEL_OK || reaches(designing, array) || misses(designing, array))
-        return status;
-    return measure_array(designing, array);
-}
-
 /* ---- the search ---- */
 
-static bool is_even(const luxel_room *room, unsigned columns, unsigned rows)
+enum { AVERAGE, UNIFORMITY }; /* the limits that a layout is asked for */
+
+static luxel_room_array array_of(const luxel_layout *layout)
 {
-    const double along_x = room->size_m[0] / columns, along_y = room->size_m[1] / rows;
-    return fmax(along_x, along_y) <= MOST_UNEVEN * fmin(along_x, along_y) * (1 + 1e-9);
+    return (luxel_room_array){.n = {layout->n[0], layout->n[1]},
+                              .average = layout->limits[AVERAGE].limit.value,
+                              .uniformity = layout->limits[UNIFORMITY].limit.value.value};
 }
 
-/* Tries the even arrays of so many luminaires: the more uniform one that reaches, else the one that gives most. */
-static luxel_status try_count(const struct designing *designing, unsigned count, luxel_room_array *best)
+/* The more uniform one of the layouts that are smallest: they come by rising numbers. */
+static const luxel_layout *choose(const luxel_arrangement *found)
 {
-    luxel_status status = LUXEL_OK;
-    *best = (luxel_room_array){.n = {0}};
-    for (unsigned columns = 1; columns <= count && status == LUXEL_OK; columns++) {
-        luxel_room_array array;
-        if (count % columns > 0 || columns > MOST_IN_A_LINE || count / columns > MOST_IN_A_LINE ||
-            !is_even(designing->room, columns, count / columns))
-            continue;
-        status = try(designing, columns, count / columns, &array);
-        const bool is_good = reaches(designing, &array), was_good = best->n[0] > 0 && reaches(designing, best);
-        if (status == LUXEL_OK && (best->n[0] == 0 || is_good > was_good ||
-                                   (is_good == was_good && (is_good ? array.uniformity > best->uniformity
-                                                                    : array.average.value > best->average.value))))
-            *best = array;
-    }
-    return status;
+    const luxel_layout *best = &found->found[0];
+    for (size_t i = 1; i < found->count; i++)
+        if (found->found[i].n[0] * found->found[i].n[1] == found->found[0].n[0] * found->found[0].n[1] &&
+            array_of(&found->found[i]).uniformity > array_of(best).uniformity)
+            best = &found->found[i];
+    return best;
 }
 
-/* The number of luminaires to begin with: no smaller one reaches the target. */
-static luxel_status begin(const struct designing *designing, unsigned *count)
+/* The largest of the layouts that miss the target, of equal ones that which gives most: they come by what they give. */
+static const luxel_layout *next_smaller(const luxel_arrangement *found)
 {
-    luxel_room_array one;
-    char number[LX_NUMBER_SIZE], target[LX_NUMBER_SIZE];
-    const luxel_status status = try(designing, 1, 1, &one);
-    if (status != LUXEL_OK)
-        return status;
-    if (!(one.average.value > one.average.error))
-        return lx_refuse(designing->diagnostics, LX_MSG_ROOM_DARK, NULL);
-    const double least = SAFE * designing->target / one.average.value;
-    if (least > MOST_LUMINAIRES)
-        return lx_refuse(designing->diagnostics, LX_MSG_ROOM_TOO_MANY,
-                         LX_ARGS(lx_write_number(MOST_LUMINAIRES, number), lx_write_number(designing->target, target)));
-    *count = (unsigned)fmax(floor(least), 1);
-    return LUXEL_OK;
+    const luxel_layout *largest = NULL;
+    for (size_t i = 0; i < found->missed_count; i++)
+        if (!largest || found->missed[i].n[0] * found->missed[i].n[1] > largest->n[0] * largest->n[1])
+            largest = &found->missed[i];
+    return largest;
 }
 
 static luxel_status search(const struct designing *designing, luxel_room_design *design)
 {
-    unsigned count = 1;
-    luxel_status status = begin(designing, &count);
-    /* what there is below the first that is tried, so that a smaller one can be told */
-    for (unsigned below = count; status == LUXEL_OK && below > 1 && design->smaller.n[0] == 0;)
-        status = try_count(designing, --below, &design->smaller);
-    for (; status == LUXEL_OK; count++) {
-        luxel_room_array array;
-        char number[LX_NUMBER_SIZE], target[LX_NUMBER_SIZE];
-        if (count > MOST_LUMINAIRES)
-            return lx_refuse(
-                designing->diagnostics, LX_MSG_ROOM_TOO_MANY,
-                LX_ARGS(lx_write_number(MOST_LUMINAIRES, number), lx_write_number(designing->target, target)));
-        status = try_count(designing, count, &array);
-        if (status != LUXEL_OK || array.n[0] == 0)
-            continue;
-        if (reaches(designing, &array)) {
-            design->chosen = array; /* which is measured again with the scene */
-            return design->smaller.n[0] > 0 ? measure_array(designing, &design->smaller) : LUXEL_OK;
-        }
-        design->smaller = array;
+    luxel_scene *scene = NULL;
+    luxel_arrangement *found = NULL;
+    char target[LX_NUMBER_SIZE], goal[LX_NUMBER_SIZE + 16], number[LX_NUMBER_SIZE];
+    snprintf(goal, sizeof goal, "average>=%s", lx_write_number(designing->target, target));
+    /* any uniformity will do, but which it is has to be told */
+    const char *const goals[] = {goal, "U0>=1e-9"};
+    const luxel_arranging wanted = {.goals = goals, .goal_count = 2, .is_even = true, .most = MOST_LUMINAIRES};
+    luxel_status status = open_scene(designing, &(luxel_room_design){.chosen = {.n = {1, 1}}}, &scene);
+    if (status == LUXEL_OK)
+        status = luxel_arrange(scene, designing->settings, &wanted, designing->diagnostics, &found);
+    if (status == LUXEL_OK && found->count == 0)
+        status = lx_refuse(designing->diagnostics, LX_MSG_ROOM_TOO_MANY,
+                           LX_ARGS(lx_write_number(MOST_LUMINAIRES, number), target));
+    if (status == LUXEL_OK) {
+        const luxel_layout *smaller = next_smaller(found);
+        design->chosen = array_of(choose(found)); /* which is measured again with the scene */
+        if (smaller)
+            design->smaller = array_of(smaller);
     }
+    luxel_arrangement_free(found);
+    luxel_scene_free(scene);
     return status;
 }
 
