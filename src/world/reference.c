@@ -381,16 +381,21 @@ static struct lx_lighting light_through(const struct lx_prepared *prepared, cons
 }
 
 /* What is remembered of a dome for elements like this one, in memory of its own where it has none; NULL: nothing is, as
- * it depends on the place of who looks. */
-static struct lx_open_dome *remember(const struct lx_element *element, const struct lx_dome *dome,
-                                     struct lx_open_dome *own)
+ * it depends on the place of who looks, or the view vector is another one for each element. */
+static struct lx_open_dome *remember(const struct lx_prepared *prepared, const struct lx_element *element,
+                                     const struct lx_dome *dome, struct lx_open_dome *own)
 {
     struct lx_open_dome *open = element->open_dome ? element->open_dome : own;
-    if (lx_lobe_shines(element->lobe) || lx_lobe_is_rough(element->lobe))
-        return NULL;
+    lx_bounded3 view = {.x = lx_exact(0)};
+    if (lx_lobe_shines(element->lobe) || lx_lobe_is_rough(element->lobe)) {
+        if (!prepared->camera.is_parallel || !element->own || !lx_shape_is_flat(&element->own->shape))
+            return NULL;
+        view = element->view;
+    }
     if (open->dome != dome || open->lobe != element->lobe ||
-        memcmp(&open->normal, &element->normal, sizeof open->normal) != 0)
-        *open = (struct lx_open_dome){.dome = dome, .lobe = element->lobe, .normal = element->normal};
+        memcmp(&open->normal, &element->normal, sizeof open->normal) != 0 ||
+        memcmp(&open->view, &view, sizeof open->view) != 0)
+        *open = (struct lx_open_dome){.dome = dome, .lobe = element->lobe, .normal = element->normal, .view = view};
     return open;
 }
 
@@ -426,7 +431,7 @@ static struct lx_lighting light_by_dome(const struct lx_prepared *prepared, cons
     const size_t room = prepared->shadows_extended && !looks_below ? find_room(prepared, place, normal) : SIZE_MAX;
     if (room < SIZE_MAX && !lx_is_sun(dome))
         return light_through(&shared, element, dome, room, away_mm);
-    struct lx_open_dome own = {.dome = NULL}, *remembered = remember(element, dome, &own);
+    struct lx_open_dome own = {.dome = NULL}, *remembered = remember(prepared, element, dome, &own);
     if (!looks_below)
         shared.left_out = find_room_behind(prepared, place, normal) + 1;
     for (size_t i = 0; i < dome->patch_count; i++) {

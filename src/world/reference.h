@@ -38,7 +38,8 @@ struct lx_lighting {
 
 /*
  * What patches of a dome give where nothing stands before them, remembered from one element to the next: as a dome has
- * no distance, that is the same for all elements of one normal, as those of a flat surface.
+ * no distance, that is the same for all elements of one normal, as those of a flat surface, and where they reflect by
+ * the view, of one view vector.
  */
 struct lx_open_patch {
     bool is_known;
@@ -47,7 +48,7 @@ struct lx_open_patch {
 struct lx_open_dome {
     const struct lx_dome *dome; /* NULL: nothing is known yet */
     const struct lx_lobe *lobe;
-    lx_bounded3 normal;
+    lx_bounded3 normal, view;
     struct lx_open_patch patches[LX_MOST_DOME_PATCHES];
 };
 

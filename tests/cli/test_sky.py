@@ -390,6 +390,20 @@ def pictures(tap, tool):
     for place, point in zip(at, probed.json()["points"]):
         tap.ok(point["value"] > 0, "a pixel shines", point)
         tap.near(pixels[place], point["value"], 1e-6, "a pixel is what a probe says")
+    # highlights on a flat thing before parallel lines of sight: in the open one number, less beside a ball
+    glossy = "[{type: rectangle, center: [0, 0, 0], size: [4000, 4000], material: {diffuse: .6, specular: .3}}%s]"
+    ball = ", {type: sphere, center: [350, 0, 100], radius: 100, material: {model: lambert}}"
+    for things, is_open in (("", True), (ball, False)):
+        tool.write("gloss.yaml", SCENE % (glossy % things, "{type: sky, kind: 12, sun: {altitude: 40, azimuth: 120}, "
+                                          "zenith: 10}"))
+        tool.run("render", "gloss.yaml", "-o", "gloss.csv")
+        told = tool.run("probe", "gloss.yaml", "--json", "-p", "-75,75", "-p", "25,-25").json()["points"]
+        with open(tool.file("gloss.csv"), encoding="utf-8") as file:
+            pixels = {(float(x), float(y)): float(value) for x, y, value in list(csv.reader(file))[1:]}
+        tap.equal(len(set(pixels.values())) == 1, is_open, "a glossy plane under an open sky has one brightness")
+        tap.ok(all(point["lights"][0]["specular"] > 0 for point in told), "with a highlight", told)
+        for place, point in zip([(-75., 75.), (25., -25.)], told):
+            tap.near(pixels[place], point["value"], 1e-3, "a glossy pixel is what a probe says")
     # a wall with a window sees nothing through that, as exactly as a camera beside it tells its places
     window = SCENE.replace("observer: {z: 9000}", "observer: {position: [3800, 3800, 1700], target: [1500, 500, 1000], "
                            "up: [0, 0, 1], projection: perspective}") % \
