@@ -395,7 +395,7 @@ static void finish(Work *work, AppRunner *runner, const AppWish *wish, AppShot *
     work->last = shot;
 }
 
-/* Shows a coarse picture, which is freed, unless the whole, as is known then, is there in a frame; FALSE: there is none,
+/* Shows a coarse picture, which is freed, unless the whole, as is known then, is there in a frame; FALSE: there is none
  * as it was given up, or a newer wish has come. */
 static gboolean show_coarse(Work *work, AppRunner *runner, const AppWish *wish, AppShot *coarse)
 {

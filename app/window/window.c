@@ -591,6 +591,7 @@ static void app_window_init(AppWindow *self)
     app_window_add_file_actions(self);
     app_window_add_outside_actions(self);
     app_window_add_chosen_actions(self);
+    app_window_add_room_action(self);
     app_window_add_surface_actions(self);
     app_window_add_focus_actions(self);
     app_window_add_begin_actions(self);

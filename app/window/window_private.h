@@ -168,6 +168,9 @@ void app_window_add_focus_actions(AppWindow *self);
 /* A dialog has gone: the keyboard is in the window again, on the picture where it was nowhere. */
 void app_window_take_keyboard(AppWindow *self);
 
+/* window_room.c: a new room with luminaires. */
+void app_window_add_room_action(AppWindow *self);
+
 /* window_report.c: who hands a report in is asked before its file is. */
 void app_window_ask_report(AppWindow *self, void (*done)(AppWindow *self));
 void app_window_init_report(AppWindow *self);

@@ -135,4 +135,30 @@ def cells_are_read(tap, desk):
     tap.ok(any(abs(value - cell) <= 2 * error for cell in cells), "the value is one of luxel grid's", said)
 
 
-trial(verdicts_follow, comes_and_goes, array_moves, cells_are_read)
+def dialog(desk, window):
+    """The small window that asks for a room."""
+    program = desk.reader.program(window.app.process.pid)
+    return next((part for part in program.children() if part.name == "A new room with luminaires"), None)
+
+
+def fill(asked, values):
+    for name, text in values:
+        wait(name, lambda n=name: asked.find("text box", n)).text = text
+    asked.find("button", "Make the room").act()
+
+
+def new_room(tap, desk):
+    """A room of a few numbers is that of luxel room, byte for byte; what is wrong is said, and nothing is made."""
+    window = desk.start().window()
+    window.act("new-room")
+    asked = wait("the dialog", lambda: dialog(desk, window))
+    fill(asked, (("Along x, m", "4"), ("Along y, m", "x"), ("Luminaires along x", "2"), ("Luminaires along y", "2")))
+    tap.ok(wait("the fault", lambda: [label for label in asked.names("label") if "is not a number" in label]),
+           "what is no number is said")
+    fill(asked, (("Along y, m", "4"), ("Average on the work plane, lx", "")))
+    wait("the room", lambda: not dialog(desk, window))
+    tap.ok(wait("its page", lambda: window.widget.find("tab", "Lighting")), "it has a grid with limits")
+    tap.equal(window.save(), luxel("room", "4,4,2.8", "--array", "2,2"), "and is that of luxel room")
+
+
+trial(new_room, verdicts_follow, comes_and_goes, array_moves, cells_are_read)
