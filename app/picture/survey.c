@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /*
  * The thread that measures grids and rates what observers see, of which the latter waits for the hand to rest.  It has
- * a solution of reflected light of its own, as exact as that of `luxel grid`: that of the picture, which has to hold at
- * every pixel, takes many times as long.
+ * solutions of reflected light of its own, at first to a hundredth: that of the picture, which has to hold at every
+ * pixel, takes many times as long, and one to a thousandth, as `luxel grid` has it, much room.
  */
 #include "../base/runner.h"
 #include "lighting.h"
@@ -47,8 +47,62 @@ static void report(AppRunner *runner, guint64 serial, AppGrids *grids, AppEyes *
     app_runner_report(runner, found);
 }
 
+static gboolean reflects(const AppMoment *moment)
+{
+    char *reflections = NULL;
+    const gboolean is_so = luxel_scene_get(moment->scene, "reflections", NULL, NULL, &reflections) == LUXEL_OK &&
+                           g_strcmp0(reflections, "none") != 0;
+    luxel_text_free(reflections);
+    return is_so;
+}
+
+/* Whether a number's bound spans a limit; what has no number is not known any better later. */
+static gboolean is_open(const luxel_limit *limits, gsize count)
+{
+    for (gsize i = 0; i < count; i++)
+        if (limits[i].verdict == LUXEL_UNDECIDED && limits[i].has_value)
+            return TRUE;
+    return FALSE;
+}
+
+static gboolean are_grids_open(const AppGrids *grids)
+{
+    for (gsize i = 0; i < grids->count; i++)
+        if (is_open(grids->list[i].limits, grids->list[i].limit_count))
+            return TRUE;
+    return FALSE;
+}
+
+static gboolean are_eyes_open(const AppEyes *eyes)
+{
+    for (gsize i = 0; i < eyes->count; i++)
+        if (is_open(eyes->list[i].limits, eyes->list[i].limit_count))
+            return TRUE;
+    return FALSE;
+}
+
+static gboolean measure_grids(AppRunner *runner, AppMoment *moment, const luxel_settings *settings)
+{
+    AppGrids *grids = app_grids_new(moment, settings);
+    const gboolean is_done = !grids || !reflects(moment) || !are_grids_open(grids);
+    if (grids || !app_runner_is_outdated(runner))
+        report(runner, moment->serial, grids, NULL);
+    return is_done;
+}
+
+static gboolean rate_eyes(AppRunner *runner, AppMoment *moment, const luxel_settings *settings)
+{
+    AppEyes *eyes = app_eyes_new(moment, settings);
+    const gboolean is_done = !eyes || !reflects(moment) || !are_eyes_open(eyes);
+    if (eyes)
+        report(runner, moment->serial, NULL, eyes);
+    return is_done;
+}
+
+/* Limits that are left undecided are asked more exactly. */
 static void measure(AppRunner *runner, AppMoment *moment)
 {
+    static const double errors[] = {0.01, 0.001};
     Work work = {runner, g_get_monotonic_time() + PATIENCE_MICROSECONDS};
     luxel_settings settings;
     luxel_settings_init(&settings);
@@ -56,15 +110,20 @@ static void measure(AppRunner *runner, AppMoment *moment)
     settings.progress = go_on;
     settings.progress_data = &work;
     app_moment_light(moment, &settings);
-    AppGrids *grids = app_grids_new(moment, &settings);
-    if (grids || !app_runner_is_outdated(runner))
-        report(runner, moment->serial, grids, NULL);
-    if (!grids || luxel_scene_observer_count(moment->scene) == 0 || app_runner_rest(runner, REST_MS))
+    for (gsize i = 0; i < G_N_ELEMENTS(errors) && (i == 0 || !app_runner_is_outdated(runner)); i++) {
+        settings.reflected_error = errors[i];
+        if (measure_grids(runner, moment, &settings))
+            break;
+        work.until = 0;
+    }
+    if (luxel_scene_observer_count(moment->scene) == 0 || app_runner_rest(runner, REST_MS))
         return;
     work.until = 0;
-    AppEyes *eyes = app_eyes_new(moment, &settings);
-    if (eyes)
-        report(runner, moment->serial, NULL, eyes);
+    for (gsize i = 0; i < G_N_ELEMENTS(errors) && !app_runner_is_outdated(runner); i++) {
+        settings.reflected_error = errors[i];
+        if (rate_eyes(runner, moment, &settings))
+            break;
+    }
 }
 
 /* What is refused is not measured: the window says why. */
