@@ -28,7 +28,9 @@ static gboolean reveal(GtkWidget *inside, GdkFrameClock *clock, gpointer data)
     GtkAdjustment *adjustment = gtk_scrolled_window_get_vadjustment(wish->scrolled);
     if (row && gtk_widget_compute_bounds(row, gtk_scrolled_window_get_child(wish->scrolled), &at)) {
         const double top = gtk_adjustment_get_value(adjustment) + (double)at.origin.y;
-        gtk_adjustment_clamp_page(adjustment, top, top + (double)at.size.height);
+        const double page = gtk_adjustment_get_page_size(adjustment), bottom = top + (double)at.size.height;
+        /* setting ends the motion to where the keyboard's focus was before all had its place; a clamp would not */
+        gtk_adjustment_set_value(adjustment, MIN(MAX(gtk_adjustment_get_value(adjustment), bottom - page), top));
     }
     return wish->frames > wish->last ? G_SOURCE_REMOVE : G_SOURCE_CONTINUE;
 }

@@ -174,11 +174,17 @@ luxel_drawing_style app_numbers_style(GtkWidget *widget, luxel_language *languag
 
 /* ---- which version they are of ---- */
 
-static const char *const page_names[] = {"space", "points", "section", "statistics"};
+static const char *const page_names[] = {"space", "points", "section", "statistics", "lighting"};
+
+static GtkWidget *page_of(AppNumbers *self, AppPage page)
+{
+    return gtk_stack_get_child_by_name(GTK_STACK(self->stack), page_names[page]);
+}
 
 static gboolean is_of(const AppNumbers *self, Part part)
 {
-    return app_version_equal(&self->versions[part], &self->wanted);
+    return part == PART_LIGHTING ? self->versions[part].shot >= self->live
+                                 : app_version_equal(&self->versions[part], &self->wanted);
 }
 
 /* The reason why results cannot be copied; NULL: there is none. */
@@ -194,10 +200,11 @@ static const char *why_no_copy(const AppNumbers *self)
 static void judge(AppNumbers *self)
 {
     GtkWidget *const parts[PARTS] = {
-        [PART_POINTS] = gtk_stack_get_child_by_name(GTK_STACK(self->stack), page_names[APP_PAGE_POINTS]),
-        [PART_SECTION] = gtk_stack_get_child_by_name(GTK_STACK(self->stack), page_names[APP_PAGE_SECTION]),
-        [PART_STATISTICS] = gtk_stack_get_child_by_name(GTK_STACK(self->stack), page_names[APP_PAGE_STATISTICS]),
-        [PART_BALANCE] = self->balance};
+        [PART_POINTS] = page_of(self, APP_PAGE_POINTS),
+        [PART_SECTION] = page_of(self, APP_PAGE_SECTION),
+        [PART_STATISTICS] = page_of(self, APP_PAGE_STATISTICS),
+        [PART_BALANCE] = self->balance,
+        [PART_LIGHTING] = page_of(self, APP_PAGE_LIGHTING)};
     /* the balance stands among the statistics, with which it would be dimmed twice */
     for (Part part = 0; part < PARTS; part++)
         app_set_stale(parts[part], !is_of(self, part) && (part != PART_BALANCE || is_of(self, PART_STATISTICS)));
@@ -206,18 +213,37 @@ static void judge(AppNumbers *self)
     gtk_widget_set_tooltip_text(self->copy, why ? why : _("Maximum, minimum and points as one text"));
 }
 
-gboolean app_numbers_set_version(AppNumbers *self, const AppVersion *version, gboolean is_latest)
+void app_numbers_follow_lighting(AppNumbers *self, guint64 serial)
+{
+    self->versions[PART_LIGHTING].shot = serial;
+    judge(self);
+}
+
+void app_numbers_offer_lighting(AppNumbers *self, gboolean is_offered)
+{
+    GtkWidget *page = page_of(self, APP_PAGE_LIGHTING);
+    self->has_lighting = is_offered;
+    gtk_stack_page_set_visible(gtk_stack_get_page(GTK_STACK(self->stack), page), is_offered);
+    if (!is_offered)
+        app_numbers_forget_lighting(self);
+}
+
+gboolean app_numbers_set_version(AppNumbers *self, const AppVersion *version, guint64 live, gboolean is_latest)
 {
     static const Part needed[] = {[APP_PAGE_SPACE] = PART_POINTS,
                                   [APP_PAGE_POINTS] = PART_POINTS,
                                   [APP_PAGE_SECTION] = PART_SECTION,
-                                  [APP_PAGE_STATISTICS] = PART_STATISTICS};
-    if (!app_version_equal(&self->wanted, version) || self->is_latest != is_latest) {
+                                  [APP_PAGE_STATISTICS] = PART_STATISTICS,
+                                  [APP_PAGE_LIGHTING] = PART_LIGHTING};
+    if (!app_version_equal(&self->wanted, version) || self->live != live || self->is_latest != is_latest) {
         self->wanted = *version;
+        self->live = live;
         self->is_latest = is_latest;
         judge(self);
     }
-    return is_of(self, needed[app_numbers_page(self)]);
+    const AppPage page = app_numbers_page(self);
+    const gboolean needs_lighting = page == APP_PAGE_SPACE && self->has_lighting; /* grids are drawn there */
+    return is_of(self, needed[page]) && (!needs_lighting || is_of(self, PART_LIGHTING));
 }
 
 void app_numbers_set_late(AppNumbers *self, gboolean is_late)
@@ -237,6 +263,7 @@ void app_numbers_forget(AppNumbers *self)
     for (int i = 0; i < LINES; i++)
         app_numbers_set_text(self->lines[i], "");
     app_numbers_show_balance(self, NULL);
+    app_numbers_forget_lighting(self);
     for (int i = 0; i < PLOTS; i++)
         app_numbers_tell_cursor(self, (Plot)i);
     g_clear_pointer(&self->shot, app_shot_unref);
@@ -362,6 +389,8 @@ static void app_numbers_finalize(GObject *object)
     app_shot_unref(self->shot);
     g_free(self->measured);
     luxel_histogram_free(self->bins);
+    app_grids_unref(self->grids);
+    app_eyes_unref(self->eyes);
     g_strfreev(self->names);
     g_free(self->bins_name);
     g_free(self->unit_name);
@@ -395,6 +424,8 @@ GtkWidget *app_numbers_new(AppDocument *document, GtkWidget *space)
     gtk_stack_add_titled(GTK_STACK(self->stack), new_points(self), page_names[1], _("Points"));
     gtk_stack_add_titled(GTK_STACK(self->stack), app_numbers_new_sections(self), page_names[2], _("Section"));
     gtk_stack_add_titled(GTK_STACK(self->stack), app_numbers_new_statistics(self), page_names[3], _("Statistics"));
+    gtk_stack_add_titled(GTK_STACK(self->stack), app_numbers_new_lighting(self), page_names[4], _("Lighting"));
+    app_numbers_offer_lighting(self, FALSE);
     gtk_stack_switcher_set_stack(GTK_STACK_SWITCHER(switcher), GTK_STACK(self->stack));
     gtk_widget_set_vexpand(self->stack, TRUE);
     g_signal_connect_swapped(self->stack, "notify::visible-child", G_CALLBACK(page_turned), self);

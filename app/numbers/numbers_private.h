@@ -37,7 +37,7 @@ typedef enum Line {
 } Line;
 
 /* Results that come and go by themselves, each of a version of the scene. */
-typedef enum Part { PART_POINTS, PART_SECTION, PART_STATISTICS, PART_BALANCE, PARTS } Part;
+typedef enum Part { PART_POINTS, PART_SECTION, PART_STATISTICS, PART_BALANCE, PART_LIGHTING, PARTS } Part;
 
 /* The plots, off which a cursor reads values. */
 typedef enum Plot { PLOT_HORIZONTAL, PLOT_VERTICAL, PLOT_HISTOGRAM, PLOTS } Plot;
@@ -54,6 +54,11 @@ struct _AppNumbers {
     GtkWidget *stack, *points, *points_left, *unit, *section_place, *plots[PLOTS];
     Cursor cursors[PLOTS];
     GtkWidget *lines[LINES], *balance, *copy, *waiting;
+    GtkWidget *lighting;   /* the lines of grids and observers */
+    gboolean has_lighting; /* the scene has some */
+    AppGrids *grids; /* NULL: none were measured, as below */
+    AppEyes *eyes;
+    guint64 live;    /* the version that lighting is to be of, which knows no comparison and needs no picture */
     AppVersion wanted, versions[PARTS]; /* of the scene that is shown, and that each part is of */
     gboolean is_latest;                 /* what is wanted is the document as it is */
     guint point_rows;
@@ -81,6 +86,8 @@ void app_numbers_set_text(GtkWidget *label, const char *text);
 void app_numbers_set_number(GtkWidget *label, double number);
 /* "brightness, W/sr": what the values of a field of these measures are; the caller's. */
 char *app_numbers_name(const AppMeasures *measures, const luxel_field *field);
+/* Grids and observers have become those of a version. */
+void app_numbers_follow_lighting(AppNumbers *self, guint64 serial);
 /* How plots are drawn on a widget; `language` is room for what the style points to. */
 luxel_drawing_style app_numbers_style(GtkWidget *widget, luxel_language *language);
 
@@ -104,5 +111,9 @@ GtkWidget *app_numbers_new_balance(AppNumbers *self);
 /* Whether one belongs to what is shown. */
 void app_numbers_await_balance(AppNumbers *self, gboolean is_coming);
 void app_numbers_show_balance(AppNumbers *self, const luxel_balance *balance);
+
+/* numbers_lighting.c: of scenes that have grids or observers */
+GtkWidget *app_numbers_new_lighting(AppNumbers *self);
+void app_numbers_forget_lighting(AppNumbers *self);
 
 #endif

@@ -16,6 +16,7 @@
 #include "../picture/color.h"
 #include "../picture/measures.h"
 #include "explained.h"
+#include "sunshine.h"
 
 enum { REST_MS = 180, WIDTH = 276, HEIGHT = 150, WHOLE_WIDTH = 820, WHOLE_HEIGHT = 700, DIGITS = 4, MOST_SHARES = 4 };
 
@@ -28,7 +29,7 @@ typedef struct Place {
 
 struct _AppWhy {
     GtkBox parent;
-    GtkWidget *where, *pin, *result, *shares, *formula, *whole;
+    GtkWidget *where, *pin, *result, *shares, *sun, *formula, *whole;
     AppPointer *pointer;
     gboolean is_shown;
     Place place; /* that the pointer was at last; no shot: none yet */
@@ -44,6 +45,19 @@ enum { KEPT, SIGNALS };
 static guint signals[SIGNALS];
 
 G_DEFINE_FINAL_TYPE(AppWhy, app_why, GTK_TYPE_BOX)
+
+/* What is said of a place; NULL: nothing. */
+typedef struct Told {
+    char *text, *sun;
+} Told;
+
+static void free_told(gpointer data)
+{
+    Told *told = data;
+    g_free(told->text);
+    g_free(told->sun);
+    g_free(told);
+}
 
 static void free_place(gpointer data)
 {
@@ -67,6 +81,7 @@ static void judge(AppWhy *self)
 {
     const gboolean is_stale = self->text && self->serial != self->wanted;
     app_set_stale(self->formula, is_stale);
+    app_set_stale(self->sun, is_stale);
     app_set_stale(self->result, self->read != self->wanted);
     app_set_stale(self->shares, self->read != self->wanted);
     gtk_widget_set_sensitive(self->whole, self->text && !is_stale);
@@ -162,15 +177,17 @@ static void explain(GTask *task, gpointer source, gpointer data, GCancellable *c
     settings.quantity = luxel_field_quantity(place->shot->field);
     settings.threads = 1;
     app_moment_light(place->shot->moment, &settings);
-    if (luxel_explain(place->shot->moment->scene, &settings, place->x_mm, place->y_mm, &language, NULL, &document) !=
+    Told *told = g_new0(Told, 1);
+    const AppMoment *direct = place->shot->moment->direct;
+    if (luxel_explain(place->shot->moment->scene, &settings, place->x_mm, place->y_mm, &language, NULL, &document) ==
         LUXEL_OK) {
-        g_task_return_pointer(task, NULL, NULL);
-        return;
+        char *text = luxel_document_write_text(document, LUXEL_DOCUMENT_TEXT);
+        told->text = text ? app_text_show(text) : NULL;
+        luxel_text_free(text);
+        luxel_document_free(document);
     }
-    char *text = luxel_document_write_text(document, LUXEL_DOCUMENT_TEXT);
-    g_task_return_pointer(task, text ? app_text_show(text) : NULL, g_free);
-    luxel_text_free(text);
-    luxel_document_free(document);
+    told->sun = app_sunshine(direct ? direct->scene : place->shot->moment->scene, &settings, place->x_mm, place->y_mm);
+    g_task_return_pointer(task, told, free_told);
 }
 
 static void ask(AppWhy *self);
@@ -178,16 +195,21 @@ static void ask(AppWhy *self);
 static void explained(GObject *source, GAsyncResult *result, gpointer data)
 {
     AppWhy *self = APP_WHY(source);
-    char *text = g_task_propagate_pointer(G_TASK(result), NULL);
+    Told *told = g_task_propagate_pointer(G_TASK(result), NULL);
     const Place *place = g_task_get_task_data(G_TASK(result));
     (void)data;
     self->is_busy = FALSE;
+    if (!told)
+        return;
     if (!self->formula || !self->place.shot) { /* the window went meanwhile, or the scene */
-        g_free(text);
+        free_told(told);
         return;
     }
     g_free(self->text);
-    self->text = text;
+    self->text = g_steal_pointer(&told->text);
+    gtk_label_set_text(GTK_LABEL(self->sun), told->sun ? told->sun : "");
+    gtk_widget_set_visible(self->sun, told->sun != NULL);
+    free_told(told);
     self->serial = place->shot->moment->serial;
     show_formula(self);
     judge(self);
@@ -302,6 +324,7 @@ void app_why_forget(AppWhy *self)
     g_clear_handle_id(&self->timer, g_source_remove);
     g_clear_pointer(&self->place.shot, app_shot_unref);
     g_clear_pointer(&self->text, g_free);
+    gtk_widget_set_visible(self->sun, FALSE);
     gtk_toggle_button_set_active(GTK_TOGGLE_BUTTON(self->pin), FALSE);
     show_reading(self, NULL);
     show_formula(self);
@@ -447,11 +470,14 @@ static void app_why_init(AppWhy *self)
     self->pointer = app_pointer_new(value_came, self);
     self->result = new_words("numeric");
     self->shares = new_words("numeric");
+    self->sun = new_words("note");
     self->formula = new_words("note");
     self->whole = gtk_button_new_with_label(_("The whole…"));
     gtk_label_set_tabs(GTK_LABEL(self->shares), tabs);
     pango_tab_array_free(tabs);
     gtk_label_set_max_width_chars(GTK_LABEL(self->formula), 1); /* the card is as wide as it is */
+    gtk_label_set_max_width_chars(GTK_LABEL(self->sun), 1);
+    gtk_widget_set_visible(self->sun, FALSE);
     gtk_widget_set_hexpand(self->formula, TRUE);
     gtk_widget_set_tooltip_text(self->whole, _("The whole calculation, as luxel explain prints it"));
     gtk_widget_add_css_class(self->whole, "flat");
@@ -462,6 +488,7 @@ static void app_why_init(AppWhy *self)
     gtk_box_append(GTK_BOX(self), new_head(self));
     gtk_box_append(GTK_BOX(self), self->result);
     gtk_box_append(GTK_BOX(self), self->shares);
+    gtk_box_append(GTK_BOX(self), self->sun);
     gtk_expander_set_child(GTK_EXPANDER(fold), scrolled);
     app_name_control(fold, _("Formula of the chosen source"));
     gtk_box_append(GTK_BOX(self), fold);

@@ -14,8 +14,10 @@
 #include "../base/runner.h"
 
 static const double FRAME_SECONDS = 0.011; /* of the 16.7 ms of a frame, what painting and showing leave */
+static const double FIRST_SECONDS = 0.3;   /* that the first coarse picture may take */
+static const double WHOLE_SECONDS = 1;     /* a whole that takes longer has ever finer ones before it */
 static const double LONG_SECONDS = 0.1;    /* a coarse picture that takes longer may be given up after all */
-enum { FIRST_STRIDE = 8, LARGEST_STRIDE = 64, PERMILLE = 1000 };
+enum { FIRST_STRIDE = 8, LARGEST_STRIDE = 64, FINER = 4, PERMILLE = 1000 };
 
 struct AppPainter {
     AppRunner *runner;
@@ -370,6 +372,13 @@ static void report_faults(AppRunner *runner, const AppWish *wish, luxel_diagnost
 
 /* ---- the work ---- */
 
+static double pixels_of(const AppMoment *moment)
+{
+    unsigned columns, rows;
+    luxel_scene_resolution(moment->scene, &columns, &rows);
+    return (double)columns * rows;
+}
+
 static guint stride_for(const Work *work, double pixels)
 {
     if (work->seconds_per_pixel <= 0)
@@ -386,24 +395,46 @@ static void finish(Work *work, AppRunner *runner, const AppWish *wish, AppShot *
     work->last = shot;
 }
 
+/* Shows a coarse picture, which is freed, unless the whole, as is known then, is there in a frame; FALSE: there is none
+ * as it was given up, or a newer wish has come. */
+static gboolean show_coarse(Work *work, AppRunner *runner, const AppWish *wish, AppShot *coarse)
+{
+    const gboolean is_shown = coarse && stride_for(work, pixels_of(coarse->moment)) > 1;
+    if (is_shown)
+        paint_and_report(work, runner, wish, coarse);
+    const gboolean goes_on = coarse && !(is_shown && app_runner_is_outdated(runner));
+    app_shot_unref(coarse);
+    return goes_on;
+}
+
+/* Where nothing is known of how long pixels take, a few of them tell whether those of the first picture are too many:
+ * they are the first picture then, else NULL, and their time is too uncertain to count. */
+static AppShot *try_few(Work *work, AppRunner *runner, AppMoment *moment)
+{
+    AppShot *few = compute(work, runner, moment, LARGEST_STRIDE, TRUE, NULL, NULL);
+    if (few && work->seconds_per_pixel * pixels_of(moment) > FIRST_SECONDS * FIRST_STRIDE * FIRST_STRIDE)
+        return few;
+    work->seconds_per_pixel = 0;
+    app_shot_unref(few);
+    return NULL;
+}
+
+/* Ever finer pictures come before a whole that takes long. */
 static void compute_and_paint(Work *work, AppRunner *runner, const AppWish *wish, AppMoment *moment,
                               luxel_diagnostics *faults)
 {
-    unsigned columns, rows;
-    luxel_scene_resolution(moment->scene, &columns, &rows);
-    const double pixels = (double)columns * rows;
-    guint stride = stride_for(work, pixels);
+    const double pixels = pixels_of(moment);
+    AppShot *coarse = work->seconds_per_pixel > 0 ? NULL : try_few(work, runner, moment);
+    guint stride = coarse ? LARGEST_STRIDE : stride_for(work, pixels);
     if (stride > 1) {
-        AppShot *coarse = compute(work, runner, moment, stride, TRUE, NULL, faults);
-        if (!coarse)
-            return;
-        /* most often it was the first picture, of which nothing was known, and the whole takes no longer */
+        do {
+            if (!coarse)
+                coarse = compute(work, runner, moment, stride, TRUE, NULL, faults);
+            if (!show_coarse(work, runner, wish, g_steal_pointer(&coarse)))
+                return;
+            stride /= FINER;
+        } while (stride >= FINER && work->seconds_per_pixel * pixels > WHOLE_SECONDS);
         stride = stride_for(work, pixels);
-        if (stride > 1)
-            paint_and_report(work, runner, wish, coarse);
-        app_shot_unref(coarse);
-        if (stride > 1 && app_runner_is_outdated(runner))
-            return;
     }
     AppShot *fine = compute(work, runner, moment, 1, stride == 1, NULL, faults);
     if (fine)

@@ -29,6 +29,8 @@ void app_sight_init(AppSight *self, GtkWidget *widget)
 void app_sight_clear(AppSight *self)
 {
     g_clear_object(&self->document);
+    g_clear_pointer(&self->grids, app_grids_unref);
+    g_clear_pointer(&self->eyes, app_eyes_unref);
     g_clear_pointer(&self->chosen, g_array_unref);
     g_clear_pointer(&self->turn, app_turn_free);
 }
@@ -76,6 +78,28 @@ void app_sight_set_stale(AppSight *self, gboolean stale)
 {
     self->is_stale = stale;
     gtk_widget_queue_draw(self->widget);
+}
+
+void app_sight_set_lighting(AppSight *self, AppGrids *grids, AppEyes *eyes)
+{
+    app_grids_ref(grids);
+    app_eyes_ref(eyes);
+    app_grids_unref(self->grids);
+    app_eyes_unref(self->eyes);
+    self->grids = grids;
+    self->eyes = eyes;
+    gtk_widget_queue_draw(self->widget);
+}
+
+double app_sight_grid_opacity(AppSight *self, const AppMoment *moment)
+{
+    static const double shown = 0.6, dimmed = 0.2;
+    enum { BLINK_MICROSECONDS = 200000 };
+    const AppMoment *of = self->grids ? self->grids->moment : NULL;
+    const gint64 now = g_get_monotonic_time();
+    if (of && of->serial >= moment->serial)
+        self->grids_seen = now;
+    return now - self->grids_seen <= BLINK_MICROSECONDS && !self->is_stale ? shown : dimmed;
 }
 
 /* ---- the hand ---- */

@@ -13,6 +13,7 @@
 
 #include <gtk/gtk.h>
 
+#include "../picture/lighting.h"
 #include "../picture/measures.h"
 #include "../picture/turn.h"
 #include "space.h"
@@ -25,6 +26,9 @@ typedef struct AppSight {
     GArray *chosen;           /* gsize: the lights that are chosen together, the selected one among them */
     gboolean has_place;       /* the vectors of the formula are shown, of the place that was read: */
     double place_mm[3], normal[3];
+    AppGrids *grids;      /* that were measured last; NULL: none, as below */
+    AppEyes *eyes;        /* observers that were rated last */
+    gint64 grids_seen;    /* when they were last of the scene that is shown, monotonic time; 0: never */
     AppThing thing;       /* that is held, or that the pointer is on */
     double start_mm[3];   /* where it was taken */
     gboolean was_chosen;  /* what was pressed, with others */
@@ -47,6 +51,11 @@ void app_sight_hover(AppSight *self, gssize light);
 void app_sight_set_reading(AppSight *self, const AppReading *reading);
 /* Dims it: it is of an earlier scene. */
 void app_sight_set_stale(AppSight *self, gboolean stale);
+
+/* Shows grids and observers, to which references are taken; NULL: none. */
+void app_sight_set_lighting(AppSight *self, AppGrids *grids, AppEyes *eyes);
+/* How strongly grids are drawn in the sight of a moment: faintly where they have not followed it for a blink. */
+double app_sight_grid_opacity(AppSight *self, const AppMoment *moment);
 
 /* The pointer is on a thing, or with one of no kind on none. */
 void app_sight_point(AppSight *self, const AppThing *thing);

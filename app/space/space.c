@@ -14,7 +14,7 @@
 static const double ARROW = 0.14;    /* of the reach: arrows of axes */
 static const double FAR_OUT = 0.45;  /* of the reach: where distant light is grabbed */
 static const double SMALLEST_MM = 1; /* the heights of an observer begin there */
-enum { DIRECTION_DIGITS = 4 };
+enum { DIRECTION_DIGITS = 4, MOST_PLACES = APP_MOST_THINGS / 6 };
 
 int app_projection_up(AppProjection projection)
 {
@@ -124,7 +124,8 @@ void app_space_view(const AppSpace *space, const double place_mm[3], double view
 gboolean app_space_light(const AppThing *thing, const double place_mm[3], const double normal[3], double light[3])
 {
     double to[3], along = 0;
-    if ((thing->kind != APP_THING_LAMP && thing->kind != APP_THING_DIRECTION) || !thing->is_on)
+    const gboolean is_lamp = thing->kind == APP_THING_LAMP || thing->kind == APP_THING_DIRECTION;
+    if (!is_lamp || !thing->is_on || (thing->place == 0 && thing->places > 1))
         return FALSE;
     for (int k = 0; k < 3; k++)
         to[k] = thing->at_mm[k] - (thing->kind == APP_THING_DIRECTION ? thing->from_mm[k] : place_mm[k]);
@@ -227,18 +228,42 @@ static void add_turning(AppSpace *space, const luxel_scene *scene, const AppThin
     g_free(type);
 }
 
+/* A lamp, or one at a place of an array: each can be taken, and all are moved together. */
+static void add_lamp_at(AppSpace *space, const luxel_scene *scene, const AppThing *thing, const AppBody *body,
+                        const char *name)
+{
+    if (thing->place > 0 && space->things->len >= APP_MOST_THINGS / 2) /* there is to be room for others */
+        return;
+    add_thing(space, thing, body->base, name);
+    app_space_include(space, thing->at_mm);
+    if (body->shape && (thing->place > 0 || thing->places == 1))
+        app_space_add_body(space, scene, body);
+}
+
 static void add_lamp(AppSpace *space, const AppMoment *moment, gsize index)
 {
     const luxel_scene *scene = moment->scene;
     char base[APP_KEY_SIZE];
     const char *name, *shape;
-    AppThing thing = {.kind = APP_THING_LAMP, .index = index, .is_on = app_moment_is_on(moment, index)};
+    const gsize count = luxel_scene_light_place_count(scene, index);
+    AppThing thing = {
+        .kind = APP_THING_LAMP, .index = index, .is_on = app_moment_is_on(moment, index), .places = count};
     if (!luxel_scene_light_place(scene, index, thing.at_mm) || !find_place(scene, index, base, &name, &shape))
         return;
-    add_thing(space, &thing, base, name);
-    app_space_include(space, thing.at_mm);
-    if (shape)
-        app_space_add_body(space, scene, &(AppBody){APP_LINE_LAMP, index, base, shape});
+    const AppBody body = {APP_LINE_LAMP, index, base, shape};
+    const double middle[3] = {thing.at_mm[0], thing.at_mm[1], thing.at_mm[2]};
+    add_lamp_at(space, scene, &thing, &body, name);
+    double(*places)[3] = g_malloc_n(count, sizeof *places);
+    const gboolean has_places = count > 1 && luxel_scene_light_places(scene, index, places);
+    for (gsize i = 0; has_places && i < MIN(count, MOST_PLACES); i++) {
+        thing.place = i + 1;
+        for (int k = 0; k < 3; k++) {
+            thing.at_mm[k] = places[i][k];
+            thing.off_mm[k] = places[i][k] - middle[k];
+        }
+        add_lamp_at(space, scene, &thing, &body, name);
+    }
+    g_free(places);
 }
 
 /* What needs to know how far the scene reaches: cones, axes, distant light. */
@@ -248,6 +273,8 @@ static void add_directions(AppSpace *space, const AppMoment *moment, gsize lamps
     for (gsize i = 0; i < lamps; i++) {
         const AppThing lamp = g_array_index(space->things, AppThing, i);
         char base[APP_KEY_SIZE];
+        if (lamp.place > 0)
+            continue;
         g_strlcpy(base, lamp.key, sizeof base);
         *strrchr(base, '.') = '\0';
         add_turning(space, scene, &lamp, base, reach);
@@ -368,15 +395,16 @@ static gboolean set_place(AppThing *thing, const gboolean moves[3], const double
     /* what is not moved stays as it is written */
     char *text = app_document_get(document, thing->key, NULL);
     if (app_list_read(text, place, 3) != 3)
-        memcpy(place, thing->at_mm, sizeof place);
+        for (int k = 0; k < 3; k++)
+            place[k] = thing->at_mm[k] - thing->off_mm[k];
     g_free(text);
     for (int k = 0; k < 3; k++)
         if (moves[k])
-            place[k] = round_to(to_mm[k], grain_mm);
+            place[k] = round_to(to_mm[k] - thing->off_mm[k], grain_mm);
     char *list = app_list_write(place, 3);
     const gboolean done = app_document_set(document, thing->key, list, NULL);
-    if (done)
-        memcpy(thing->at_mm, place, sizeof place);
+    for (int k = 0; k < 3 && done; k++)
+        thing->at_mm[k] = place[k] + thing->off_mm[k];
     g_free(list);
     return done;
 }

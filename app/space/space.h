@@ -33,6 +33,8 @@ typedef struct AppThing {
     AppThingKind kind;
     gsize index;            /* of the light or the surface */
     gboolean is_on;         /* of a light: enabled */
+    gsize place, places;    /* of a light: which of its array's, from 1 on, or 0 all of it; and how many there are */
+    double off_mm[3];       /* how far a place of an array is from where the key has the light */
     double at_mm[3];        /* where it is grabbed */
     double from_mm[3];      /* where the arrow to it begins, of aims, axes and directions */
     char key[APP_KEY_SIZE]; /* that moving it changes: "lights[0].position" */

@@ -216,10 +216,13 @@ void app_space_add_surface(AppSpace *space, const luxel_scene *scene, AppOutline
     add_front(space, scene, index);
 }
 
-static void add_polygon(AppSpace *space, const luxel_scene *scene, const AppBody *body, const double center[3])
+static void add_polygon(AppSpace *space, const luxel_scene *scene, const AppBody *body, const double center[3],
+                        const double off[3])
 {
     double *places = g_new(double, 3 * MOST_CORNERS), axis[3];
     const gsize count = app_space_numbers(scene, body->base, "vertices", places, 3 * MOST_CORNERS) / 3;
+    for (gsize i = 0; i < 3 * count; i++)
+        places[i] += off[i % 3];
     if (count > 2) {
         app_space_add_line(space, body->kind, body->index, TRUE, (const double(*)[3])places, count);
         if (luxel_scene_light_direction(scene, body->index, axis))
@@ -243,7 +246,7 @@ void app_space_add_body(AppSpace *space, const luxel_scene *scene, const AppBody
     else if (strcmp(shape, "box") == 0)
         add_box(space, scene, body, center);
     else if (strcmp(shape, "polygon") == 0)
-        add_polygon(space, scene, body, center);
+        add_polygon(space, scene, body, center, thing->off_mm);
 }
 
 /* A cone reaches to what its lamp is aimed at. */

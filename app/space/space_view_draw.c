@@ -17,14 +17,14 @@ enum {
     MOST_FILLS = 12,
     MOST_NAMES = 8,
     STEP = 7,   /* dots of a line that are hidden together or not */
-    COARSE = 2, /* dots across of an area that are hidden together */
     LETTERS = 12,
     BESIDE = 18,
     VECTOR = 70,
     SHORT = 24, /* of a vector that has no letter */
     MOST_VECTORS = 4,
     ROUND = 32,
-    CORNER = 16
+    CORNER = 16,
+    RING = 5
 };
 static const double HIDDEN = 0.16, DASHES[] = {4, 4}, DOTS[] = {1.5, 4};
 
@@ -149,77 +149,10 @@ static void draw_chain(const Sheet *sheet, const double (*places)[3], gsize coun
     }
 }
 
-/* In perspective the inverse of the distance changes evenly over the picture of a plane: its value at the origin of the
- * widget and its steps by a dot; FALSE: the plane is seen on edge. */
-static gboolean find_slope(const Sheet *sheet, const double (*plane)[3], double slope[3])
-{
-    double seen[3][3], inverse[3];
-    for (int i = 0; i < 3; i++) {
-        if (!app_orbit_see(sheet->orbit, plane[i], seen[i]))
-            return FALSE;
-        inverse[i] = 1 / seen[i][2];
-    }
-    const double u[2] = {seen[1][0] - seen[0][0], seen[1][1] - seen[0][1]};
-    const double v[2] = {seen[2][0] - seen[0][0], seen[2][1] - seen[0][1]};
-    const double p = inverse[1] - inverse[0], q = inverse[2] - inverse[0], area = u[0] * v[1] - u[1] * v[0];
-    if (fabs(area) < 1e-6)
-        return FALSE;
-    slope[1] = (p * v[1] - q * u[1]) / area;
-    slope[2] = (q * u[0] - p * v[0]) / area;
-    slope[0] = inverse[0] - slope[1] * seen[0][0] - slope[2] * seen[0][1];
-    return TRUE;
-}
-
-/* Where no body stands before a plane, as a mask of a part of the widget. */
-static cairo_surface_t *new_mask(const Sheet *sheet, const double slope[3], const int part[4])
-{
-    const int columns = part[2] / COARSE + 1, rows = part[3] / COARSE + 1;
-    cairo_surface_t *mask = cairo_image_surface_create(CAIRO_FORMAT_A8, columns, rows);
-    guchar *bytes = cairo_image_surface_get_data(mask);
-    const int stride = cairo_image_surface_get_stride(mask);
-    for (int row = 0; row < rows; row++)
-        for (int column = 0; column < columns; column++) {
-            const double x = part[0] + (column + 0.5) * COARSE, y = part[1] + (row + 0.5) * COARSE;
-            const double depth = app_lit_depth(sheet->view->lit, x, y);
-            const gboolean is_before = depth > 0 && 1 / depth > slope[0] + slope[1] * x + slope[2] * y + 1e-9;
-            bytes[row * stride + column] = is_before ? 0 : 255;
-        }
-    cairo_surface_mark_dirty(mask);
-    return mask;
-}
-
-/* Fills an outline that lies in a plane of three places with the colour that is set. */
+/* Fills an outline that lies in a plane of three places with the colour that is set, but where bodies hide it. */
 static void fill(const Sheet *sheet, const double (*outline)[3], gsize count, const double (*plane)[3])
 {
-    cairo_t *cairo = sheet->cairo;
-    double slope[3], low[2], high[2];
-    for (gsize i = 0; i < count; i++) {
-        double seen[3];
-        if (!app_orbit_see(sheet->orbit, outline[i], seen)) {
-            cairo_new_path(cairo);
-            return;
-        }
-        cairo_line_to(cairo, seen[0], seen[1]);
-    }
-    cairo_close_path(cairo);
-    cairo_save(cairo);
-    cairo_clip(cairo);
-    cairo_clip_extents(cairo, &low[0], &low[1], &high[0], &high[1]);
-    const int part[4] = {(int)floor(low[0]), (int)floor(low[1]), (int)ceil(high[0] - low[0]),
-                         (int)ceil(high[1] - low[1])};
-    if (part[2] > 0 && part[3] > 0 && sheet->view->lit && sheet->view->lit->moment && find_slope(sheet, plane, slope)) {
-        cairo_surface_t *mask = new_mask(sheet, slope, part);
-        cairo_pattern_t *pattern = cairo_pattern_create_for_surface(mask);
-        cairo_matrix_t matrix;
-        cairo_matrix_init_scale(&matrix, 1.0 / COARSE, 1.0 / COARSE);
-        cairo_matrix_translate(&matrix, -part[0], -part[1]);
-        cairo_pattern_set_matrix(pattern, &matrix);
-        cairo_mask(cairo, pattern);
-        cairo_pattern_destroy(pattern);
-        cairo_surface_destroy(mask);
-    } else
-        cairo_paint(cairo);
-    cairo_restore(cairo);
+    app_space_view_fill(sheet->view, sheet->cairo, outline, count, plane);
 }
 
 static const double (*places_of(const Sheet *sheet, const AppLine *line))[3]
@@ -416,13 +349,28 @@ static void draw_badge(const Sheet *sheet, const AppThing *thing, const double a
     cairo_restore(sheet->cairo);
 }
 
+/* One place of an array, whose number stands in the middle. */
+static void draw_ring(const Sheet *sheet, const AppThing *thing, const double at[2], gboolean is_bold)
+{
+    cairo_arc(sheet->cairo, at[0], at[1], RING, 0, 2 * G_PI);
+    set_lamp(sheet, thing->index, thing->is_on ? 1 : 0.4);
+    stroke_cased(sheet, is_bold ? 2.25 : 1.25);
+}
+
 static void draw_lamp(const Sheet *sheet, const AppThing *thing, gsize lamps)
 {
     double at[3], angle;
     const gboolean is_outside = app_space_view_mark(sheet->view, thing, at, &angle);
     const gboolean hidden = !is_outside && is_hidden(sheet, at), bold = is_marked(sheet, thing->index);
-    if (thing->is_on && !is_outside && lamps <= MOST_GLOWS)
+    const gboolean has_number = thing->place == 0;
+    if (!has_number && is_outside)
+        return;
+    if (thing->is_on && !is_outside && MAX(lamps, thing->places) <= MOST_GLOWS && (!has_number || thing->places <= 1))
         draw_glow(sheet, at, thing->index, hidden ? 0.25 : 0.75);
+    if (!has_number) {
+        draw_ring(sheet, thing, at, bold);
+        return;
+    }
     if (app_sight_is_chosen(&sheet->view->sight, thing->index) && !is_outside)
         draw_plumb(sheet, thing);
     if (is_outside)
@@ -474,7 +422,7 @@ static void draw_things(const Sheet *sheet)
     for (guint i = things->len; i > 0; i--) {
         const AppThing *thing = &g_array_index(things, AppThing, i - 1);
         const gboolean is_lamp = thing->kind == APP_THING_LAMP || thing->kind == APP_THING_DIRECTION;
-        lamps += is_lamp ? 1 : 0;
+        lamps += is_lamp && thing->place == 0 ? 1 : 0;
         if (thing->kind != APP_THING_SURFACE && thing->kind != APP_THING_LAMP)
             draw_handle(sheet, thing);
     }
@@ -554,6 +502,7 @@ void app_space_view_draw(AppSpaceView *self, cairo_t *cairo)
                          .widget = GTK_WIDGET(self),
                          .taken = g_array_new(FALSE, FALSE, sizeof(graphene_rect_t))};
     cairo_set_line_join(cairo, CAIRO_LINE_JOIN_ROUND);
+    app_space_view_draw_grids(self, cairo);
     draw_lines(&sheet);
     draw_cones(&sheet);
     draw_things(&sheet);

@@ -31,6 +31,13 @@ const AppOrbit *app_space_view_orbit(const AppSpaceView *self);
 /* Where the mark of a lamp stands: where it is seen, or at the edge, with the `angle` to it.  TRUE: at the edge. */
 gboolean app_space_view_mark(const AppSpaceView *self, const AppThing *thing, double at[3], double *angle);
 
+/* space_view_areas.c */
+/* Fills an outline that lies in a plane of three places with the source that is set, but where bodies hide it. */
+void app_space_view_fill(const AppSpaceView *self, cairo_t *cairo, const double (*outline)[3], gsize count,
+                         const double (*plane)[3]);
+/* The measuring grids of the scene. */
+void app_space_view_draw_grids(AppSpaceView *self, cairo_t *cairo);
+
 /* space_view_draw.c: what is drawn over the bodies. */
 void app_space_view_draw(AppSpaceView *self, cairo_t *cairo);
 

@@ -157,10 +157,46 @@ static void drag_end(GtkGestureDrag *gesture, double dx, double dy, AppStage *se
     gtk_widget_queue_draw(GTK_WIDGET(self));
 }
 
+/* "work plane: 528.655 ± 0.00004 lx": the value of a grid's cell, with its bound. */
+static gboolean tell_cell(const AppGrids *grids, gsize i, int other, const double place_mm[3], GtkTooltip *tooltip)
+{
+    const luxel_grid *const parts[] = {grids->list[i].grid, grids->list[i].grid->surround,
+                                       grids->list[i].grid->background};
+    char amount[APP_AMOUNT_SIZE];
+    gsize cell;
+    for (gsize k = 0; k < G_N_ELEMENTS(parts); k++) {
+        if (!parts[k] || !app_grid_find_cell(parts[k], other, place_mm, &cell))
+            continue;
+        char *name = app_grid_name(grids, i);
+        char *text = g_strdup_printf(
+            "%s: %s %s", name, app_amount_write(parts[k]->values[cell], parts[k]->errors[cell], amount),
+            gettext(parts[k]->unit));
+        gtk_tooltip_set_text(tooltip, text);
+        g_free(text);
+        g_free(name);
+        return TRUE;
+    }
+    return FALSE;
+}
+
 static gboolean query_tooltip(AppStage *self, int x, int y, gboolean by_keys, GtkTooltip *tooltip)
 {
+    const AppProjection projection = projection_at(self, y);
+    const int other = app_projection_up(projection);
+    const AppGrids *grids = self->sight.grids;
+    double place_mm[3] = {0};
     AppThing thing;
-    return !by_keys && thing_at(self, x, y, &thing) && app_sight_tell(&thing, tooltip);
+    if (by_keys || !(self->map.scale > 0))
+        return FALSE;
+    if (thing_at(self, x, y, &thing))
+        return app_sight_tell(&thing, tooltip);
+    place_mm[0] = (x - self->map.left) / self->map.scale;
+    place_mm[other] = (self->map.floors[projection] - y) / self->map.scale;
+    const gboolean is_latest = grids && self->moment && grids->moment->serial >= self->moment->serial;
+    for (gsize i = 0; is_latest && i < grids->count; i++)
+        if (tell_cell(grids, i, other, place_mm, tooltip))
+            return TRUE;
+    return FALSE;
 }
 
 /* ---- what is shown ---- */

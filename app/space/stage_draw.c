@@ -7,10 +7,11 @@
 #include "../base/geometry.h"
 #include "../base/lamp.h"
 #include "../base/number.h"
+#include "grid_draw.h"
 #include "space_lines.h"
 #include "stage_private.h"
 
-enum { LETTERS = 11, VECTOR = 46 /* pixels */, MOST_HALFWAYS = 3 };
+enum { LETTERS = 11, VECTOR = 46 /* pixels */, MOST_HALFWAYS = 3, RING = 4 };
 
 /* What is drawn on, and in which projection. */
 typedef struct Sheet {
@@ -106,6 +107,27 @@ static void draw_lines(const Sheet *sheet)
     cairo_set_dash(sheet->cairo, NULL, 0, 0);
 }
 
+/* ---- grids and observers ---- */
+
+static gboolean see(gconstpointer from, const double place_mm[3], double at[2])
+{
+    place(from, place_mm, at);
+    return TRUE;
+}
+
+static void draw_lighting(const Sheet *sheet, double opacity)
+{
+    enum { REACH = 22 /* dots */ };
+    const AppGrids *grids = sheet->stage->sight.grids;
+    const AppEyes *eyes = sheet->stage->sight.eyes;
+    const AppGridSight sight = {sheet->cairo, sheet->widget, see, sheet, opacity};
+    for (gsize i = 0; grids && i < grids->count; i++)
+        app_grid_draw(&sight, &grids->list[i], grids->most);
+    for (gsize i = 0; eyes && i < eyes->count; i++)
+        app_eye_draw(&sight, &eyes->list[i], eyes->moment->serial == sheet->stage->moment->serial,
+                     REACH / sheet->stage->map.scale);
+}
+
 /* ---- things ---- */
 
 static void draw_arrow(const Sheet *sheet, const double from[2], const double to[2])
@@ -169,6 +191,19 @@ static void draw_observer(const Sheet *sheet, const double at[2])
     cairo_fill(cairo);
 }
 
+/* One place of an array, whose number stands in the middle. */
+static void draw_ring(const Sheet *sheet, const AppThing *thing, const double at[2])
+{
+    const AppSight *sight = &sheet->stage->sight;
+    const gboolean is_bold = app_sight_is_chosen(sight, thing->index) || (gssize)thing->index == sight->hovered;
+    cairo_arc(sheet->cairo, at[0], at[1], RING, 0, 2 * G_PI);
+    set_lamp(sheet, thing->index, thing->is_on ? 0.5 : 0.1);
+    cairo_fill_preserve(sheet->cairo);
+    set_lamp(sheet, thing->index, 1);
+    cairo_set_line_width(sheet->cairo, is_bold ? 2 : 1);
+    cairo_stroke(sheet->cairo);
+}
+
 static void draw_badge(const Sheet *sheet, const AppThing *thing, const double at[2])
 {
     const AppStage *stage = sheet->stage;
@@ -191,7 +226,7 @@ static void draw_thing(const Sheet *sheet, const AppThing *thing)
     double at[2];
     place(sheet, thing->at_mm, at);
     switch (thing->kind) {
-    case APP_THING_LAMP: draw_badge(sheet, thing, at); break;
+    case APP_THING_LAMP: (thing->place > 0 ? draw_ring : draw_badge)(sheet, thing, at); break;
     case APP_THING_DIRECTION:
         draw_turning(sheet, thing, at);
         draw_badge(sheet, thing, at);
@@ -296,6 +331,7 @@ void app_stage_draw(AppStage *self, cairo_t *cairo, double width, double height)
 {
     Sheet sheet = {.stage = self, .cairo = cairo, .widget = GTK_WIDGET(self)};
     gtk_style_context_get_color(gtk_widget_get_style_context(sheet.widget), &sheet.ink);
+    const double opacity = self->moment ? app_sight_grid_opacity(&self->sight, self->moment) : 0;
     cairo_set_line_join(cairo, CAIRO_LINE_JOIN_ROUND);
     for (int i = 0; i < APP_PROJECTIONS; i++) {
         const double top = round(self->map.tops[i]), bottom = round(self->map.tops[i + 1]);
@@ -303,6 +339,7 @@ void app_stage_draw(AppStage *self, cairo_t *cairo, double width, double height)
         cairo_save(cairo);
         cairo_rectangle(cairo, 0, top, width, bottom - top);
         cairo_clip(cairo);
+        draw_lighting(&sheet, opacity);
         draw_lines(&sheet);
         if (self->sight.has_place)
             draw_vectors(&sheet);

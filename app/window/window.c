@@ -94,6 +94,7 @@ void app_window_ask_picture(AppWindow *self)
         return;
     }
     app_painter_ask(self->painter, &wish);
+    app_window_ask_survey(self);
     if (!self->progress_timer)
         self->progress_timer = g_timeout_add(PROGRESS_MS, show_progress, self);
 }
@@ -299,6 +300,7 @@ static void page_turned(AppWindow *self)
     app_view_set_section(self->view, app_numbers_page(APP_NUMBERS(self->numbers)) == APP_PAGE_SECTION,
                          self->section_mm);
     app_window_ask_numbers(self);
+    app_window_ask_survey(self);
     app_window_judge(self);
 }
 
@@ -491,6 +493,7 @@ static void app_window_dispose(GObject *object)
     g_clear_pointer(&self->painter, app_painter_free);
     g_clear_pointer(&self->meter, app_meter_free);
     g_clear_pointer(&self->pointer, app_pointer_free);
+    g_clear_pointer(&self->survey, app_survey_free);
     g_clear_pointer(&self->recovery, app_recovery_free);
     g_clear_pointer(&self->picture, app_picture_unref);
     g_clear_pointer(&self->pinned, app_shot_unref);
@@ -576,6 +579,7 @@ static void app_window_init(AppWindow *self)
     self->painter = app_painter_new(app_window_show_picture, self);
     self->meter = app_meter_new(app_window_show_numbers, self);
     self->pointer = app_pointer_new(app_window_show_reading, self);
+    self->survey = app_survey_new(app_window_show_survey, self);
     app_view_set_document(self->view, self->document);
     app_window_set_columns(self);
     make_left(self);
@@ -587,6 +591,7 @@ static void app_window_init(AppWindow *self)
     app_window_add_file_actions(self);
     app_window_add_outside_actions(self);
     app_window_add_chosen_actions(self);
+    app_window_add_room_action(self);
     app_window_add_surface_actions(self);
     app_window_add_focus_actions(self);
     app_window_add_begin_actions(self);

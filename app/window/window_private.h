@@ -26,10 +26,12 @@ struct _AppWindow {
     AppPainter *painter;
     AppMeter *meter;
     AppPointer *pointer;
+    AppSurvey *survey;
 
     AppPicture *picture; /* the last good one; NULL: none of this scene yet */
     guint64 version; /* of the document, the light that alone is seen and the quantity: what a picture is asked of */
-    guint64 first;   /* the first one since another scene was opened */
+    guint64 surveyed; /* the version that grids and observers were asked of last */
+    guint64 first;    /* the first one since another scene was opened */
     guint64 origin, serial; /* of the document in that version */
     gssize asked_solo;
     luxel_quantity asked_quantity;
@@ -135,6 +137,9 @@ void app_window_offer_turn(AppWindow *self, const AppPicture *picture);
 void app_window_add_space(AppWindow *self);
 /* What the hand does in space, plan and elevation is told to the others. */
 void app_window_connect_spaces(AppWindow *self);
+/* Grids and observers, where the scene has some, are measured, and shown on their page, in plan and in space. */
+void app_window_ask_survey(AppWindow *self);
+void app_window_show_survey(AppGrids *grids, AppEyes *eyes, guint64 serial, gpointer owner);
 /* The sights of plan and elevation, and of space, of which there are so many. */
 enum { APP_SIGHTS = 2 };
 AppSight *app_window_sight(AppWindow *self, int i);
@@ -162,6 +167,9 @@ void app_window_add_search(AppWindow *self);
 void app_window_add_focus_actions(AppWindow *self);
 /* A dialog has gone: the keyboard is in the window again, on the picture where it was nowhere. */
 void app_window_take_keyboard(AppWindow *self);
+
+/* window_room.c: a new room with luminaires. */
+void app_window_add_room_action(AppWindow *self);
 
 /* window_report.c: who hands a report in is asked before its file is. */
 void app_window_ask_report(AppWindow *self, void (*done)(AppWindow *self));

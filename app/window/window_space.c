@@ -35,6 +35,7 @@ static void change_space(GSimpleAction *action, GVariant *state, gpointer data)
     gtk_stack_set_visible_child(GTK_STACK(self->cameras), is_wanted ? self->space_view : GTK_WIDGET(self->view));
     gtk_widget_grab_focus(app_window_camera(self));
     g_simple_action_set_state(action, state);
+    app_window_ask_survey(self);
 }
 
 static void look_from_front(GSimpleAction *action, GVariant *argument, gpointer data)
@@ -47,6 +48,37 @@ static void look_from_front(GSimpleAction *action, GVariant *argument, gpointer 
 AppSight *app_window_sight(AppWindow *self, int i)
 {
     return i == 0 ? app_stage_sight(APP_STAGE(self->stage)) : app_space_view_sight(space_of(self));
+}
+
+void app_window_ask_survey(AppWindow *self)
+{
+    const gboolean is_offered =
+        app_document_size(self->document, "grids") > 0 || app_document_size(self->document, "observers") > 0;
+    app_numbers_offer_lighting(APP_NUMBERS(self->numbers), is_offered);
+    for (int i = 0; i < APP_SIGHTS && !is_offered; i++)
+        app_sight_set_lighting(app_window_sight(self, i), NULL, NULL);
+    const AppPage page = app_numbers_page(APP_NUMBERS(self->numbers));
+    const gboolean is_seen = page == APP_PAGE_SPACE || page == APP_PAGE_LIGHTING || app_window_is_in_space(self);
+    luxel_scene *scene = is_offered && is_seen && self->surveyed != self->version
+                             ? app_document_copy_scene(self->document)
+                             : NULL;
+    if (!scene)
+        return;
+    self->surveyed = self->version;
+    app_survey_ask(self->survey, scene, self->version, self->solo);
+}
+
+void app_window_show_survey(AppGrids *grids, AppEyes *eyes, guint64 serial, gpointer owner)
+{
+    AppWindow *self = owner;
+    if (serial < self->first)
+        return;
+    app_numbers_show_lighting(APP_NUMBERS(self->numbers), grids, eyes, serial);
+    for (int i = 0; i < APP_SIGHTS; i++) {
+        AppSight *sight = app_window_sight(self, i);
+        app_sight_set_lighting(sight, eyes ? sight->grids : grids, eyes ? eyes : sight->eyes);
+    }
+    app_window_judge(self);
 }
 
 void app_window_show_vectors(AppWindow *self, const AppReading *reading)

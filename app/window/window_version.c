@@ -60,7 +60,7 @@ static guint tell_parts(AppWindow *self)
 {
     const AppVersion version = app_window_version(self);
     const guint64 live = is_followed(self) ? self->picture->shot->moment->serial : self->version;
-    const gboolean has_numbers = app_numbers_set_version(APP_NUMBERS(self->numbers), &version, is_latest(self));
+    const gboolean has_numbers = app_numbers_set_version(APP_NUMBERS(self->numbers), &version, live, is_latest(self));
     const gboolean has_sources = app_sources_set_version(APP_SOURCES(self->sources), live);
     const gboolean is_dim = self->is_stale || (self->picture && !is_followed(self));
     app_why_set_version(APP_WHY(self->why), version.shot);
@@ -100,6 +100,9 @@ void app_window_forget(AppWindow *self)
     self->first = self->version;
     self->late = 0;
     self->is_direct = FALSE;
+    self->surveyed = 0;
+    for (int i = 0; i < APP_SIGHTS; i++)
+        app_sight_set_lighting(app_window_sight(self, i), NULL, NULL);
     g_clear_pointer(&self->picture, app_picture_unref);
     self->reading = (AppVersion){0};
     app_window_set_stale(self, NULL);

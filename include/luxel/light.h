@@ -50,6 +50,11 @@ LUXEL_API luxel_status luxel_scene_light_intensity(const luxel_scene *scene, siz
  */
 LUXEL_API bool luxel_scene_light_place(const luxel_scene *scene, size_t i, double position_mm[3]);
 
+/* How many places light i has: those of its array, 1 without one; 0 where there is no such light. */
+LUXEL_API size_t luxel_scene_light_place_count(const luxel_scene *scene, size_t i);
+/* Where it stands at each of them, row by row of the array: so many places.  False as of luxel_scene_light_place(). */
+LUXEL_API bool luxel_scene_light_places(const luxel_scene *scene, size_t i, double (*places_mm)[3]);
+
 /*
  * The direction in which light i shines, of length 1 up to rounding: that in which distant light travels, the axis of a
  * spot or of a point whose intensity depends on it, the normal of a planar source, of its front

@@ -3,6 +3,8 @@
 #include <luxel/light.h>
 
 #include <math.h>
+#include <stdlib.h>
+#include <string.h>
 
 #include "../light/array.h"
 #include "../light/totals.h"
@@ -91,6 +93,22 @@ static bool ask(const luxel_scene *scene, size_t i, bool (*total)(const struct l
 bool luxel_scene_light_place(const luxel_scene *scene, size_t i, double position_mm[3])
 {
     return ask(scene, i, lx_emitters_place, position_mm);
+}
+
+size_t luxel_scene_light_place_count(const luxel_scene *scene, size_t i)
+{
+    const struct lx_item *item = item_of(scene, i);
+    return item ? lx_light_places(item) : 0;
+}
+
+bool luxel_scene_light_places(const luxel_scene *scene, size_t i, double (*places_mm)[3])
+{
+    const struct lx_item *item = places_mm ? item_of(scene, i) : NULL;
+    double(*found_mm)[3] = item ? lx_light_find_places(item) : NULL;
+    if (found_mm)
+        memcpy(places_mm, found_mm, lx_light_places(item) * sizeof *places_mm);
+    free(found_mm);
+    return found_mm != NULL;
 }
 
 bool luxel_scene_light_direction(const luxel_scene *scene, size_t i, double direction[3])

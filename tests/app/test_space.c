@@ -111,6 +111,33 @@ static void test_polygon(void **state)
     g_object_unref(document);
 }
 
+/* A place of an array is taken as the array is: all of it is moved by as much. */
+static void test_array(void **state)
+{
+    (void)state;
+    AppDocument *document = document_of_builtin("report");
+    set(document, "lights",
+        "[{type: point, position: [100, 0, 2000], intensity: 5, array: {n: [3, 2], spacing: [200, 300]}}]");
+    AppMoment *moment = moment_of(document);
+    AppSpace *space = app_space_new(moment, outlines);
+    AppThing lamp = g_array_index(space->things, AppThing, 0), last = g_array_index(space->things, AppThing, 6);
+    assert_true(lamp.kind == APP_THING_LAMP && lamp.place == 0 && lamp.places == 6);
+    assert_true(last.kind == APP_THING_LAMP && last.place == 6 && last.index == 0);
+    assert_place(lamp.at_mm, 100, 0, 2000);
+    assert_place(last.at_mm, 300, 150, 2000);
+    /* nothing shines in the middle of an array of two rows */
+    const double below[3] = {100, 0, 0}, up[3] = {0, 0, 1};
+    double light[3];
+    assert_false(app_space_light(&lamp, below, up, light));
+    assert_true(app_space_light(&last, below, up, light) && light[0] > 0 && light[1] > 0);
+    assert_true(app_space_move(&last, APP_PLAN, (double[3]){350, 170, 9}, 1, document));
+    assert_key(document, "lights[0].position", "[150, 20, 2000]");
+    assert_place(last.at_mm, 350, 170, 2000);
+    app_space_free(space);
+    app_moment_unref(moment);
+    g_object_unref(document);
+}
+
 /* All of a scene is in view: each thing and each place of each line. */
 static void test_everything_is_in_view(void **state)
 {
@@ -183,7 +210,8 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_lamps),   cmocka_unit_test(test_observer), cmocka_unit_test(test_distant),
-        cmocka_unit_test(test_polygon), cmocka_unit_test(test_outlines), cmocka_unit_test(test_everything_is_in_view),
+        cmocka_unit_test(test_polygon), cmocka_unit_test(test_outlines), cmocka_unit_test(test_array),
+        cmocka_unit_test(test_everything_is_in_view),
         cmocka_unit_test(test_view),
     };
     return cmocka_run_group_tests(tests, begin, end);

@@ -347,6 +347,27 @@ static void polygons(void **state)
     luxel_scene_free(scene);
 }
 
+/* An array stands in the middle of its places, which run along its columns first. */
+static void arrays(void **state)
+{
+    (void)state;
+    static const double wanted[6][3] = {{90, 195, 9},  {100, 195, 9}, {110, 195, 9},
+                                        {90, 205, 9}, {100, 205, 9}, {110, 205, 9}};
+    double place[3], places[6][3] = {{0}};
+    luxel_scene *scene = lit_by("{type: point, position: [100, 200, 9], intensity: 1, "
+                                "array: {n: [3, 2], spacing: [10, 10]}}");
+    assert_int_equal(luxel_scene_light_place_count(scene, 0), 6);
+    assert_true(luxel_scene_light_place(scene, 0, place));
+    assert_true(luxel_scene_light_places(scene, 0, places));
+    expect_three("the array", place, (const double[3]){100, 200, 9}, 1e-15);
+    for (int i = 0; i < 6; i++)
+        expect_three("a place", places[i], wanted[i], 1e-15);
+    assert_int_equal(luxel_scene_light_place_count(scene, 1), 0);
+    assert_false(luxel_scene_light_places(scene, 1, places));
+    assert_false(luxel_scene_light_places(scene, 0, NULL));
+    luxel_scene_free(scene);
+}
+
 static void refusals(void **state)
 {
     (void)state;
@@ -378,6 +399,7 @@ int main(void)
         cmocka_unit_test(sources_on_elements),
         cmocka_unit_test(places_and_directions),
         cmocka_unit_test(polygons),
+        cmocka_unit_test(arrays),
         cmocka_unit_test(refusals),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

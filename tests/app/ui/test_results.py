@@ -39,7 +39,9 @@ def report(tap, desk):
     window.act("export", "report")
     opened = wait("the question", lambda: app.on_screen() - before)
     desk.hand("windowfocus", "--sync", *opened)
-    root = desk.reader.program(app.process.pid)
+    # a source has a group as well
+    root = wait("its fields", lambda: next((part for part in desk.reader.program(app.process.pid).children()
+                                            if part.name == "What the report says of itself"), None))
     for name, text in (("Author", "A. Student"), ("Group", "M-41")):
         wait(name, lambda: root.find("text box", name)).text = text
     root.find("button", "Continue").act()

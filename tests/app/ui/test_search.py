@@ -25,6 +25,9 @@ def finds(tap, desk):
     desk.key("Return")
     box = window.control("checkbox", "Isophotes")
     tap.ok(wait("the keyboard", lambda: box.has("focused")), "and opened where a row of it is chosen")
+    panel = window.panel()
+    tap.ok(wait("the row in view", lambda: panel[1] <= box.area()[1] <= panel[1] + panel[3] - box.area()[3]),
+           "which is scrolled into view")
 
 
 def remembers(tap, desk):
