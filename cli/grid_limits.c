@@ -19,11 +19,7 @@ struct judged limits_of_grid(const luxel_scene *scene, size_t i, const luxel_gri
 {
     struct judged judged = {.count = 0};
 
-    size_t around = 0;
-
-    luxel_judge_grid(scene, i, grid, judged.list, &judged.count);
-    luxel_judge_areas(scene, i, grid, judged.list + judged.count, &around);
-    judged.count += around;
+    luxel_judge_grid_and_areas(scene, i, grid, judged.list, &judged.count);
     return judged;
 }
 

@@ -13,22 +13,10 @@ static const double LEAST_AREA = 0.02; /* of what a plane shows, seen aslant */
 
 luxel_verdict app_limits_verdict(const luxel_limit *limits, gsize count)
 {
-    luxel_verdict verdict = LUXEL_PASS;
-    for (gsize i = 0; i < count; i++)
-        if (limits[i].verdict == LUXEL_FAIL || verdict == LUXEL_PASS)
-            verdict = limits[i].verdict;
-    return verdict;
+    return count > 0 ? luxel_worst_limit(limits, count).verdict : LUXEL_PASS;
 }
 
 /* ---- grids ---- */
-
-static void judge_grid(const luxel_scene *scene, gsize i, AppGrid *grid)
-{
-    gsize around = 0;
-    luxel_judge_grid(scene, i, grid->grid, grid->limits, &grid->limit_count);
-    luxel_judge_areas(scene, i, grid->grid, grid->limits + grid->limit_count, &around);
-    grid->limit_count += around;
-}
 
 static double greatest(const luxel_grid *grid)
 {
@@ -58,7 +46,7 @@ AppGrids *app_grids_new(AppMoment *moment, const luxel_settings *settings)
             app_grids_unref(grids);
             return NULL;
         }
-        judge_grid(moment->scene, grids->count++, grid);
+        luxel_judge_grid_and_areas(moment->scene, grids->count++, grid->grid, grid->limits, &grid->limit_count);
         grids->most = MAX(grids->most, greatest(grid->grid));
         grids->most = MAX(grids->most, greatest(grid->grid->surround));
         grids->most = MAX(grids->most, greatest(grid->grid->background));

@@ -63,6 +63,13 @@ LUXEL_API luxel_status luxel_judge_grid(const luxel_scene *scene, size_t i, cons
 LUXEL_API luxel_status luxel_judge_areas(const luxel_scene *scene, size_t i, const luxel_grid *grid,
                                          luxel_limit limits[LUXEL_MOST_LIMITS], size_t *count);
 
+/*
+ * Judges the grid as luxel_judge_grid() does and then the areas around it as luxel_judge_areas() does, in one list.
+ * Errors are theirs.
+ */
+LUXEL_API luxel_status luxel_judge_grid_and_areas(const luxel_scene *scene, size_t i, const luxel_grid *grid,
+                                                  luxel_limit limits[2 * LUXEL_MOST_LIMITS], size_t *count);
+
 /* The number of observers (the key `observers`) of a committed scene; one with several places or without a view counts
  * once for each place and each way that it looks, place by place, row by row. */
 LUXEL_API size_t luxel_scene_observer_count(const luxel_scene *scene);

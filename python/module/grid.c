@@ -168,16 +168,15 @@ static PyObject *judge_grid(PyObject *module, PyObject *arguments)
     PyObject *handle, *holder;
     Py_ssize_t index;
     luxel_limit limits[2 * LUXEL_MOST_LIMITS];
-    size_t count = 0, around = 0;
+    size_t count = 0;
     const luxel_scene *scene;
     const luxel_grid *grid;
 
     if (!PyArg_ParseTuple(arguments, "OnO", &handle, &index, &holder) || !(scene = scene_of(module, handle)) ||
         !(grid = grid_of(module, holder)))
         return NULL;
-    luxel_judge_grid(scene, (size_t)index, grid, limits, &count);
-    luxel_judge_areas(scene, (size_t)index, grid, limits + count, &around);
-    return limits_list(limits, count + around);
+    luxel_judge_grid_and_areas(scene, (size_t)index, grid, limits, &count);
+    return limits_list(limits, count);
 }
 
 /* Fills an array of rows x columns x 3 float64 with the centres of the cells. */

@@ -161,6 +161,18 @@ luxel_status luxel_judge_areas(const luxel_scene *scene, size_t i, const luxel_g
     return LUXEL_OK;
 }
 
+luxel_status luxel_judge_grid_and_areas(const luxel_scene *scene, size_t i, const luxel_grid *grid,
+                                        luxel_limit limits[2 * LUXEL_MOST_LIMITS], size_t *count)
+{
+    size_t around = 0;
+    luxel_status status = luxel_judge_grid(scene, i, grid, limits, count);
+    if (status == LUXEL_OK)
+        status = luxel_judge_areas(scene, i, grid, limits + *count, &around);
+    if (status == LUXEL_OK)
+        *count += around;
+    return status;
+}
+
 /* ---- observers ---- */
 
 /* How many ways an observer looks from each of its places. */

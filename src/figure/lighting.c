@@ -55,10 +55,7 @@ static luxel_status measure_grids(struct lx_design_report *lighting)
             break;
         lighting->grid_count++;
         struct lx_judged *judged = &lighting->of_grids[i];
-        size_t around = 0;
-        status = luxel_judge_grid(report->scene, i, lighting->grids[i], judged->limits, &judged->count);
-        luxel_judge_areas(report->scene, i, lighting->grids[i], judged->limits + judged->count, &around);
-        judged->count += around;
+        status = luxel_judge_grid_and_areas(report->scene, i, lighting->grids[i], judged->limits, &judged->count);
     }
     return status;
 }

@@ -45,11 +45,9 @@ static luxel_status judge(const luxel_scene *scene, size_t i, const luxel_grid *
                           size_t *limit_count)
 {
     luxel_limit judged[LX_GOALS_OF_GRID];
-    size_t count, around = 0;
-    luxel_status status = luxel_judge_grid(scene, i, grid, judged, &count);
-    if (status == LUXEL_OK)
-        status = luxel_judge_areas(scene, i, grid, judged + count, &around);
-    for (size_t k = 0; status == LUXEL_OK && k < count + around; k++)
+    size_t count;
+    luxel_status status = luxel_judge_grid_and_areas(scene, i, grid, judged, &count);
+    for (size_t k = 0; status == LUXEL_OK && k < count; k++)
         limits[(*limit_count)++] = (luxel_layout_limit){.index = i, .limit = judged[k]};
     return status;
 }

@@ -47,9 +47,8 @@ void answer_limits(const luxel_limit *limits, size_t count)
 void answer_grid_limits(const luxel_scene *scene, size_t i, const luxel_grid *grid)
 {
     luxel_limit limits[2 * LUXEL_MOST_LIMITS];
-    size_t count = 0, around = 0;
+    size_t count = 0;
 
-    (void)luxel_judge_grid(scene, i, grid, limits, &count);
-    (void)luxel_judge_areas(scene, i, grid, limits + count, &around);
-    answer_limits(limits, count + around);
+    (void)luxel_judge_grid_and_areas(scene, i, grid, limits, &count);
+    answer_limits(limits, count);
 }
