@@ -15,27 +15,33 @@ static gboolean cancelled(GtkWidget *widget, GVariant *arguments, gpointer dialo
     return TRUE;
 }
 
-GtkWidget *app_dialog_new(GtkWindow *parent, const char *title, GtkWidget **rows)
+GtkWidget *app_dialog_frame(GtkWindow *parent, const char *title, GtkWidget *child)
 {
-    GtkWidget *dialog = gtk_window_new(), *box = gtk_box_new(GTK_ORIENTATION_VERTICAL, MARGIN);
+    GtkWidget *dialog = gtk_window_new();
     GtkEventController *keys = gtk_shortcut_controller_new();
-    *rows = gtk_grid_new();
-    gtk_grid_set_column_spacing(GTK_GRID(*rows), MARGIN);
-    gtk_grid_set_row_spacing(GTK_GRID(*rows), MARGIN / 2);
-    gtk_widget_set_margin_start(box, MARGIN);
-    gtk_widget_set_margin_end(box, MARGIN);
-    gtk_widget_set_margin_top(box, MARGIN);
-    gtk_widget_set_margin_bottom(box, MARGIN);
-    gtk_box_append(GTK_BOX(box), *rows);
-    gtk_window_set_child(GTK_WINDOW(dialog), box);
+    gtk_widget_set_margin_start(child, MARGIN);
+    gtk_widget_set_margin_end(child, MARGIN);
+    gtk_widget_set_margin_top(child, MARGIN);
+    gtk_widget_set_margin_bottom(child, MARGIN);
+    gtk_window_set_child(GTK_WINDOW(dialog), child);
     gtk_window_set_title(GTK_WINDOW(dialog), title);
-    gtk_window_set_resizable(GTK_WINDOW(dialog), FALSE);
     gtk_window_set_transient_for(GTK_WINDOW(dialog), parent);
     gtk_window_set_destroy_with_parent(GTK_WINDOW(dialog), TRUE);
     gtk_shortcut_controller_add_shortcut(
         GTK_SHORTCUT_CONTROLLER(keys),
         gtk_shortcut_new(gtk_keyval_trigger_new(GDK_KEY_Escape, 0), gtk_callback_action_new(cancelled, dialog, NULL)));
     gtk_widget_add_controller(dialog, keys);
+    return dialog;
+}
+
+GtkWidget *app_dialog_new(GtkWindow *parent, const char *title, GtkWidget **rows)
+{
+    GtkWidget *box = gtk_box_new(GTK_ORIENTATION_VERTICAL, MARGIN), *dialog = app_dialog_frame(parent, title, box);
+    *rows = gtk_grid_new();
+    gtk_grid_set_column_spacing(GTK_GRID(*rows), MARGIN);
+    gtk_grid_set_row_spacing(GTK_GRID(*rows), MARGIN / 2);
+    gtk_box_append(GTK_BOX(box), *rows);
+    gtk_window_set_resizable(GTK_WINDOW(dialog), FALSE);
     return dialog;
 }
 

@@ -6,6 +6,7 @@
 #include "shortcuts.h"
 
 #include "../../front/words.h"
+#include "dialog.h"
 
 enum { MARGIN = 16, COLUMNS = 2, HALF = 3 /* groups in the first column */ };
 
@@ -95,29 +96,7 @@ static GtkWidget *new_list(void)
     return columns;
 }
 
-static gboolean close_window(GtkWidget *window, GVariant *arguments, gpointer data)
-{
-    (void)arguments;
-    (void)data;
-    gtk_window_destroy(GTK_WINDOW(window));
-    return TRUE;
-}
-
 void app_shortcuts_show(GtkWindow *parent)
 {
-    GtkWidget *window = gtk_window_new(), *list = new_list();
-    GtkEventController *keys = gtk_shortcut_controller_new();
-    gtk_widget_set_margin_start(list, MARGIN);
-    gtk_widget_set_margin_end(list, MARGIN);
-    gtk_widget_set_margin_top(list, MARGIN);
-    gtk_widget_set_margin_bottom(list, MARGIN);
-    gtk_window_set_child(GTK_WINDOW(window), list);
-    gtk_window_set_title(GTK_WINDOW(window), _("Keyboard shortcuts"));
-    gtk_window_set_transient_for(GTK_WINDOW(window), parent);
-    gtk_window_set_destroy_with_parent(GTK_WINDOW(window), TRUE);
-    gtk_shortcut_controller_add_shortcut(
-        GTK_SHORTCUT_CONTROLLER(keys),
-        gtk_shortcut_new(gtk_keyval_trigger_new(GDK_KEY_Escape, 0), gtk_callback_action_new(close_window, NULL, NULL)));
-    gtk_widget_add_controller(window, keys);
-    gtk_window_present(GTK_WINDOW(window));
+    gtk_window_present(GTK_WINDOW(app_dialog_frame(parent, _("Keyboard shortcuts"), new_list())));
 }
