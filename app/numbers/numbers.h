@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * What stands beside the picture: a page each for the scene in space, points, sections, statistics and, where the scene
+ * The pane beside the picture: a page each for the scene in space, points, sections, statistics and, where the scene
  * has grids or observers, lighting.
  *
  * Signals: "wanted" when another page was turned to, which may need other numbers; "read" (x_mm, y_mm, is_inside) when

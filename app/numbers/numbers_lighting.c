@@ -86,7 +86,7 @@ static char *tell_wanted(const luxel_limit *limit, const char *unit)
     return g_strdup_printf("%s %s%s%s", limit->is_most ? "≤" : "≥", wanted, has_unit ? " " : "", has_unit ? unit : "");
 }
 
-/* What a limit is of, and below it what it is and the number with its bound. */
+/* A limit in two lines: whose it is, and below it which it is and the number with its bound. */
 static void add_limits(Table *table, const luxel_limit *limits, gsize count, const char *unit)
 {
     for (gsize i = 0; i < count; i++) {
@@ -110,7 +110,7 @@ static gboolean is_judged(const AppGrid *grid, const char *name)
     return FALSE;
 }
 
-/* What limits tell already is not told twice. */
+/* Numbers that limits tell already are not told twice. */
 static void add_grid(Table *table, const AppGrids *grids, gsize i)
 {
     const AppGrid *grid = &grids->list[i];

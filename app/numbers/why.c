@@ -46,7 +46,7 @@ static guint signals[SIGNALS];
 
 G_DEFINE_FINAL_TYPE(AppWhy, app_why, GTK_TYPE_BOX)
 
-/* What is said of a place; NULL: nothing. */
+/* Texts about a place; NULL: none. */
 typedef struct Told {
     char *text, *sun;
 } Told;

@@ -49,7 +49,7 @@ void app_grids_unref(AppGrids *grids);
 AppEyes *app_eyes_ref(AppEyes *eyes);
 void app_eyes_unref(AppEyes *eyes);
 
-/* What is said of all limits; LUXEL_PASS where there is none. */
+/* The worst verdict of all limits; LUXEL_PASS where there is none. */
 luxel_verdict app_limits_verdict(const luxel_limit *limits, gsize count);
 
 /* The cell of a grid that a place is on, of which the coordinates x and `other` (1 or 2) count; FALSE: on none that has
@@ -63,7 +63,7 @@ char *app_eye_name(const AppEyes *eyes, gsize i);
 /* Measures them in scenes that have some, apart from the picture. */
 typedef struct AppSurvey AppSurvey;
 
-/* What was found in a version of the scene, which is kept by a reference: grids at first, then eyes; the other is NULL,
+/* Findings in a version of the scene, which is kept by a reference: grids at first, then eyes; the other is NULL,
  * and both are where the grids cannot be measured. */
 typedef void (*AppSurveyTell)(AppGrids *grids, AppEyes *eyes, guint64 serial, gpointer owner);
 

@@ -126,7 +126,7 @@ static void measure(AppRunner *runner, AppMoment *moment)
     }
 }
 
-/* What is refused is not measured: the window says why. */
+/* Scenes that are refused are not measured: the window says why. */
 static void survey(AppRunner *runner, gpointer data, gpointer state)
 {
     Job *job = data;

@@ -65,7 +65,7 @@ static luxel_status refuse_type(const struct lx_place *place, const struct lx_pa
     return LUXEL_ERROR_PATH;
 }
 
-/* Finds the value that a path leads to, which becomes one of the key's. */
+/* Adds the value that a path leads to to the key's targets. */
 static luxel_status find_target(const luxel_scene *scene, const char *text, luxel_diagnostics *diagnostics,
                                 struct lx_key *key)
 {
