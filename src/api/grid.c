@@ -230,7 +230,7 @@ static bool reaches(const struct lx_measuring *measuring, bool is_asked_for)
 {
     const luxel_grid *grid = &measuring->made->grid;
     size_t cells = (size_t)grid->columns * grid->rows;
-    if (!is_asked_for && !integrates(&measuring->world.prepared->emitters))
+    if (!is_asked_for && isfinite(grid->error) && !integrates(&measuring->world.prepared->emitters))
         return true;
     for (size_t i = 0; i < cells; i++)
         if (measuring->mask[i] && measuring->errors[i] > DBL_MIN &&

@@ -166,7 +166,7 @@ static double unhidden(const struct lx_session *session, const struct lx_element
 /* An explicit tolerance is checked, the default one where there are integrals and nothing is left over mirrors.  Closed
  * forms are as exact as the scene is to float64, which just within a cone's edge or where light sets is less, relative
  * to a value near 0.  A value that its error does not tell from 0, behind what hides all, is judged by what is
- * hidden. */
+ * hidden.  No bound at all is never good enough. */
 static bool is_reached(const struct lx_session *session, const struct lx_elements *element, const luxel_probe *probe)
 {
     const struct lx_prepared *prepared = &session->prepared;
@@ -178,7 +178,8 @@ static bool is_reached(const struct lx_session *session, const struct lx_element
         radiance = fmax(radiance, prepared->emitters.items[i].radiance.value);
     double allowed = fmax(prepared->tolerance * fabs(probe->value), fmax(NOTHING * radiance, DBL_MIN));
     integrated = integrated && !lx_goes_deeper(&prepared->mirrors);
-    if (!(session->settings.tolerance > 0 || integrated) || probe->error <= allowed)
+    const bool is_judged = session->settings.tolerance > 0 || integrated || !isfinite(probe->error);
+    if (!is_judged || probe->error <= allowed)
         return true;
     return probe->value <= probe->error && probe->error <= prepared->tolerance * unhidden(session, element);
 }

@@ -135,14 +135,20 @@ static lx_bounded discriminant(const struct lx_ray *ray, const struct lx_pair fr
     return lx_rounded(result.high, rest + errors[3] * r2.high + (2 * w_size + w_error) * w_error + left_out, 1);
 }
 
+/* Lengths are taken in a power of two that is near the radius: squares of the smallest and largest hold. */
 struct lx_hit lx_sphere_meet(const struct lx_shape *sphere, const struct lx_ray *ray, bool farther)
 {
+    const double unit_mm = ldexp(1, ilogb(fmax(sphere->radius_mm, DBL_MIN)));
+    struct lx_ray scaled = *ray;
     struct lx_pair from[3];
-    for (int i = 0; i < 3; i++)
+    for (int i = 0; i < 3; i++) {
         from[i] = lx_exact_difference(ray->origin_mm[i], sphere->anchor_mm[i]);
+        from[i] = (struct lx_pair){from[i].high / unit_mm, from[i].low / unit_mm};
+        scaled.origin_error[i] /= unit_mm;
+    }
     lx_bounded3 w, direction = lx_ray_direction(ray);
-    lx_bounded a;
-    lx_bounded below = discriminant(ray, from, sphere->radius_mm, &w, &a);
+    lx_bounded a, radius = lx_exact(sphere->radius_mm / unit_mm);
+    lx_bounded below = discriminant(&scaled, from, radius.value, &w, &a);
     if (!(below.value >= 0))
         return (struct lx_hit){.exists = false};
 
@@ -156,11 +162,10 @@ struct lx_hit lx_sphere_meet(const struct lx_shape *sphere, const struct lx_ray 
     lx_bounded3 before = lx_mul3(direction, root);
     lx_bounded3 offset = lx_sub3(foot, before);
     offset = (lx_bounded3){lx_div(offset.x, a), lx_div(offset.y, a), lx_div(offset.z, a)};
-    lx_bounded radius = lx_exact(sphere->radius_mm);
     return (struct lx_hit){
         .exists = true,
-        .t = (-along - root.value) / a.value,
-        .place_mm = lx_add3(lx_exact3(sphere->anchor_mm), offset),
+        .t = (-along - root.value) / a.value * unit_mm,
+        .place_mm = lx_add3(lx_exact3(sphere->anchor_mm), lx_scale3(offset, unit_mm)),
         .normal = {lx_div(offset.x, radius), lx_div(offset.y, radius), lx_div(offset.z, radius)},
     };
 }

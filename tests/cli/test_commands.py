@@ -194,6 +194,25 @@ def tolerance(tap, tool):
     tap.equal(tool.run("render", "--tolerance", "1e-300", "-o", "x.png").code, 5, "render, too")
     tap.equal(tool.files(), ["x.png"], "and files are written")
     tap.equal(tool.run("probe", "--tolerance", "1e-6").code, 0, "one that is reached")
+    far = "lights=[{type: point, position: [0, 0, 1e170], intensity: 1}]"
+    for scene, command in (("report", "probe"), ("report", "render"), ("desk", "grid")):
+        result = tool.run(command, scene, "-s", far)
+        tap.ok(result.code == 5 and result.out, "no bound is never good enough: %s" % command, result)
+
+
+def radii(tap, tool):
+    """A sphere looks the same whatever the power of two that its lengths are multiplied by."""
+    def ball(radius):
+        return tool.run("probe", "-p", "0,0", "-s", "surfaces=[{type: sphere, center: [0, 0, %r], radius: %r}]" %
+                        (-radius, radius), "-s", "observer.z=%r" % (2 * radius), "-s",
+                        "lights=[{type: distant, direction: [1, 2, -3], irradiance: 5}]", "--json").json()["points"][0]
+
+    usual = ball(1.0)
+    tap.equal(usual["normal"], [0, 0, 1], "the top of a sphere")
+    for power in (-1070, -1000, -600, -520, 510, 600, 1000):
+        told = ball(2.0 ** power)
+        for key in "value", "error", "normal":
+            tap.equal(told[key], usual[key], "%s for a radius of 2^%d mm" % (key, power))
 
 
 def many_errors(tap, tool):
@@ -204,4 +223,4 @@ def many_errors(tap, tool):
 
 
 run_tests(Tap(), render_text, probe_text, bounds_in_text, scenes, exact_zero, json_scene, names_and_files, assignments,
-          check, strict_everywhere, tolerance, many_errors)
+          check, strict_everywhere, tolerance, radii, many_errors)
