@@ -30,11 +30,12 @@ static int add_backs(struct lx_smooth_sheet *sheets, int count)
     return 2 * count;
 }
 
+/* The true size, without the room for rounding, which a wall shares with its neighbours. */
 int lx_sheets_of_plate(const struct lx_shape *shape, struct lx_smooth_sheet *sheets)
 {
     sheets[0] = sheet_of(shape, &lx_plate_sheet);
     for (int i = 0; i < 2; i++)
-        sheets[0].half_mm[i] = shape->half_mm[i] - shape->touch_mm;
+        sheets[0].half_mm[i] = shape->half_mm[i] - (shape->behind_mm > 0 ? shape->touch_mm / 2 : shape->touch_mm);
     return add_backs(sheets, 1);
 }
 

@@ -52,6 +52,11 @@ def rectangle(name, center, size, axis, up=(0, 1, 0)):
     return {"type": "rectangle", "name": name, "center": center, "size": size, "axis": axis, "up": up}
 
 
+def areas(tap, answer, title, truth):
+    told = [side["area"] for side in answer["sides"]]
+    tap.ok(all(abs(area - truth) <= 4e-16 * truth for area in told), "%s: areas %s" % (title, told))
+
+
 def sums(tap, answer, title, truth=1):
     for side, row in zip(answer["sides"], answer["factors"]):
         value, error = sum(factor["value"] for factor in row), sum(factor["error"] for factor in row)
@@ -104,6 +109,7 @@ def rooms(tap, tool):
         truth = 0 if a == b else parallel(1, 1, 1) if opposite else perpendicular(1, 1, 1)
         held(tap, found, truth, "cube, %s to %s" % (a, b))
     sums(tap, answer, "cube")
+    areas(tap, answer, "cube", 1)
     box = {"type": "box", "name": "box", "center": [300, 200, -200], "size": [250, 300, 200], "rotate": [0, 0, 30]}
     answer, factors = exchange(tool, [{**room, "size": [1500, 1200, 900]}, box], reflections="none")
     tap.equal(len(answer["sides"]), 12, "with a box in it")
