@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* luxel derive: how exact values at points change with keys of the scene. */
 #include <luxel/luxel.h>
+#include <string.h>
 
 #include "cli.h"
 #include "derived_grid.h"
@@ -109,6 +110,12 @@ static int derive(const struct options *options, const struct loaded *loaded)
         message_error(_("name the keys to derive by: --free lights[0].intensity, for instance"));
         return EXIT_USAGE;
     }
+    for (size_t i = 1; i < options->free_key_count; i++)
+        for (size_t j = 0; j < i; j++)
+            if (strcmp(options->free_keys[i], options->free_keys[j]) == 0) {
+                message_error(_("--free %s is given twice"), options->free_keys[i]);
+                return EXIT_USAGE;
+            }
     if (options->drawing.grid)
         return derived_grid(options, loaded);
     code = find(options, loaded, NULL, &derivatives);

@@ -95,7 +95,7 @@ static int run(const struct options *options)
         message_hint(_("for example: luxel room 8,6,2.8"));
         return EXIT_USAGE;
     }
-    if (!argument_numbers("X,Y,Z", "X,Y,Z", options->operand, room.size_m, 3))
+    if (!argument_numbers("luxel room", "X,Y,Z", options->operand, room.size_m, 3))
         return EXIT_USAGE;
     code = outputs_check(options, check_name);
     if (code != EXIT_DONE)

@@ -115,11 +115,11 @@ static bool extends_group(const char *path, const char *other)
     return dot && strncmp(path, other, (size_t)(dot - other)) == 0;
 }
 
-/* Whether a key says what one before it has said to the same topic, as "shininess" of walls after a material's. */
+/* Whether another key says what one before it said to the same topic, as "shininess" of walls after a material's. */
 static bool repeats(const luxel_parameter *key, const luxel_parameter *before, const char *topic)
 {
     return topic && match_parameter(topic, before) == MATCH_EXACT && match_parameter(topic, key) == MATCH_EXACT &&
-           extends_group(key->path, before->path) && same_meaning(before, key);
+           extends_group(key->path, before->path) && same_meaning(before, key) && !same_text(key->path, before->path);
 }
 
 static bool is_first_of_its_kind(const luxel_parameters *keys, const char *topic, size_t i)

@@ -90,6 +90,7 @@ int main(int argc, char **argv)
     keep_standard_streams();
     language_begin();
     signal(SIGPIPE, SIG_IGN); /* a reader who goes away costs no file */
+    signal(SIGXFSZ, SIG_IGN); /* a file that may not grow is told as one on a full disk */
     progress_catch_interrupt();
     code = options_read(argc, argv, &options);
     progress_wait(options.settings.within, options.keeps);

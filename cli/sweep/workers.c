@@ -235,7 +235,6 @@ int sweep_work(struct sweep *sweep, const struct sweep_run *how)
     /* what a picture takes is given back to the same thread, not to the system */
     mallopt(M_MMAP_THRESHOLD, 1 << 30);
     mallopt(M_TRIM_THRESHOLD, 1 << 30);
-    signal(SIGXFSZ, SIG_IGN);
     sigaction(SIGINT, &action, NULL);
     pthread_cond_init(&crew.ended, NULL);
     find_missing(&crew);

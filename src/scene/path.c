@@ -252,11 +252,12 @@ static luxel_status find_named(const struct lx_document *document, struct lx_pat
         }
         index++;
     }
+    if (known.length == 0)
+        return refuse_element(path, i, segment->start, segment->end, index, diagnostics);
     char *up = words_up_to(path, i);
     lx_text_puts(&own, up ? up : "");
     lx_text_puts(&own, "[…]");
     free(up);
-    lx_text_add(&known, known.length > 0 ? "" : "–", known.length > 0 ? 0 : strlen("–"));
     char *name = lx_copy_text(wanted, length);
     const luxel_status status =
         refuse(path, segment->start, segment->end, LX_MSG_WRONG_CHOICE,

@@ -48,6 +48,8 @@ def the_exercise(tap, tool):
     exact = found["lights[0].position"][2]["value"]
     tap.ok(abs(float(row[1]) - exact) <= float(row[2]), "the error covers what is rounded off the text", row, exact)
     tap.ok("lights[0].position[2]" in text and "0.003890256867" in text and " mm" in text, "as text", text)
+    twice = tool.run("derive", "--json", *("--free", "lights[0].intensity") * 2)
+    tap.ok(twice.code == 2 and not twice.out and "given twice" in twice.err, "a key of JSON is there once", twice)
 
 
 def closed_forms(tap, tool):

@@ -102,7 +102,7 @@ def refusals(tap, tool):
     tool.write("scene.yaml", scene(*lights, dimming=[{"name": "windows", "factor": 1}]))
     for assignment, words in (("dimming[window].factor=1", "dimming[…] must be one of windows, not window"),
                               ("dimming[].factor=1", "not a valid key path"),
-                              ("lights[lamp].intensity=1", "lights[…] must be one of –, not lamp"),
+                              ("lights[lamp].intensity=1", "lights has 2 elements, lights[0] to lights[1]"),
                               ("grids[plane.n=[1,1]", "not a valid key path")):
         result = tool.run("grid", "scene.yaml", "-s", assignment)
         tap.ok(result.code == 2 and words in result.err, "refused: " + assignment, result)

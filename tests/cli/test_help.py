@@ -65,6 +65,8 @@ def rules(tap, tool):
                          ("shininess", "has effect only with model: blinn-phong, phong")):
         result = tool.run("help", topic)
         tap.ok(words in " ".join(result.out.split()), "help %s: %s" % (topic, words), result)
+    told = tool.run("help", "lights[].k").out
+    tap.equal(told.count("lights[].k"), 1, "a key is not the same for itself")
     keys = {(key["path"], key["of_type"]): key["rules"] for key in tool.run("help", "--json").json()["keys"]}
     tap.ok({"rule": "excludes", "key": "aim", "choices": None} in keys["lights[].axis", "spot"], "rules as JSON")
     tap.equal(keys["screen.width", None], [], "a key without rules")

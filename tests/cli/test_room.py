@@ -126,7 +126,8 @@ def files(tap, tool):
 
 def refused(tap, tool):
     tool.write("up.ies", HEAD + "1 -1 1 2 1 1 2 .0 .0 0\n1 1 36\n90 180\n0\n100 100\n")
-    for options, code, words in (((), 2, "metres"), (("8,6",), 2, "X,Y,Z"), (("8,6,0",), 2, "lengths"),
+    for options, code, words in (((), 2, "metres"), (("8,6",), 2, "form is luxel room X,Y,Z,"),
+                                 (("8,6,0",), 2, "lengths"),
                                  (("8,6,2.8", "--plane", "3"), 2, "work plane"),
                                  (("8,6,2.8", "--reflectances", "1,0.5,0.2"), 2, "reflectances"),
                                  (("8,6,2.8", "--reflectances", "0.5,0.2"), 2, "C,W,F"),
