@@ -71,6 +71,8 @@ def recipes():
     flatpak = yaml.safe_load(texts["flatpak/org.luxel.Luxel.yml"])
     modules = [module["name"] for module in flatpak["modules"]]
     tap.equal(modules, ["libfyaml", "imath", "openexr", "luxel"], "flatpak: modules")
+    sums = [source["sha256"] for module in flatpak["modules"] for source in module["sources"] if "url" in source]
+    tap.ok(len(sums) == 3 and all(re.fullmatch("[0-9a-f]{64}", each) for each in sums), "flatpak: sums", sums)
     options = (ROOT / "meson_options.txt").read_text(encoding="utf-8")
     given = {option for text in texts.values() for option in re.findall(r"-D([a-z]\w*)=", text)}
     tap.ok(given and all(f"option('{name}'" in options for name in given), "options that there are", given)
