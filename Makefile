@@ -348,4 +348,4 @@ format:
 
 clean:
 	@rm -rf $(BUILD) build-clang build-warnings build-fuzz build-coverage build-threads build-mutants build-sanitize-gcc \
-	    build-sanitize-clang build-web build-linux build-static build-wheel web/node_modules
+	    build-sanitize-clang build-web build-linux build-static build-wheel build-aarch64 web/node_modules

@@ -10,17 +10,24 @@ import pathlib
 import re
 import subprocess
 import sys
+import urllib.parse
 import uuid
 
 ROOT = pathlib.Path(__file__).resolve().parents[1]
 LICENCES = {"libfyaml": "MIT", "libpng1.6": "libpng-2.0", "zlib": "Zlib", "openexr": "BSD-3-Clause",
             "imath": "BSD-3-Clause", "musl": "MIT", "cairo": "LGPL-2.1-only OR MPL-1.1", "libffi": "MIT",
             "pcre2": "BSD-3-Clause", "glib2.0": "LGPL-2.1-or-later", "fribidi": "LGPL-2.1-or-later",
-            "harfbuzz": "MIT", "pango1.0": "LGPL-2.0-or-later", "pixman": "MIT"}
+            "harfbuzz": "MIT", "pango1.0": "LGPL-2.0-or-later", "pixman": "MIT", "glibc": "LGPL-2.1-or-later",
+            "mingw-w64": "ZPL-2.1 AND MIT", "gcc-mingw-w64": "GPL-3.0-or-later WITH GCC-exception-3.1"}
+# C libraries and what belongs to compilers: the package whose version is theirs.
+OF_PACKAGES = {"musl": "emscripten", "glibc": "libc6", "mingw-w64": "mingw-w64-common",
+               "gcc-mingw-w64": "gcc-mingw-w64-x86-64-posix"}
 DRAWING = ["cairo", "libffi", "pcre2", "glib2.0", "fribidi", "harfbuzz", "pango1.0", "pixman"]
 # What is inside of which files, by how their names end or begin.
-INSIDE = [(r"-windows-|-win_amd64", ["libfyaml", "libpng1.6", "zlib", "openexr", "imath"] + DRAWING),
-          (r"\.whl$|-linux-", ["libfyaml", "libpng1.6", "zlib", "openexr", "imath"]),
+INSIDE = [(r"-windows-|-win_amd64", ["libfyaml", "libpng1.6", "zlib", "openexr", "imath", "mingw-w64",
+                                      "gcc-mingw-w64"] + DRAWING),
+          (r"-linux-", ["libfyaml", "libpng1.6", "zlib", "openexr", "imath", "glibc"]),
+          (r"\.whl$", ["libfyaml", "libpng1.6", "zlib", "openexr", "imath"]),
           (r"\.tgz$|\.html$|-page\.zip$", ["libfyaml", "libpng1.6", "zlib", "musl"])]
 STYLE = "body{font:16px/1.5 sans-serif;max-width:50em;margin:2em auto;padding:0 1em}code{font-size:.9em}"
 
@@ -62,7 +69,7 @@ def page(markdown, version):
 
 
 def versions():
-    """The libraries that are built here, by their sources; of emscripten's C library that of its package."""
+    """Those of libraries that are built here, by their sources, and of others."""
     found = {}
     for place in ("build/linux", "build/windows", "build-web"):
         sources = ROOT / place / "libraries/sources"
@@ -71,17 +78,19 @@ def versions():
             found[name] = version
         for path in sources.glob("drawing/pixman-*/"):  # which comes without Debian's changes
             found["pixman"] = path.name.removeprefix("pixman-")
-    query = ["dpkg-query", "-W", "-f=${Version}", "emscripten"]
-    told = subprocess.run(query, capture_output=True, text=True, check=False)
-    if told.returncode == 0:
-        found["musl"] = told.stdout
+    for name, package in OF_PACKAGES.items():
+        query = ["dpkg-query", "-W", "-f=${Version}", package]
+        told = subprocess.run(query, capture_output=True, text=True, check=False)
+        if told.returncode == 0:
+            found[name] = told.stdout
     return found
 
 
 def component(name, version):
     source = "emscripten" if name == "musl" else name
     return {"type": "library", "bom-ref": name, "name": name, "version": version,
-            "licenses": [{"expression": LICENCES[name]}], "purl": f"pkg:deb/debian/{source}@{version}?arch=source"}
+            "licenses": [{"expression": LICENCES[name]}],
+            "purl": f"pkg:deb/debian/{source}@{urllib.parse.quote(version)}?arch=source"}
 
 
 def materials(folder, version, seconds):

@@ -12,6 +12,7 @@ import re
 import shutil
 import subprocess
 import sys
+import tarfile
 import tempfile
 
 import yaml
@@ -40,7 +41,8 @@ def versions():
     with tempfile.TemporaryDirectory() as place:
         copy = pathlib.Path(place)
         for name in ("meson.build", "include/luxel/version.h", "debian/changelog", "CHANGELOG.md", "tools/version",
-                     "data/desktop/org.luxel.Luxel.metainfo.xml.in"):
+                     "data/desktop/org.luxel.Luxel.metainfo.xml.in", "packaging/conda/recipe.yaml",
+                     "packaging/homebrew/luxel.rb"):
             (copy / name).parent.mkdir(parents=True, exist_ok=True)
             shutil.copy(ROOT / name, copy / name)
         header = copy / "include/luxel/version.h"
@@ -55,15 +57,13 @@ def versions():
 
 
 def recipes():
-    """Their versions, and that what the core cannot do without is named."""
+    """That what the core cannot do without is named."""
     texts = {name: (ROOT / "packaging" / name).read_text(encoding="utf-8")
-             for name in ("conda/meta.yaml", "homebrew/luxel.rb", "flatpak/org.luxel.Luxel.yml")}
-    tap.ok(f'version: "{VERSION}"' in texts["conda/meta.yaml"], "conda: version")
-    tap.ok(f"luxel-{VERSION}-source" in texts["homebrew/luxel.rb"], "homebrew: version")
+             for name in ("conda/recipe.yaml", "homebrew/luxel.rb", "flatpak/org.luxel.Luxel.yml")}
     built = (ROOT / "meson.build").read_text(encoding="utf-8")
     wanted = re.findall(r"^(?:fyaml|png|zlib) = dependency\('(\w+)'", built, re.M)
     tap.equal(wanted, ["libfyaml", "libpng", "zlib"], "what meson.build needs")
-    conda = yaml.safe_load(re.sub(r"\{\{[^}]*\}\}", "X", texts["conda/meta.yaml"]))
+    conda = yaml.safe_load(texts["conda/recipe.yaml"])
     host = {line.split()[0] for line in conda["requirements"]["host"]}
     tap.ok({*wanted, "openexr", "cairo", "pango", "meson-python"} <= host, "conda: libraries", host)
     brewed = set(re.findall(r'depends_on "([\w-]+)"$', texts["homebrew/luxel.rb"], re.M))
@@ -71,6 +71,8 @@ def recipes():
     flatpak = yaml.safe_load(texts["flatpak/org.luxel.Luxel.yml"])
     modules = [module["name"] for module in flatpak["modules"]]
     tap.equal(modules, ["libfyaml", "imath", "openexr", "luxel"], "flatpak: modules")
+    sums = [source["sha256"] for module in flatpak["modules"] for source in module["sources"] if "url" in source]
+    tap.ok(len(sums) == 3 and all(re.fullmatch("[0-9a-f]{64}", each) for each in sums), "flatpak: sums", sums)
     options = (ROOT / "meson_options.txt").read_text(encoding="utf-8")
     given = {option for text in texts.values() for option in re.findall(r"-D([a-z]\w*)=", text)}
     tap.ok(given and all(f"option('{name}'" in options for name in given), "options that there are", given)
@@ -92,6 +94,22 @@ def archives():
         tap.equal(sums[0], sums[1], "archives")
 
 
+def sources():
+    """The archive of the sources makes itself again where there is no Git."""
+    with tempfile.TemporaryDirectory() as place:
+        sums = []
+        for root in (ROOT, pathlib.Path(place, f"luxel-{VERSION}")):
+            target = pathlib.Path(place, f"{len(sums)}.tar.gz")
+            subprocess.run([root / "tools/source_archive", target], check=True,
+                           env=os.environ | {"SOURCE_DATE_EPOCH": "1700000000"})
+            with tarfile.open(target) as archive:
+                sums.append({entry.name: (entry.mode, entry.isfile() and archive.extractfile(entry).read())
+                             for entry in archive if "/." not in entry.name})
+                archive.extractall(place)
+        tap.ok(len(sums[0]) > 1000, "files", len(sums[0]))
+        tap.ok(sums[0] == sums[1], "the sources", sorted(set(sums[0]) ^ set(sums[1])))
+
+
 def pages():
     page = release_pages.page("# A `b`\n\nText <1>\nand **more**.\n\n- one\n  of two\n- two\n\n## C\n", "1.2.3")
     body = page[page.index("<h1>"):]
@@ -108,6 +126,6 @@ def pages():
         tap.ok(all(set(part["dependsOn"]) <= names for part in told["dependencies"]), "names what it lists")
 
 
-for test in (versions, recipes, archives, pages):
+for test in (versions, recipes, archives, sources, pages):
     tap.run(test)
 tap.finish()

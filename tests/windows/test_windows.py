@@ -209,6 +209,8 @@ def sweeps(folder):
     tap.equal(contents(folder / "parts"), expected, "parts: files and their bytes")
     code, _, told = run(WINDOWS, folder, "sweep", "study.yaml", "-q", "-o", "parts", "--merge", "brightness.npy")
     tap.ok(code == 0 and (folder / "brightness.npy").stat().st_size > 1000, "shards are merged", told)
+    code, _, told = run(WINDOWS, folder, "sweep", "study.yaml", "-q", "-o", "parts", "--merge", "data.h5")
+    tap.ok(code == 4 and b"merge into .npy" in told and not (folder / "data.h5").exists(), "HDF5 is not there", told)
 
 
 def pages_of(path):

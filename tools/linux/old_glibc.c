@@ -5,7 +5,11 @@
 #include <sys/stat.h>
 
 #define HIDDEN __attribute__((visibility("hidden")))
-enum { VERSION_OF_STAT = 1 }; /* _STAT_VER of x86-64 */
+#ifdef __aarch64__
+enum { VERSION_OF_STAT = 0 }; /* _STAT_VER */
+#else
+enum { VERSION_OF_STAT = 1 };
+#endif
 
 int __xstat64(int version, const char *path, struct stat64 *state);
 int __lxstat64(int version, const char *path, struct stat64 *state);
@@ -33,7 +37,7 @@ HIDDEN int fstatat64(int folder, const char *path, struct stat64 *state, int fla
     return __fxstatat64(VERSION_OF_STAT, folder, path, state, flags);
 }
 
-/* Those of x86-64 have the same structure. */
+/* Both machines have one structure for either. */
 HIDDEN int stat(const char *path, struct stat *state)
 {
     return __xstat64(VERSION_OF_STAT, path, (struct stat64 *)state);

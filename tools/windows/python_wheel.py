@@ -9,7 +9,6 @@ Windows is here to try it, so each symbol is looked for in what it is said to co
 """
 import pathlib
 import re
-import shutil
 import subprocess
 import sys
 import tempfile
@@ -69,14 +68,7 @@ def main(wheel, build, folder):
         for path in [*(build / "build/python/luxel").glob("*.pyd"), build / "build/src/luxel.dll"]:
             subprocess.run(["x86_64-w64-mingw32-strip", "-o", root / "luxel" / path.name, path], check=True)
         check(root / "luxel", python)
-        licences = next(root.glob("*.dist-info")) / "licenses"
-        licences.mkdir(exist_ok=True)
-        with zipfile.ZipFile(build / "luxel-windows.zip") as archive:
-            for name in archive.namelist():
-                if name.startswith("luxel/LICENSES/"):
-                    with archive.open(name) as source, open(licences / pathlib.Path(name).name, "wb") as target:
-                        shutil.copyfileobj(source, target)
-        tag_files(root, "win_amd64")
+        tag_files(root, "win_amd64", build / "papers/LICENSES")
         name = re.sub(r"-[^-]*\.whl$", "-win_amd64.whl", pathlib.Path(wheel).name)
         pack(pathlib.Path(folder) / name, files_of(root, ""))
         print(name)
