@@ -4,6 +4,7 @@
 
 #include "grid_color.h"
 #include "grid_measure.h"
+#include "progress.h"
 #include "result.h"
 
 static void write_extremum(struct json *json, const char *key, const luxel_grid *grid,
@@ -103,6 +104,7 @@ void grid_write_json(struct json *json, const luxel_grid *grid, const luxel_grid
         json_open(json, "reflected", '{');
         json_number(json, "average", grid->reflected_average);
         json_number(json, "error", grid->reflected_error);
+        json_text(json, "ended", progress_end_word(grid->reflected_reached));
         json_close(json, '}');
     }
     json_number_if(json, "average_error", measured, grid->average.error);

@@ -69,6 +69,11 @@ double progress_share(size_t parts)
     return share;
 }
 
+const char *progress_end_word(bool reached)
+{
+    return reached ? NULL : is_wished ? "interrupt" : ended_with > 0.0 ? "time" : "effort";
+}
+
 bool progress_tell_end(bool quiet)
 {
     char bound[32];

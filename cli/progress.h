@@ -32,6 +32,9 @@ void progress_catch_interrupt(void);
 void progress_wait(double seconds, bool keeps);
 /* What is left of that for each of some parts; 0: no end. */
 double progress_share(size_t parts);
+/* The word of JSON for what ended refining before the bound was reached, where `reached` does not say that it was:
+ * time, interrupt (Ctrl-C), or effort, of which there is only so much; else NULL. */
+const char *progress_end_word(bool reached);
 /* Says what bound there is where one of them was the end, unless `quiet`; true: it was Ctrl-C. */
 bool progress_tell_end(bool quiet);
 

@@ -8,6 +8,7 @@
 #include "lights.h"
 #include "message.h"
 #include "places.h"
+#include "progress.h"
 #include "work.h"
 
 /* The library's part of it, which Ctrl-C ends. */
@@ -301,6 +302,7 @@ void result_write_reflected(struct json *json, const luxel_probe *probe)
     json_number(json, "irradiance", probe->reflected_irradiance);
     json_number(json, "value", probe->reflected.value);
     json_number(json, "error", probe->reflected.error);
+    json_text(json, "ended", progress_end_word(probe->reflected_reached));
     json_close(json, '}');
 }
 

@@ -30,6 +30,23 @@ AT = ("--at", "2500,0,2000,0,1,0", "--at", "300,2800,300,0,-1,0", "--quantity", 
 FINE = ("--reflected-error", "1e-4")
 
 
+# Two plates in one plane: which is seen nobody knows, so that no effort makes the bound small.
+IN_ONE_PLANE = """luxel: 1
+reflections: all
+screen: {width: 400, height: 400, resolution: [4, 4]}
+observer: {z: 3000}
+surfaces:
+  - {type: rectangle, center: [0, 0, 0], size: [400, 400], material: {model: lambert, diffuse: 0.5, over_pi: true}}
+  - {type: rectangle, center: [0, 0, 0], size: [200, 200], material: {model: lambert, diffuse: 0.2, over_pi: true}}
+  - {type: rectangle, center: [200, 0, 200], size: [400, 400], axis: [-1, 0, 0],
+     material: {model: lambert, diffuse: 0.5, over_pi: true}}
+lights:
+  - {type: point, position: [0, 0, 300], intensity: 10}
+grids:
+  - {center: [100, 0, 100], size: [20, 20], axis: [-1, 0, 0], n: [1, 1]}
+"""
+
+
 def values(result):
     return [(point["value"], point["error"]) for point in result.json()["points"]]
 
@@ -56,6 +73,22 @@ def the_time_is_the_end(tap, tool):
     tap.ok(quiet.code == 5 and "the time" not in quiet.err, "-q says less", quiet)
     direct = tool.run("probe", "room.yaml", *AT, "-s", "reflections=none", "--within", "1", "--keep")
     tap.ok(direct.code == 0 and not direct.err, "nothing is reflected", direct)
+
+
+def what_ended(answer):
+    return [part["reflected"]["ended"] for part in answer.get("points", []) + answer.get("grids", [])]
+
+
+def json_says_what_ended_it(tap, tool):
+    tool.write("room.yaml", ROOM)
+    tool.write("plates.yaml", IN_ONE_PLANE)
+    asked = ("--at", "200,0,100,-1,0,0", "--quantity", "irradiance", "--json")
+    for error, word, code in (("1e-3", "effort", 5), ("0.999", None, 0)):
+        for command in (("probe", "plates.yaml", *asked), ("grid", "plates.yaml", "--json")):
+            ended = tool.run(*command, "--reflected-error", error)
+            tap.equal((ended.code, what_ended(ended.json())), (code, [word]), "%s: %s" % (command[0], word))
+    ended = tool.run("probe", "room.yaml", *AT, *FINE, "--within", "0.05", "--json")
+    tap.equal(what_ended(ended.json()), ["time", "time"], "time")
 
 
 def in_all_commands(tap, tool):
@@ -96,6 +129,7 @@ def ctrl_c(tap, tool):
             continue
         told = [(point["value"], point["error"]) for point in json.loads(out)["points"]]
         tap.ok(agree(told, coarse) and "Ctrl-C was the end" in err, "the best so far", (out, err))
+        tap.equal(what_ended(json.loads(out)), ["interrupt", "interrupt"], "JSON says so")
 
 
-run_tests(Tap(), the_time_is_the_end, in_all_commands, what_is_wrong, ctrl_c)
+run_tests(Tap(), the_time_is_the_end, json_says_what_ended_it, in_all_commands, what_is_wrong, ctrl_c)

@@ -5,11 +5,12 @@
 
 Rooms have boxes, boards, balls, disks and tubes, apart or on the floor, and lamps of all kinds; places are on walls,
 in corners, on and beside things, and free, and some of them within millimetres of where surfaces meet, where shadows
-end, or between a thing and the floor.  Those of odd numbers have columns, boards beside walls, screens, things that
-touch, arrays of lamps and lamps in niches of the ceiling besides, and some have no wall in front.  The witness follows
-paths at random (witness.c).  A value is dishonest where it is further from what the witness says than its bound and
-four standard errors, by sixteen times as many paths, too.  Prints each room with its errors as shares of the bounds,
-and ends with `N passed, N failed`.
+end, or between a thing and the floor.  Of each three one has columns, boards beside walls, screens, things that touch,
+arrays of lamps and lamps in niches of the ceiling besides, and maybe no wall in front; and in one things hang and stand
+anyhow: tubes, disks and boards at any tilt, columns with a gap above and below, bins, balls, lamps with shades around
+them and baffles below them, and luminaires with openings.  The witness follows paths at random (witness.c).  A value is
+dishonest where it is further from what the witness says than its bound and four standard errors, by sixteen times as
+many paths, too.  Prints each room with its errors as shares of the bounds, and ends with `N passed, N failed`.
 """
 import json
 import math
@@ -316,8 +317,82 @@ class OddRoom(Room):
                        if all(0 <= x <= size for x, size in zip(place, self.size))]
 
 
+class MixedRoom(OddRoom):
+    """A room in which any of many kinds of things stand and hang beside any of many kinds of lamps."""
+
+    def tilt(self):
+        """A direction at random, or along an axis."""
+        draw = self.random
+        if draw.random() < 0.3:
+            return draw.choice([[1, 0, 0], [0, 1, 0], [0, 0, 1], [0, -1, 0]])
+        y, turn = draw.uniform(-1, 1), draw.uniform(0, 2 * math.pi)
+        return [math.sqrt(1 - y * y) * math.cos(turn), y, math.sqrt(1 - y * y) * math.sin(turn)]
+
+    def furnish(self):
+        for _ in range(self.random.choice([1, 1, 2])):
+            self.hang(self.random.choice(['column', 'tube', 'tube', 'ball', 'disk', 'board', 'box', 'bin']))
+
+    def hang(self, kind):
+        draw, (length, height, width) = self.random, self.size
+        radius = draw.uniform(60, 350)
+        for _ in range(50):
+            x, z = draw.uniform(0.1, 0.9) * length, draw.uniform(0.1, 0.9) * width
+            if (radius + 30 < x < length - radius - 30 and radius + 30 < z < width - radius - 30 and
+                    all(math.hypot(x - u, z - v) > 2 * radius + r for u, v, r in self.spots)):
+                break
+        else:
+            return
+        self.spots.append((x, z, 2 * radius))
+        y, thing = draw.uniform(0.25, 0.6) * height, {'material': material(self.reflectance())}
+        if kind == 'column':
+            gap = draw.choice([1, 5, 40])
+            thing.update(type='cylinder', center=[x, height / 2, z], radius=radius, height=height - 2 * gap,
+                         axis=[0, 1, 0])
+        elif kind == 'bin':
+            tall = draw.uniform(200, 900)
+            thing.update(type='cylinder', center=[x, tall / 2 + 1, z], radius=radius, height=tall, axis=[0, 1, 0])
+            self.places.append(([x + 0.5 * radius, 0, z], [0, 1, 0]))
+        elif kind == 'tube':
+            thing.update(type='cylinder', center=[x, y, z], radius=0.4 * radius, height=draw.uniform(0.3, 1.8) * radius,
+                         axis=self.tilt())
+        elif kind == 'ball':
+            thing.update(type='sphere', center=[x, y, z], radius=radius)
+        elif kind == 'disk':
+            thing.update(type='disk', center=[x, y, z], radius=radius, axis=self.tilt())
+        elif kind == 'box':
+            self.add_box([x, y, z], [radius, draw.uniform(0.2, 1.5) * radius, radius], draw.uniform(0, 90))
+            return
+        else:
+            axis = self.tilt()
+            up = [0, 1, 0] if abs(axis[1]) < 0.9 else [1, 0, 0]
+            thing.update(type='rectangle', center=[x, y, z], size=[radius, draw.uniform(0.2, 1.5) * radius], axis=axis,
+                         up=up)
+        self.surfaces.append(thing)
+        self.places.append(([x, 0, z + 0.3 * radius], [0, 1, 0]))
+
+    def lamps(self):
+        draw = self.random
+        Room.lamps(self)
+        for lamp in self.lights:
+            if lamp['type'] == 'luminaire':
+                lamp.update(axis=[0, -1, 0], opening='file')
+            place = lamp.get('position') or lamp.get('rectangle', lamp.get('sphere'))['center']
+            beside = draw.choice(['nothing', 'nothing', 'shade', 'baffle'])
+            if beside == 'shade' and lamp['type'] in ('point', 'globe', 'soft', 'hard'):
+                radius = draw.uniform(180, 260)
+                self.surfaces.append({'type': 'cylinder', 'center': place, 'radius': radius,
+                                      'height': min(draw.uniform(100, 400), 1.8 * (self.size[1] - place[1])),
+                                      'axis': [0, 1, 0], 'material': material(self.reflectance())})
+            elif beside == 'baffle':
+                self.add_board([place[0], place[1] - draw.uniform(160, 500), place[2]],
+                               [draw.uniform(100, 900), draw.uniform(50, 300)], self.tilt(), [0.1, 0.2, 0.97])
+
+    def beside(self, thing):
+        return []
+
+
 def room_of(seed):
-    return (Room, OddRoom)[seed % 2](seed)
+    return (Room, OddRoom, MixedRoom)[seed % 3](seed)
 
 
 def is_honest(found, said):

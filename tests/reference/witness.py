@@ -81,15 +81,34 @@ def spot_line(lamp, place):
     return line('spot', place, axis, lamp['power'] / (2 * math.pi * solid), inner, outer)
 
 
-def table_line(lamp, place):
-    """A file whose planes are a quarter of the round, from 0 to 90 degrees."""
+OPENING = 4  # points along each side of an opening, that stand for it
+
+
+def opening_lines(lamp, place):
+    """The rectangle that a file declares in metres, its length along c0, around the place."""
+    axis, c0 = (unit(lamp.get(key, usual)) for key, usual in (('axis', [0, 0, -1]), ('c0', [1, 0, 0])))
+    words = table_words(lamp)
+    if words[6] != 2 or words[9] != 0 or words[7] <= 0 or words[8] <= 0:
+        raise ValueError(lamp['file'])
+    across = cross(c0, axis)
+    shares = [(2 * i + 1) / (2 * OPENING) - 0.5 for i in range(OPENING)]
+    return [table_line(lamp, [p + 1000 * (a * words[8] * u + b * words[7] * v) for p, u, v in zip(place, c0, across)],
+                       1 / OPENING ** 2) for a in shares for b in shares]
+
+
+def table_words(lamp):
     with open(lamp['file'], encoding='latin-1') as file:
         text = file.read()
-    words = [float(word) for word in text[text.index('TILT=NONE') + 9:].split()]
+    return [float(word) for word in text[text.index('TILT=NONE') + 9:].split()]
+
+
+def table_line(lamp, place, share=1):
+    """A file whose planes are a quarter of the round, from 0 to 90 degrees."""
+    words = table_words(lamp)
     factor, ups, arounds = words[2], int(words[3]), int(words[4])
     up, around = words[13:13 + ups], words[13 + ups:13 + ups + arounds]
     rows = words[13 + ups + arounds:]
-    factor *= words[10] * words[11]
+    factor *= words[10] * words[11] * share
     if around[0] != 0 or around[-1] != 90 or len(rows) != ups * arounds:
         raise ValueError(lamp['file'])
     return line('table', place, lamp.get('axis', [0, 0, -1]), lamp.get('c0', [1, 0, 0]), ups, arounds, up, around,
@@ -122,6 +141,8 @@ def lamp_lines(lamp):
         return [line('point', place, lamp['power'] / (4 * math.pi)) for place in places]
     if kind == 'spot':
         return [spot_line(lamp, place) for place in places]
+    if kind == 'luminaire' and lamp.get('opening') == 'file':
+        return [text for place in places for text in opening_lines(lamp, place)]
     if kind == 'luminaire':
         return [table_line(lamp, place) for place in places]
     raise ValueError(kind)
