@@ -146,6 +146,26 @@ static gboolean is_word(const AppKeys *keys, const luxel_parameter *group)
     return is_word;
 }
 
+/* Whether a parameter is a key right below a group. */
+static gboolean is_in_group(const luxel_parameter *parameter, const luxel_parameter *group)
+{
+    const gsize stem = strlen(group->path);
+    return strncmp(parameter->path, group->path, stem) == 0 && parameter->path[stem] == '.' &&
+           !strchr(parameter->path + stem + 1, '.');
+}
+
+gboolean app_keys_is_optional(const AppKeys *keys, const luxel_parameter *group)
+{
+    if (group->value_type != LUXEL_PARAMETER_GROUP || group->required || group->choices || group->rule_count > 0)
+        return FALSE;
+    for (gsize i = 0; i < luxel_parameters_count(keys->parameters); i++) {
+        const luxel_parameter *child = luxel_parameters_get(keys->parameters, i);
+        if (child->required && is_in_group(child, group) && app_keys_has(keys, child))
+            return TRUE;
+    }
+    return FALSE;
+}
+
 gboolean app_keys_is_shown(const AppKeys *keys, const luxel_parameter *parameter)
 {
     if (!app_keys_has(keys, parameter))
@@ -155,6 +175,8 @@ gboolean app_keys_is_shown(const AppKeys *keys, const luxel_parameter *parameter
     if (group && !app_keys_is_shown(keys, group))
         return FALSE;
     if (group && group->choices && !written && is_word(keys, group))
+        return FALSE;
+    if (group && !is_written(keys, group) && app_keys_is_optional(keys, group))
         return FALSE;
     for (gsize i = 0; i < parameter->rule_count; i++)
         if (!rule_shows(keys, parameter, &parameter->rules[i], written))
@@ -274,11 +296,9 @@ static char *first_value(const AppKeys *keys, const luxel_parameter *parameter);
 static char *first_group(const AppKeys *keys, const luxel_parameter *group)
 {
     GString *text = g_string_new("{");
-    const gsize stem = strlen(group->path);
     for (gsize i = 0; i < luxel_parameters_count(keys->parameters); i++) {
         const luxel_parameter *child = luxel_parameters_get(keys->parameters, i);
-        if (!app_keys_has(keys, child) || !child->required || strncmp(child->path, group->path, stem) != 0 ||
-            child->path[stem] != '.' || strchr(child->path + stem + 1, '.'))
+        if (!app_keys_has(keys, child) || !child->required || !is_in_group(child, group))
             continue;
         char *value = first_value(keys, child);
         g_string_append_printf(text, "%s%s: %s", text->len > 1 ? ", " : "", name_of(child), value);
@@ -323,6 +343,8 @@ static char *first_value(const AppKeys *keys, const luxel_parameter *parameter)
     }
     if (is_list && strcmp(name, "size") == 0)
         return app_list_write((double[]){200, 200, 200}, MIN(parameter->count, 3));
+    if (parameter->value_type == LUXEL_PARAMETER_WHOLE_NUMBERS) /* of places in columns and rows */
+        return g_strdup("[2, 2]");
     char *example = example_value(keys, parameter), text[APP_NUMBER_SIZE];
     if (example)
         return example;
@@ -487,7 +509,11 @@ void app_keys_set(const AppKeys *keys, const luxel_parameter *parameter, int com
             change_type(keys, parameter, yaml, edits);
         return;
     }
-    if (component >= 0)
+    if (parameter->value_type == LUXEL_PARAMETER_GROUP && strcmp(yaml, "true") == 0) {
+        char *group = first_group(keys, parameter);
+        add_set(keys, parameter, group, edits);
+        g_free(group);
+    } else if (component >= 0)
         add_component(keys, parameter, component, value, edits);
     else
         add_set(keys, parameter, yaml, edits);

@@ -19,6 +19,8 @@ char *app_keys_path(const AppKeys *keys, const luxel_parameter *parameter);
 const luxel_parameter *app_keys_beside(const AppKeys *keys, const luxel_parameter *parameter, const char *name);
 /* Whether a parameter is one of the element's type. */
 gboolean app_keys_has(const AppKeys *keys, const luxel_parameter *parameter);
+/* Whether a group of keys is there or not as a whole, and stands for nothing where it is not, such as an array. */
+gboolean app_keys_is_optional(const AppKeys *keys, const luxel_parameter *group);
 /* Whether its value has a say now. */
 gboolean app_keys_is_shown(const AppKeys *keys, const luxel_parameter *parameter);
 
