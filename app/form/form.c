@@ -6,6 +6,7 @@
 
 #include "../../front/language.h"
 #include "../../front/words.h"
+#include "../base/menu.h"
 #include "../base/number.h"
 #include "../base/row.h"
 #include "../base/vector.h"
@@ -269,15 +270,6 @@ static void free_switch(gpointer data, GClosure *closure)
     g_free(data);
 }
 
-static GtkWidget *add_item(GtkWidget *box, const char *text)
-{
-    GtkWidget *item = gtk_button_new_with_label(text);
-    gtk_button_set_has_frame(GTK_BUTTON(item), FALSE);
-    gtk_label_set_xalign(GTK_LABEL(gtk_button_get_child(GTK_BUTTON(item))), 0);
-    gtk_box_append(GTK_BOX(box), item);
-    return item;
-}
-
 static void add_switches(Entry *entry, GtkWidget *box)
 {
     GPtrArray *names = app_keys_instead(&entry->form->keys, entry->parameter);
@@ -287,36 +279,10 @@ static void add_switches(Entry *entry, GtkWidget *box)
         char *text = g_strdup_printf(_("Give “%s” instead"), to->label);
         Switch *change = g_new(Switch, 1);
         *change = (Switch){entry, to};
-        g_signal_connect_data(add_item(box, text), "clicked", G_CALLBACK(menu_switch), change, free_switch, 0);
+        g_signal_connect_data(app_menu_add(box, text), "clicked", G_CALLBACK(menu_switch), change, free_switch, 0);
         g_free(text);
     }
     g_ptr_array_unref(names);
-}
-
-static gboolean remove_menu(gpointer popover)
-{
-    if (gtk_widget_get_parent(popover))
-        gtk_widget_unparent(popover);
-    return G_SOURCE_REMOVE;
-}
-
-/* What was clicked is still to be done; it may have made another form, of which the menu is no part. */
-static void menu_closed(GtkWidget *popover, gpointer data)
-{
-    (void)data;
-    g_idle_add_full(G_PRIORITY_DEFAULT_IDLE, remove_menu, g_object_ref(popover), g_object_unref);
-}
-
-/* The form has the menu, and not the row, which may go. */
-static void place_menu(GtkWidget *popover, AppForm *self, GtkWidget *at)
-{
-    graphene_rect_t bounds;
-    gtk_widget_set_parent(popover, GTK_WIDGET(self));
-    if (gtk_widget_compute_bounds(at, GTK_WIDGET(self), &bounds)) {
-        const GdkRectangle place = {(int)bounds.origin.x, (int)bounds.origin.y, (int)bounds.size.width,
-                                    (int)bounds.size.height};
-        gtk_popover_set_pointing_to(GTK_POPOVER(popover), &place);
-    }
 }
 
 static void show_menu(AppRow *row, GtkWidget *at, Entry *entry)
@@ -327,14 +293,12 @@ static void show_menu(AppRow *row, GtkWidget *at, Entry *entry)
                      ? g_strdup_printf(_("Back to the default, %s"), default_of(entry->parameter))
                      : g_strdup(_("Back to what was opened"));
     (void)row;
-    g_signal_connect(add_item(box, text), "clicked", G_CALLBACK(menu_reset), entry);
-    g_signal_connect(add_item(box, _("Copy as key=value")), "clicked", G_CALLBACK(menu_copy), entry);
+    g_signal_connect(app_menu_add(box, text), "clicked", G_CALLBACK(menu_reset), entry);
+    g_signal_connect(app_menu_add(box, _("Copy as key=value")), "clicked", G_CALLBACK(menu_copy), entry);
     add_switches(entry, box);
     g_free(text);
     gtk_popover_set_child(GTK_POPOVER(popover), box);
-    place_menu(popover, entry->form, at);
-    g_signal_connect(popover, "closed", G_CALLBACK(menu_closed), NULL);
-    gtk_popover_popup(GTK_POPOVER(popover));
+    app_menu_show(popover, GTK_WIDGET(entry->form), at);
 }
 
 /* ---- making rows ---- */

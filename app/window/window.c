@@ -510,9 +510,8 @@ static void app_window_dispose(GObject *object)
 
 static void app_window_finalize(GObject *object)
 {
-    AppWindow *self = APP_WINDOW(object);
-    g_clear_object(&self->document);
-    luxel_parameters_free(self->parameters);
+    g_clear_object(&APP_WINDOW(object)->document);
+    luxel_parameters_free(APP_WINDOW(object)->parameters);
     G_OBJECT_CLASS(app_window_parent_class)->finalize(object);
 }
 
