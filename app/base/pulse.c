@@ -3,6 +3,7 @@
 #include "pulse.h"
 
 #include <stdio.h>
+#include <time.h>
 
 #include "../../front/words.h"
 
@@ -26,7 +27,8 @@ static struct {
     gboolean is_on;
     GPollFunc poll;
     gint64 woken, begun;
-    gint64 first; /* when the first picture came */
+    gint64 first;         /* when the first picture came, */
+    double first_seconds; /* and how long processors had worked for the program by then */
     gboolean is_settled;
     Count all, recent;
 } pulse;
@@ -77,8 +79,12 @@ gboolean app_pulse_is_on(void)
 
 void app_pulse_picture(void)
 {
-    if (!pulse.first)
+    if (!pulse.first) {
+        struct timespec work = {.tv_sec = 0};
+        clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &work);
+        pulse.first_seconds = (double)work.tv_sec + 1e-9 * (double)work.tv_nsec;
         pulse.first = g_get_monotonic_time();
+    }
     pulse.all.pictures++;
     pulse.recent.pictures++;
 }
@@ -107,19 +113,20 @@ char *app_pulse_recent(void)
 
 void app_pulse_print(void)
 {
-    char numbers[6][24];
+    char numbers[7][24];
     const double seconds = (double)(g_get_monotonic_time() - pulse.all.since) / G_USEC_PER_SEC;
-    const double values[6] = {seconds,
+    const double values[7] = {seconds,
                               quantile(&pulse.all, 0.5),
                               quantile(&pulse.all, 0.99),
                               quantile(&pulse.all, 0.999),
                               (double)pulse.all.longest / 1000,
-                              (double)(pulse.first - pulse.begun) / 1000};
-    for (int i = 0; i < 6; i++)
+                              (double)(pulse.first - pulse.begun) / 1000,
+                              1000 * pulse.first_seconds};
+    for (int i = 0; i < 7; i++)
         g_ascii_formatd(numbers[i], sizeof numbers[i], "%.2f", values[i]);
     if (!pulse.first)
         return;
-    printf(_("start to first picture: %s ms\n"), numbers[5]);
+    printf(_("start to first picture: %s ms, %s ms of processor time\n"), numbers[5], numbers[6]);
     printf(_("then pictures: %llu in %s s\n"), (unsigned long long)pulse.all.pictures, numbers[0]);
     printf(_("main loop busy, ms: median %s, 99 %% %s, 99.9 %% %s, longest %s\n"), numbers[1], numbers[2], numbers[3],
            numbers[4]);

@@ -67,3 +67,24 @@ void app_reveal_when_opened(GtkExpander *expander, GtkScrolledWindow *scrolled)
 {
     g_signal_connect(expander, "notify::expanded", G_CALLBACK(opened), scrolled);
 }
+
+static void set_height(GtkListBox *list, GtkScrolledWindow *scrolled)
+{
+    const int most = GPOINTER_TO_INT(g_object_get_data(G_OBJECT(list), "most-rows"));
+    GtkListBoxRow *last = gtk_list_box_get_row_at_index(list, most);
+    int all, row = 0;
+    gtk_widget_measure(GTK_WIDGET(list), GTK_ORIENTATION_VERTICAL, -1, NULL, &all, NULL, NULL);
+    for (; last; last = gtk_list_box_get_row_at_index(list, gtk_list_box_row_get_index(last) + 1)) {
+        gtk_widget_measure(GTK_WIDGET(last), GTK_ORIENTATION_VERTICAL, -1, NULL, &row, NULL, NULL);
+        all -= row;
+    }
+    gtk_scrolled_window_set_min_content_height(scrolled, all);
+}
+
+void app_reveal_rows(GtkListBox *list, GtkScrolledWindow *scrolled, int most)
+{
+    if (!g_object_get_data(G_OBJECT(list), "most-rows")) /* how high letters are is known when they are seen */
+        g_signal_connect(list, "map", G_CALLBACK(set_height), scrolled);
+    g_object_set_data(G_OBJECT(list), "most-rows", GINT_TO_POINTER(most));
+    set_height(list, scrolled);
+}

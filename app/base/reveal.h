@@ -14,4 +14,7 @@ void app_reveal_part(GtkWidget *inside, GtkScrolledWindow *scrolled, GtkWidget *
 /* Scrolls so far as shows what an expander holds, its head at the least, whenever it is opened. */
 void app_reveal_when_opened(GtkExpander *expander, GtkScrolledWindow *scrolled);
 
+/* A list is as high as its rows, of which no more than `most` are seen without scrolling; after each change of them. */
+void app_reveal_rows(GtkListBox *list, GtkScrolledWindow *scrolled, int most);
+
 #endif

@@ -429,13 +429,15 @@ GtkWidget *app_row_new(const AppRowSpec *spec)
         add_text(self, spec->hint);
     if (spec->is_file)
         add_browsing(self, line);
-    if (!gtk_widget_get_parent(self->control))
+    if (!gtk_widget_get_parent(self->control) && !spec->is_long)
         gtk_box_append(GTK_BOX(line), self->control);
     gtk_label_set_xalign(GTK_LABEL(self->note), 0);
     gtk_label_set_wrap(GTK_LABEL(self->note), TRUE);
     gtk_widget_set_visible(self->note, FALSE);
     gtk_widget_add_css_class(self->note, "note");
     gtk_box_append(GTK_BOX(self), line);
+    if (spec->is_long)
+        gtk_box_append(GTK_BOX(self), self->control);
     if (!spec->part)
         add_what_surrounds(self, line);
     name_row(self);

@@ -43,6 +43,7 @@ typedef struct AppRowSpec {
     const char *hint;                     /* of a text: what is expected */
     const char *missing;                  /* of a number: what holds where none is given; NULL: nothing */
     gboolean is_file;                     /* a text that names a file, which can be chosen */
+    gboolean is_long;                     /* a text, such as a date, for which the field stands below its label */
 } AppRowSpec;
 
 GtkWidget *app_row_new(const AppRowSpec *spec);

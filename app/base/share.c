@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* The numbers stand above the bar, which has the whole width.  Both are drawn by hand: a pointer that moves must change
- * a few dots only, and no layout. */
+/* The numbers stand at the end of the bar, whose track is always there.  Both are drawn by hand: a pointer that moves
+ * must change a few dots only, and no layout. */
 #include "share.h"
 
 #include <math.h>
@@ -9,7 +9,7 @@
 #include "lamp.h"
 #include "number.h"
 
-enum { HEIGHT = 21, BAR = 5, NUMBER_WIDTH = 58, PERCENT_WIDTH = 46, GAP = 4 };
+enum { HEIGHT = 15, BAR = 4, LEAST_BAR = 40, WIDE = 190, NUMBER_WIDTH = 50, PERCENT_WIDTH = 44, GAP = 4 };
 
 struct _AppShare {
     GtkWidget parent;
@@ -34,7 +34,7 @@ static double draw_text(GtkWidget *widget, GtkSnapshot *snapshot, const char *te
     gtk_style_context_get_color(gtk_widget_get_style_context(widget), &ink);
     pango_layout_get_pixel_size(layout, &width, &height);
     gtk_snapshot_save(snapshot);
-    gtk_snapshot_translate(snapshot, &GRAPHENE_POINT_INIT((float)(right - width), (float)(HEIGHT - BAR - height) / 2));
+    gtk_snapshot_translate(snapshot, &GRAPHENE_POINT_INIT((float)(right - width), (HEIGHT - (float)height) / 2));
     gtk_snapshot_append_layout(snapshot, layout, &ink);
     gtk_snapshot_restore(snapshot);
     g_object_unref(layout);
@@ -44,22 +44,28 @@ static double draw_text(GtkWidget *widget, GtkSnapshot *snapshot, const char *te
 static void app_share_snapshot(GtkWidget *widget, GtkSnapshot *snapshot)
 {
     const AppShare *self = APP_SHARE(widget);
-    const double width = gtk_widget_get_width(widget), top = HEIGHT - BAR;
+    const float width = (float)gtk_widget_get_width(widget), top = (HEIGHT - BAR) / 2.0f;
+    const float wanted = PERCENT_WIDTH + GAP + (width > WIDE ? NUMBER_WIDTH + GAP : 0);
+    const float length = MAX(width - wanted, LEAST_BAR);
     const double part = part_of(self);
     char number[APP_NUMBER_SIZE], percent[APP_NUMBER_SIZE];
     double color[3];
     GdkRGBA ink;
-    if (!isfinite(self->share) || width < 1)
+    if (width < 1)
         return;
     gtk_style_context_get_color(gtk_widget_get_style_context(widget), &ink);
-    ink.alpha = 0.18f;
-    gtk_snapshot_append_color(snapshot, &ink, &GRAPHENE_RECT_INIT(0, (float)top, (float)width, BAR));
+    ink.alpha = 0.14f;
+    gtk_snapshot_append_color(snapshot, &ink, &GRAPHENE_RECT_INIT(0, top, length, BAR));
+    if (!isfinite(self->share))
+        return;
     app_lamp_color(self->light, color);
     const GdkRGBA fill = {(float)color[0], (float)color[1], (float)color[2], 1};
-    gtk_snapshot_append_color(snapshot, &fill, &GRAPHENE_RECT_INIT(0, (float)top, (float)(width * part), BAR));
+    gtk_snapshot_append_color(snapshot, &fill, &GRAPHENE_RECT_INIT(0, top, length * (float)part, BAR));
     g_snprintf(percent, sizeof percent, "%.*f %%", part < 0.9995 ? 1 : 0, 100 * part); /* "100.0 %" is too wide */
-    const double left = draw_text(widget, snapshot, app_number_mark(percent), width);  /* large letters are wider */
-    draw_text(widget, snapshot, app_number_show(self->share, 4, number), MIN(width - PERCENT_WIDTH, left) - GAP);
+    const double left = draw_text(widget, snapshot, app_number_mark(percent), (double)width);
+    const double end = MIN((double)width - PERCENT_WIDTH, left - GAP);
+    if (end > (double)length + NUMBER_WIDTH) /* else there is room for the share alone */
+        draw_text(widget, snapshot, app_number_show(self->share, 4, number), end);
 }
 
 static void app_share_measure(GtkWidget *widget, GtkOrientation orientation, int size, int *least, int *natural,
@@ -67,7 +73,7 @@ static void app_share_measure(GtkWidget *widget, GtkOrientation orientation, int
 {
     (void)widget;
     (void)size;
-    *least = *natural = orientation == GTK_ORIENTATION_VERTICAL ? HEIGHT : NUMBER_WIDTH + PERCENT_WIDTH + 3 * GAP;
+    *least = *natural = orientation == GTK_ORIENTATION_VERTICAL ? HEIGHT : LEAST_BAR + PERCENT_WIDTH + GAP;
     *least_baseline = *natural_baseline = -1;
 }
 

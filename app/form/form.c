@@ -1,11 +1,12 @@
 /* SPDX-License-Identifier: MIT */
-/* Forms: rows, made once for an element's type and refreshed from the document. */
+/* Forms: rows, made when they are first seen of an element's type, and refreshed from the document. */
 #include "form.h"
 
 #include <string.h>
 
 #include "../../front/language.h"
 #include "../../front/words.h"
+#include "../base/menu.h"
 #include "../base/number.h"
 #include "../base/row.h"
 #include "../base/vector.h"
@@ -16,8 +17,8 @@ typedef struct Entry {
     AppForm *form;
     const luxel_parameter *parameter;
     int component; /* -1: the whole */
-    GtkWidget *row;
-    GtkWidget *block; /* what stands in the form: the row, or the vector that it is a part of */
+    GtkWidget *row;   /* made when it is first seen, as */
+    GtkWidget *block; /* what stands in the form is: the row, or the vector that it is a part of */
 } Entry;
 
 struct _AppForm {
@@ -31,6 +32,8 @@ struct _AppForm {
     GArray *others; /* gsize: the elements that take the changes, too */
     GPtrArray *entries;
     gboolean is_photometric;
+    const char *suggested; /* the key that a range was told of, */
+    double suggestion[2];  /* which is this one */
 };
 
 G_DEFINE_FINAL_TYPE(AppForm, app_form, GTK_TYPE_BOX)
@@ -80,6 +83,7 @@ static AppRowKind kind_of(luxel_parameter_type type)
     case LUXEL_PARAMETER_NUMBERS: return APP_ROW_NUMBER;
     case LUXEL_PARAMETER_WHOLE_NUMBER:
     case LUXEL_PARAMETER_WHOLE_NUMBERS: return APP_ROW_WHOLE;
+    case LUXEL_PARAMETER_GROUP: /* that is there or not */
     case LUXEL_PARAMETER_YES_OR_NO: return APP_ROW_SWITCH;
     case LUXEL_PARAMETER_CHOICE: return APP_ROW_CHOICE;
     case LUXEL_PARAMETER_CHOICE_OR_PAIR: return APP_ROW_RANGE;
@@ -162,7 +166,8 @@ static void change_all(const Entry *entry, Change change, const char *yaml, AppE
 
 static void change_value(const AppKeys *keys, const Entry *entry, const char *yaml, AppEdits *edits)
 {
-    if (*yaml == '\0' || strcmp(yaml, "\"\"") == 0) {
+    const gboolean is_group = entry->parameter->value_type == LUXEL_PARAMETER_GROUP;
+    if (*yaml == '\0' || strcmp(yaml, "\"\"") == 0 || (is_group && strcmp(yaml, "false") == 0)) {
         char *path = app_keys_path(keys, entry->parameter);
         app_edits_add(edits, APP_EDIT_REMOVE, path, NULL, 0, 0);
         g_free(path);
@@ -186,13 +191,19 @@ static void edited(AppRow *row, const char *yaml, Entry *entry)
     app_edits_free(edits);
 }
 
+/* What a key is where it is not given; NULL: it must be. */
+static const char *default_of(const luxel_parameter *parameter)
+{
+    return parameter->value_type == LUXEL_PARAMETER_GROUP ? _("none") : parameter->default_value;
+}
+
 /* The default, or what the scene had when it was opened. */
 static void change_back(const AppKeys *keys, const Entry *entry, const char *yaml, AppEdits *edits)
 {
     char *path = app_keys_path(keys, entry->parameter);
     char *opened = app_document_get_opened(entry->form->document, path);
     (void)yaml;
-    if (entry->parameter->default_value)
+    if (default_of(entry->parameter))
         app_edits_add(edits, APP_EDIT_REMOVE, path, NULL, 0, 0);
     else if (opened)
         app_keys_set(keys, entry->parameter, -1, opened, edits);
@@ -259,15 +270,6 @@ static void free_switch(gpointer data, GClosure *closure)
     g_free(data);
 }
 
-static GtkWidget *add_item(GtkWidget *box, const char *text)
-{
-    GtkWidget *item = gtk_button_new_with_label(text);
-    gtk_button_set_has_frame(GTK_BUTTON(item), FALSE);
-    gtk_label_set_xalign(GTK_LABEL(gtk_button_get_child(GTK_BUTTON(item))), 0);
-    gtk_box_append(GTK_BOX(box), item);
-    return item;
-}
-
 static void add_switches(Entry *entry, GtkWidget *box)
 {
     GPtrArray *names = app_keys_instead(&entry->form->keys, entry->parameter);
@@ -277,54 +279,26 @@ static void add_switches(Entry *entry, GtkWidget *box)
         char *text = g_strdup_printf(_("Give “%s” instead"), to->label);
         Switch *change = g_new(Switch, 1);
         *change = (Switch){entry, to};
-        g_signal_connect_data(add_item(box, text), "clicked", G_CALLBACK(menu_switch), change, free_switch, 0);
+        g_signal_connect_data(app_menu_add(box, text), "clicked", G_CALLBACK(menu_switch), change, free_switch, 0);
         g_free(text);
     }
     g_ptr_array_unref(names);
 }
 
-static gboolean remove_menu(gpointer popover)
-{
-    if (gtk_widget_get_parent(popover))
-        gtk_widget_unparent(popover);
-    return G_SOURCE_REMOVE;
-}
-
-/* What was clicked is still to be done; it may have made another form, of which the menu is no part. */
-static void menu_closed(GtkWidget *popover, gpointer data)
-{
-    (void)data;
-    g_idle_add_full(G_PRIORITY_DEFAULT_IDLE, remove_menu, g_object_ref(popover), g_object_unref);
-}
-
-/* The form has the menu, and not the row, which may go. */
-static void place_menu(GtkWidget *popover, AppForm *self, GtkWidget *at)
-{
-    graphene_rect_t bounds;
-    gtk_widget_set_parent(popover, GTK_WIDGET(self));
-    if (gtk_widget_compute_bounds(at, GTK_WIDGET(self), &bounds)) {
-        const GdkRectangle place = {(int)bounds.origin.x, (int)bounds.origin.y, (int)bounds.size.width,
-                                    (int)bounds.size.height};
-        gtk_popover_set_pointing_to(GTK_POPOVER(popover), &place);
-    }
-}
-
 static void show_menu(AppRow *row, GtkWidget *at, Entry *entry)
 {
     GtkWidget *popover = gtk_popover_new(), *box = gtk_box_new(GTK_ORIENTATION_VERTICAL, 0);
-    char *text = entry->parameter->default_value
+    char *text = default_of(entry->parameter)
                      /* TRANSLATORS: %s is a value */
-                     ? g_strdup_printf(_("Back to the default, %s"), entry->parameter->default_value)
+                     ? g_strdup_printf(_("Back to the default, %s"), default_of(entry->parameter))
                      : g_strdup(_("Back to what was opened"));
     (void)row;
-    g_signal_connect(add_item(box, text), "clicked", G_CALLBACK(menu_reset), entry);
-    g_signal_connect(add_item(box, _("Copy as key=value")), "clicked", G_CALLBACK(menu_copy), entry);
+    g_signal_connect(app_menu_add(box, text), "clicked", G_CALLBACK(menu_reset), entry);
+    g_signal_connect(app_menu_add(box, _("Copy as key=value")), "clicked", G_CALLBACK(menu_copy), entry);
     add_switches(entry, box);
     g_free(text);
     gtk_popover_set_child(GTK_POPOVER(popover), box);
-    place_menu(popover, entry->form, at);
-    g_signal_connect(popover, "closed", G_CALLBACK(menu_closed), NULL);
-    gtk_popover_popup(GTK_POPOVER(popover));
+    app_menu_show(popover, GTK_WIDGET(entry->form), at);
 }
 
 /* ---- making rows ---- */
@@ -352,9 +326,10 @@ static const char *missing_of(const luxel_parameter *parameter)
     return g_str_has_suffix(parameter->path, ".material.ambient") ? "= kd" : _("none");
 }
 
-static Entry *new_entry(AppForm *self, const luxel_parameter *parameter, int component)
+static void make_row(AppForm *self, Entry *entry)
 {
-    Entry *entry = g_new0(Entry, 1);
+    const luxel_parameter *parameter = entry->parameter;
+    const int component = entry->component;
     char *label = label_of(self, parameter, component);
     const AppRowSpec spec = {
         .kind = kind_of(parameter->value_type),
@@ -369,36 +344,33 @@ static Entry *new_entry(AppForm *self, const luxel_parameter *parameter, int com
         .hint = parameter->choices ? parameter->choices : parameter->type,
         .missing = missing_of(parameter),
         .is_file = is_file(parameter),
+        .is_long = kind_of(parameter->value_type) == APP_ROW_YAML || g_str_has_suffix(parameter->path, ".date"),
     };
-    *entry = (Entry){self, parameter, component, app_row_new(&spec), NULL};
+    entry->row = app_row_new(&spec);
     g_signal_connect(entry->row, "edited", G_CALLBACK(edited), entry);
     g_signal_connect(entry->row, "reset", G_CALLBACK(reset), entry);
     g_signal_connect(entry->row, "menu", G_CALLBACK(show_menu), entry);
     g_signal_connect(entry->row, "browse", G_CALLBACK(browse), entry);
-    g_ptr_array_add(self->entries, entry);
+    if (g_strcmp0(self->suggested, parameter->path) == 0)
+        app_row_suggest(APP_ROW(entry->row), self->suggestion[0], self->suggestion[1]);
     g_free(label);
-    return entry;
 }
 
-static void add_single(AppForm *self, const luxel_parameter *parameter)
+/* The row of an entry, or the vector of it and those behind it, `count` in all; it stands behind `sibling`. */
+static void make_block(AppForm *self, Entry *const *entries, guint count, GtkWidget *sibling)
 {
-    Entry *entry = new_entry(self, parameter, -1);
-    entry->block = entry->row;
-    gtk_widget_set_name(entry->block, parameter->path);
-    gtk_box_append(GTK_BOX(self), entry->block);
-}
-
-static void add_vector(AppForm *self, const luxel_parameter *parameter)
-{
+    const luxel_parameter *parameter = entries[0]->parameter;
     char *label = label_of(self, parameter, -1);
-    GtkWidget *vector = app_vector_new(label, unit_of(self, parameter), parameter->meaning);
-    for (guint i = 0; i < parameter->count; i++) {
-        Entry *entry = new_entry(self, parameter, (int)i);
-        entry->block = vector;
-        app_vector_add(APP_VECTOR(vector), APP_ROW(entry->row));
+    GtkWidget *vector =
+        entries[0]->component < 0 ? NULL : app_vector_new(label, unit_of(self, parameter), parameter->meaning);
+    for (guint i = 0; i < count; i++) {
+        make_row(self, entries[i]);
+        entries[i]->block = vector ? vector : entries[i]->row;
+        if (vector)
+            app_vector_add(APP_VECTOR(vector), APP_ROW(entries[i]->row));
     }
-    gtk_widget_set_name(vector, parameter->path);
-    gtk_box_append(GTK_BOX(self), vector);
+    gtk_widget_set_name(entries[0]->block, parameter->path);
+    gtk_box_insert_child_after(GTK_BOX(self), entries[0]->block, sibling);
     g_free(label);
 }
 
@@ -418,12 +390,16 @@ static gboolean belongs(const AppForm *self, const char *path)
 static void add_entries(AppForm *self, const luxel_parameter *parameter)
 {
     const luxel_parameter_type type = parameter->value_type;
-    if (type == LUXEL_PARAMETER_GROUP || type == LUXEL_PARAMETER_GROUPS || type == LUXEL_PARAMETER_VARIANTS)
+    const gboolean is_vector = (type == LUXEL_PARAMETER_NUMBERS || type == LUXEL_PARAMETER_WHOLE_NUMBERS) &&
+                               parameter->count <= 3;
+    if (type == LUXEL_PARAMETER_GROUPS || type == LUXEL_PARAMETER_VARIANTS ||
+        (type == LUXEL_PARAMETER_GROUP && !app_keys_is_optional(&self->keys, parameter)))
         return;
-    if ((type == LUXEL_PARAMETER_NUMBERS || type == LUXEL_PARAMETER_WHOLE_NUMBERS) && parameter->count <= 3)
-        add_vector(self, parameter);
-    else
-        add_single(self, parameter);
+    for (int i = 0; i < (is_vector ? (int)parameter->count : 1); i++) {
+        Entry *entry = g_new0(Entry, 1);
+        *entry = (Entry){self, parameter, is_vector ? i : -1, NULL, NULL};
+        g_ptr_array_add(self->entries, entry);
+    }
 }
 
 static void rebuild(AppForm *self)
@@ -445,8 +421,11 @@ static void show_value(const AppForm *self, const Entry *entry)
 {
     double numbers[3];
     char text[APP_NUMBER_SIZE], *path = app_keys_path(&self->keys, entry->parameter);
-    char *value = app_document_get(self->document, path, NULL);
-    if (entry->component < 0)
+    gboolean written = FALSE;
+    char *value = app_document_get(self->document, path, &written);
+    if (entry->parameter->value_type == LUXEL_PARAMETER_GROUP)
+        app_row_set(APP_ROW(entry->row), written ? "true" : "false");
+    else if (entry->component < 0)
         app_row_set(APP_ROW(entry->row), value);
     else if (value && app_list_read(value, numbers, 3) > (gsize)entry->component)
         app_row_set(APP_ROW(entry->row), app_number_write(numbers[entry->component], text));
@@ -464,6 +443,8 @@ static void refresh_units(AppForm *self)
     self->is_photometric = photometric;
     for (guint i = 0; i < self->entries->len; i++) {
         const Entry *entry = g_ptr_array_index(self->entries, i);
+        if (!entry->row)
+            continue;
         char *label = label_of(self, entry->parameter, entry->component);
         if (APP_IS_VECTOR(entry->block))
             app_vector_set_unit(APP_VECTOR(entry->block), unit_of(self, entry->parameter));
@@ -474,16 +455,36 @@ static void refresh_units(AppForm *self)
     }
 }
 
+void app_form_fill(AppForm *self)
+{
+    GtkWidget *last = NULL;
+    guint count;
+    refresh_units(self);
+    for (guint i = 0; i < self->entries->len; i += count) {
+        Entry *const *entries = (Entry *const *)&self->entries->pdata[i];
+        const gboolean shown = app_keys_is_shown(&self->keys, entries[0]->parameter);
+        count = entries[0]->component < 0 ? 1 : entries[0]->parameter->count;
+        if (shown && !entries[0]->block)
+            make_block(self, entries, count, last);
+        if (!entries[0]->block)
+            continue;
+        last = entries[0]->block;
+        gtk_widget_set_visible(last, shown);
+        for (guint k = 0; k < count && shown; k++)
+            show_value(self, entries[k]);
+    }
+}
+
 void app_form_refresh(AppForm *self)
 {
-    refresh_units(self);
-    for (guint i = 0; i < self->entries->len; i++) {
-        const Entry *entry = g_ptr_array_index(self->entries, i);
-        const gboolean shown = app_keys_is_shown(&self->keys, entry->parameter);
-        gtk_widget_set_visible(entry->block, shown);
-        if (shown)
-            show_value(self, entry);
-    }
+    if (gtk_widget_get_mapped(GTK_WIDGET(self)))
+        app_form_fill(self);
+}
+
+static void app_form_map(GtkWidget *widget)
+{
+    app_form_fill(APP_FORM(widget));
+    GTK_WIDGET_CLASS(app_form_parent_class)->map(widget);
 }
 
 void app_form_set_element(AppForm *self, gsize index, const char *type)
@@ -509,9 +510,12 @@ void app_form_set_others(AppForm *self, const gsize *others, gsize count)
 
 void app_form_suggest(AppForm *self, const char *key, double low, double high)
 {
+    self->suggested = key;
+    self->suggestion[0] = low;
+    self->suggestion[1] = high;
     for (guint i = 0; i < self->entries->len; i++) {
         const Entry *entry = g_ptr_array_index(self->entries, i);
-        if (strcmp(entry->parameter->path, key) == 0)
+        if (entry->row && strcmp(entry->parameter->path, key) == 0)
             app_row_suggest(APP_ROW(entry->row), low, high);
     }
 }
@@ -519,8 +523,12 @@ void app_form_suggest(AppForm *self, const char *key, double low, double high)
 gboolean app_form_set_fault(AppForm *self, const char *key, const char *reason)
 {
     gboolean found = FALSE;
+    if (key)
+        app_form_fill(self); /* in a section that is closed, too */
     for (guint i = 0; i < self->entries->len; i++) {
         const Entry *entry = g_ptr_array_index(self->entries, i);
+        if (!entry->row)
+            continue;
         char *path = app_keys_path(&self->keys, entry->parameter);
         const gsize length = strlen(path);
         /* a number of a list is the row's, too */
@@ -555,6 +563,7 @@ static void app_form_class_init(AppFormClass *class)
 {
     G_OBJECT_CLASS(class)->dispose = app_form_dispose;
     G_OBJECT_CLASS(class)->finalize = app_form_finalize;
+    GTK_WIDGET_CLASS(class)->map = app_form_map;
 }
 
 static void app_form_init(AppForm *self)
@@ -574,9 +583,7 @@ GtkWidget *app_form_new(AppDocument *document, const luxel_parameters *parameter
     self->prefixes = prefixes;
     self->except = except;
     self->keys = (AppKeys){.document = document, .parameters = parameters};
-    if (!strstr(prefixes[0], "[]")) {
+    if (!strstr(prefixes[0], "[]"))
         rebuild(self);
-        app_form_refresh(self);
-    }
     return GTK_WIDGET(self);
 }

@@ -26,10 +26,12 @@ void app_form_set_element(AppForm *self, gsize index, const char *type);
 /* Which other elements of the list take every change, too, as far as they have its key; names are each one's own. */
 void app_form_set_others(AppForm *self, const gsize *others, gsize count);
 
-/* Shows the document's present values. */
+/* Shows the document's present values, as soon as the form is seen. */
 void app_form_refresh(AppForm *self);
+/* The rows are there with their values although nobody sees them, as for a search. */
+void app_form_fill(AppForm *self);
 
-/* Tells a row that takes a range which one is in force. */
+/* Tells a row that takes a range which one is in force; the key is a literal. */
 void app_form_suggest(AppForm *self, const char *key, double low, double high);
 
 /* Marks the row of a key as wrong; key NULL: none is.  TRUE where the form has that row. */

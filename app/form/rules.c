@@ -146,6 +146,26 @@ static gboolean is_word(const AppKeys *keys, const luxel_parameter *group)
     return is_word;
 }
 
+/* Whether a parameter is a key right below a group. */
+static gboolean is_in_group(const luxel_parameter *parameter, const luxel_parameter *group)
+{
+    const gsize stem = strlen(group->path);
+    return strncmp(parameter->path, group->path, stem) == 0 && parameter->path[stem] == '.' &&
+           !strchr(parameter->path + stem + 1, '.');
+}
+
+gboolean app_keys_is_optional(const AppKeys *keys, const luxel_parameter *group)
+{
+    if (group->value_type != LUXEL_PARAMETER_GROUP || group->required || group->choices || group->rule_count > 0)
+        return FALSE;
+    for (gsize i = 0; i < luxel_parameters_count(keys->parameters); i++) {
+        const luxel_parameter *child = luxel_parameters_get(keys->parameters, i);
+        if (child->required && is_in_group(child, group) && app_keys_has(keys, child))
+            return TRUE;
+    }
+    return FALSE;
+}
+
 gboolean app_keys_is_shown(const AppKeys *keys, const luxel_parameter *parameter)
 {
     if (!app_keys_has(keys, parameter))
@@ -156,6 +176,8 @@ gboolean app_keys_is_shown(const AppKeys *keys, const luxel_parameter *parameter
         return FALSE;
     if (group && group->choices && !written && is_word(keys, group))
         return FALSE;
+    if (group && !is_written(keys, group) && app_keys_is_optional(keys, group))
+        return FALSE;
     for (gsize i = 0; i < parameter->rule_count; i++)
         if (!rule_shows(keys, parameter, &parameter->rules[i], written))
             return FALSE;
@@ -163,40 +185,6 @@ gboolean app_keys_is_shown(const AppKeys *keys, const luxel_parameter *parameter
 }
 
 /* ---- edits ---- */
-
-AppEdits *app_edits_new(void)
-{
-    AppEdits *edits = g_new(AppEdits, 1);
-    *edits = (AppEdits){g_array_new(FALSE, FALSE, sizeof(AppEdit)), g_ptr_array_new_with_free_func(g_free)};
-    return edits;
-}
-
-void app_edits_free(AppEdits *edits)
-{
-    g_array_unref(edits->list);
-    g_ptr_array_unref(edits->texts);
-    g_free(edits);
-}
-
-static const char *keep_text(AppEdits *edits, const char *text)
-{
-    char *copy = g_strdup(text);
-    if (copy)
-        g_ptr_array_add(edits->texts, copy);
-    return copy;
-}
-
-void app_edits_add(AppEdits *edits, AppEditKind kind, const char *key, const char *value, gsize index, gsize to)
-{
-    const AppEdit edit = {kind, keep_text(edits, key), keep_text(edits, value), index, to};
-    g_array_append_val(edits->list, edit);
-}
-
-gboolean app_edits_make(const AppEdits *edits, AppDocument *document, luxel_diagnostics *diagnostics)
-{
-    const AppEdit *list = (const AppEdit *)(void *)edits->list->data;
-    return app_document_edit(document, list, edits->list->len, NULL, diagnostics);
-}
 
 static void add_set(const AppKeys *keys, const luxel_parameter *parameter, const char *value, AppEdits *edits)
 {
@@ -274,11 +262,9 @@ static char *first_value(const AppKeys *keys, const luxel_parameter *parameter);
 static char *first_group(const AppKeys *keys, const luxel_parameter *group)
 {
     GString *text = g_string_new("{");
-    const gsize stem = strlen(group->path);
     for (gsize i = 0; i < luxel_parameters_count(keys->parameters); i++) {
         const luxel_parameter *child = luxel_parameters_get(keys->parameters, i);
-        if (!app_keys_has(keys, child) || !child->required || strncmp(child->path, group->path, stem) != 0 ||
-            child->path[stem] != '.' || strchr(child->path + stem + 1, '.'))
+        if (!app_keys_has(keys, child) || !child->required || !is_in_group(child, group))
             continue;
         char *value = first_value(keys, child);
         g_string_append_printf(text, "%s%s: %s", text->len > 1 ? ", " : "", name_of(child), value);
@@ -323,6 +309,8 @@ static char *first_value(const AppKeys *keys, const luxel_parameter *parameter)
     }
     if (is_list && strcmp(name, "size") == 0)
         return app_list_write((double[]){200, 200, 200}, MIN(parameter->count, 3));
+    if (parameter->value_type == LUXEL_PARAMETER_WHOLE_NUMBERS) /* of places in columns and rows */
+        return g_strdup("[2, 2]");
     char *example = example_value(keys, parameter), text[APP_NUMBER_SIZE];
     if (example)
         return example;
@@ -487,7 +475,11 @@ void app_keys_set(const AppKeys *keys, const luxel_parameter *parameter, int com
             change_type(keys, parameter, yaml, edits);
         return;
     }
-    if (component >= 0)
+    if (parameter->value_type == LUXEL_PARAMETER_GROUP && strcmp(yaml, "true") == 0) {
+        char *group = first_group(keys, parameter);
+        add_set(keys, parameter, group, edits);
+        g_free(group);
+    } else if (component >= 0)
         add_component(keys, parameter, component, value, edits);
     else
         add_set(keys, parameter, yaml, edits);

@@ -3,7 +3,7 @@
 #ifndef LUXEL_APP_RULES_H
 #define LUXEL_APP_RULES_H
 
-#include "../files/document.h"
+#include "edits.h"
 
 /* The keys of one group or element: the table, and the path of the element in the document. */
 typedef struct AppKeys {
@@ -19,22 +19,10 @@ char *app_keys_path(const AppKeys *keys, const luxel_parameter *parameter);
 const luxel_parameter *app_keys_beside(const AppKeys *keys, const luxel_parameter *parameter, const char *name);
 /* Whether a parameter is one of the element's type. */
 gboolean app_keys_has(const AppKeys *keys, const luxel_parameter *parameter);
+/* Whether a group of keys is there or not as a whole, and stands for nothing where it is not, such as an array. */
+gboolean app_keys_is_optional(const AppKeys *keys, const luxel_parameter *group);
 /* Whether its value has a say now. */
 gboolean app_keys_is_shown(const AppKeys *keys, const luxel_parameter *parameter);
-
-/* Edits with their own texts. */
-typedef struct AppEdits {
-    GArray *list; /* AppEdit */
-    GPtrArray *texts;
-} AppEdits;
-
-AppEdits *app_edits_new(void);
-void app_edits_free(AppEdits *edits);
-/* Copies what it is given. */
-void app_edits_add(AppEdits *edits, AppEditKind kind, const char *key, const char *value, gsize index, gsize to);
-
-/* Makes them together, as app_document_edit() does; at least one. */
-gboolean app_edits_make(const AppEdits *edits, AppDocument *document, luxel_diagnostics *diagnostics);
 
 /*
  * What giving a parameter a value takes: the value, the keys that it makes necessary, square pixels.  `component` -1,

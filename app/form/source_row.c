@@ -170,20 +170,22 @@ static void app_source_row_init(AppSourceRow *self)
 GtkWidget *app_source_row_new(gsize light)
 {
     AppSourceRow *self = g_object_new(APP_TYPE_SOURCE_ROW, NULL);
-    GtkWidget *texts = gtk_box_new(GTK_ORIENTATION_VERTICAL, 0);
+    GtkWidget *texts = gtk_box_new(GTK_ORIENTATION_VERTICAL, 1), *title = gtk_box_new(GTK_ORIENTATION_HORIZONTAL, 4);
     self->light = light;
     self->share = app_share_new(light);
     name_button(self->enabled, _("Source %zu on"), light);
     name_button(self->solo, _("Only source %zu"), light);
     gtk_widget_set_tooltip_text(self->share, _("What the source gives under the pointer, and its share of the whole"));
     gtk_widget_set_hexpand(texts, TRUE);
-    gtk_box_append(GTK_BOX(texts), self->name);
+    gtk_widget_set_hexpand(self->name, TRUE);
+    gtk_box_append(GTK_BOX(title), self->name);
+    gtk_box_append(GTK_BOX(title), self->solo);
+    gtk_box_append(GTK_BOX(texts), title);
     gtk_box_append(GTK_BOX(texts), self->gives);
     gtk_box_append(GTK_BOX(texts), self->share);
     gtk_box_append(GTK_BOX(self), self->enabled);
     gtk_box_append(GTK_BOX(self), self->badge);
     gtk_box_append(GTK_BOX(self), texts);
-    gtk_box_append(GTK_BOX(self), self->solo);
     g_signal_connect(self->enabled, "toggled", G_CALLBACK(enabled_toggled), self);
     g_signal_connect(self->solo, "toggled", G_CALLBACK(solo_toggled), self);
     return GTK_WIDGET(self);

@@ -19,7 +19,7 @@
 
 static const char *const prefixes[] = {"lights[].", NULL};
 
-enum { ROW_HEIGHT = 59, MOST_ROWS = 5 /* that are seen without scrolling */ };
+enum { MOST_ROWS = 5 /* that are seen without scrolling */ };
 
 struct _AppSources {
     GtkBox parent;
@@ -236,8 +236,7 @@ void app_sources_refresh(AppSources *self)
         choose_alone(self, MIN(self->chosen, count > 0 ? count - 1 : 0));
     self->count = count;
     show_rows(self);
-    gtk_scrolled_window_set_min_content_height(GTK_SCROLLED_WINDOW(self->scrolled),
-                                               (int)MIN(shown, MOST_ROWS) * ROW_HEIGHT);
+    app_reveal_rows(GTK_LIST_BOX(self->list), GTK_SCROLLED_WINDOW(self->scrolled), MOST_ROWS);
     char *more = g_strdup_printf(ngettext("and %zu more", "and %zu more", count - shown), count - shown);
     gtk_label_set_text(GTK_LABEL(self->more), more);
     gtk_widget_set_visible(self->more, count > shown);

@@ -10,6 +10,7 @@
 #include "../../front/language.h"
 #include "../../front/words.h"
 #include "../base/dim.h"
+#include "../base/letters.h"
 #include "../base/lamp.h"
 #include "../base/number.h"
 #include "../base/row.h"
@@ -139,6 +140,11 @@ static void show_reading(AppWhy *self, const AppReading *reading)
     }
     gtk_label_set_text(GTK_LABEL(self->where), where);
     gtk_label_set_markup(GTK_LABEL(self->result), result);
+    const int column = (int)(WIDTH / 6 * app_letters_scale(self->shares));
+    PangoTabArray *tabs =
+        pango_tab_array_new_with_positions(2, TRUE, PANGO_TAB_LEFT, column, PANGO_TAB_LEFT, 3 * column);
+    gtk_label_set_tabs(GTK_LABEL(self->shares), tabs);
+    pango_tab_array_free(tabs);
     gtk_label_set_markup(GTK_LABEL(self->shares), shares);
     gtk_widget_set_visible(self->shares, *shares != '\0');
     g_free(shares);
@@ -457,8 +463,6 @@ static GtkWidget *new_head(AppWhy *self)
 static void app_why_init(AppWhy *self)
 {
     GtkWidget *scrolled = gtk_scrolled_window_new(), *fold = gtk_expander_new(_("Formula of the chosen source"));
-    PangoTabArray *tabs =
-        pango_tab_array_new_with_positions(2, TRUE, PANGO_TAB_LEFT, WIDTH / 6, PANGO_TAB_LEFT, WIDTH / 2);
     gtk_orientable_set_orientation(GTK_ORIENTABLE(self), GTK_ORIENTATION_VERTICAL);
     gtk_box_set_spacing(GTK_BOX(self), 6);
     gtk_widget_add_css_class(GTK_WIDGET(self), "card");
@@ -473,8 +477,6 @@ static void app_why_init(AppWhy *self)
     self->sun = new_words("note");
     self->formula = new_words("note");
     self->whole = gtk_button_new_with_label(_("The whole…"));
-    gtk_label_set_tabs(GTK_LABEL(self->shares), tabs);
-    pango_tab_array_free(tabs);
     gtk_label_set_max_width_chars(GTK_LABEL(self->formula), 1); /* the card is as wide as it is */
     gtk_label_set_max_width_chars(GTK_LABEL(self->sun), 1);
     gtk_widget_set_visible(self->sun, FALSE);

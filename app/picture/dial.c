@@ -9,6 +9,7 @@
 #include <string.h>
 
 #include "../../front/words.h"
+#include "../base/letters.h"
 #include "../base/number.h"
 #include "../base/row.h"
 #include "../base/touch.h"
@@ -17,6 +18,7 @@ enum {
     INSET = 22, /* of the bar at both ends: half a finger */
     ABOVE = 17, /* the room for the isophotes' values */
     BAR = 16,
+    BELOW = 37, /* where the numbers begin */
     HEIGHT = 64,
     LEAST_WIDTH = 150,
     LETTERS = 11,
@@ -115,17 +117,6 @@ static double x_of(const AppDial *self, double value)
 {
     const AppRange range = shown_range(self);
     return INSET + length_of(self) * CLAMP(app_range_place(&range, value), 0, 1);
-}
-
-static PangoLayout *new_layout(const AppDial *self)
-{
-    PangoLayout *layout = gtk_widget_create_pango_layout(self->area, NULL);
-    PangoFontDescription *font =
-        pango_font_description_copy(pango_context_get_font_description(gtk_widget_get_pango_context(self->area)));
-    pango_font_description_set_absolute_size(font, LETTERS * PANGO_SCALE);
-    pango_layout_set_font_description(layout, font);
-    pango_font_description_free(font);
-    return layout;
 }
 
 /* A number under or over its place, if there is room for it between what stands beside it. */
@@ -274,19 +265,21 @@ static void draw_bar(GtkDrawingArea *area, cairo_t *cairo, int width, int height
     GdkRGBA ink;
     if (!self->picture || width < 3 * INSET)
         return;
-    PangoLayout *layout = new_layout(self);
+    PangoLayout *layout = app_letters_new(self->area, NULL, NULL, LETTERS);
+    PangoLayout *small = app_letters_new(self->area, NULL, NULL, LETTERS / app_letters_scale(self->area));
     gtk_style_context_get_color(gtk_widget_get_style_context(GTK_WIDGET(area)), &ink);
     draw_colors(self, cairo);
     gdk_cairo_set_source_rgba(cairo, &ink);
     cairo_set_line_width(cairo, 1);
     draw_ticks(self, cairo, layout, width);
-    draw_levels(self, cairo, layout, width);
+    draw_levels(self, cairo, small, width);
     draw_clips(self, cairo, width);
     for (int end = 0; end < ENDS && can_turn(self); end++)
         draw_end(self, cairo, (End)end, width, &ink);
     gdk_cairo_set_source_rgba(cairo, &ink);
     write_label(self, cairo, layout, width, height);
     g_object_unref(layout);
+    g_object_unref(small);
 }
 
 /* A line through the bar between two arrowheads, dark with a light seam, which shows on every colour. */
@@ -510,10 +503,19 @@ static GtkWidget *new_slider_area(GtkDrawingAreaDrawFunc draw, AppDial *self)
     return area;
 }
 
+/* Larger letters have room: numbers and the label stand below the bar. */
+static void set_height(GtkWidget *area, gpointer data)
+{
+    (void)data;
+    gtk_drawing_area_set_content_height(GTK_DRAWING_AREA(area),
+                                        HEIGHT + (int)ceil((app_letters_scale(area) - 1) * (HEIGHT - BELOW)));
+}
+
 static void make_bar(AppDial *self)
 {
     GtkWidget *overlay = gtk_overlay_new();
     self->area = new_slider_area(draw_bar, self);
+    g_signal_connect(self->area, "map", G_CALLBACK(set_height), NULL);
     gtk_drawing_area_set_content_height(GTK_DRAWING_AREA(self->area), HEIGHT);
     gtk_drawing_area_set_content_width(GTK_DRAWING_AREA(self->area), LEAST_WIDTH);
     make_slider(self, self->area, _("Exposure"), _("Drag between the ends: exposure, each stop doubles what is shown"));

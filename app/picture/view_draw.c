@@ -298,7 +298,7 @@ void app_draw_mark(GtkSnapshot *snapshot, GtkWidget *widget, const AppMap *map, 
 
 void app_draw_hint(GtkSnapshot *snapshot, GtkWidget *widget, const AppMap *map, const AppMark *mark, const char *hint)
 {
-    enum { APART = 20, PAD = 8 };
+    enum { APART = 8, PAD = 8 };
     static const GdkRGBA ground = {0.1f, 0.1f, 0.1f, 0.85f}, ink = {1, 1, 1, 1};
     const int width = gtk_widget_get_width(widget), height = gtk_widget_get_height(widget);
     PangoLayout *layout = gtk_widget_create_pango_layout(widget, hint);
@@ -307,8 +307,9 @@ void app_draw_hint(GtkSnapshot *snapshot, GtkWidget *widget, const AppMap *map, 
     app_mark_shown(map, mark, width, height, at, &angle);
     pango_layout_get_pixel_size(layout, &wide, &high);
     const double x = CLAMP(at[0] - wide / 2.0, 2 * PAD, MAX(width - wide - 2 * PAD, 2 * PAD));
-    /* below the mark, or above it where the lower edge is near */
-    const double below = at[1] + APART + PAD, y = below + high + PAD > height ? at[1] - APART - PAD - high : below;
+    /* below the mark and its name, or above it where the lower edge is near */
+    const double apart = APART + PAD + high, below = at[1] + apart;
+    const double y = below + high + PAD > height ? at[1] - apart - high : below;
     GskRoundedRect rounded;
     gsk_rounded_rect_init_from_rect(
         &rounded,

@@ -9,6 +9,7 @@
 #include "../../front/words.h"
 #include "../base/geometry.h"
 #include "../base/lamp.h"
+#include "../base/letters.h"
 #include "space_view_private.h"
 
 enum {
@@ -83,11 +84,9 @@ static gboolean is_free(const Sheet *sheet, const graphene_rect_t *area)
 static void draw_words(const Sheet *sheet, const char *text, double x, double y, gboolean is_left, gboolean is_italic)
 {
     enum { MOST_STEPS = 12, WAY = 4 };
-    PangoLayout *layout = gtk_widget_create_pango_layout(sheet->widget, text);
-    PangoFontDescription *font = pango_font_description_from_string(is_italic ? "Serif Bold Italic" : "Sans Semi-Bold");
+    PangoLayout *layout = app_letters_new(sheet->widget, text, is_italic ? "Serif Bold Italic" : "Sans Semi-Bold",
+                                          is_italic ? LETTERS + 3 : LETTERS);
     int width, height, step = 0;
-    pango_font_description_set_absolute_size(font, (is_italic ? LETTERS + 3 : LETTERS) * PANGO_SCALE);
-    pango_layout_set_font_description(layout, font);
     pango_layout_get_pixel_size(layout, &width, &height);
     const double left = is_left ? x - width : x, top = y - height / 2.0;
     graphene_rect_t area;
@@ -109,7 +108,6 @@ static void draw_words(const Sheet *sheet, const char *text, double x, double y,
     cairo_append_path(sheet->cairo, path);
     cairo_fill(sheet->cairo);
     cairo_path_destroy(path);
-    pango_font_description_free(font);
     g_object_unref(layout);
 }
 

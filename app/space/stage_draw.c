@@ -6,6 +6,7 @@
 #include "../../front/words.h"
 #include "../base/geometry.h"
 #include "../base/lamp.h"
+#include "../base/letters.h"
 #include "../base/number.h"
 #include "grid_draw.h"
 #include "space_lines.h"
@@ -38,17 +39,13 @@ static void set_lamp(const Sheet *sheet, gsize light, double opacity)
 /* A text with its middle at a place, or beginning there, but not beyond the right edge. */
 static void draw_text(const Sheet *sheet, const char *text, double x, double y, gboolean centered)
 {
-    PangoLayout *layout = gtk_widget_create_pango_layout(sheet->widget, text);
-    PangoFontDescription *font = pango_font_description_new();
+    PangoLayout *layout = app_letters_new(sheet->widget, text, NULL, LETTERS);
     int width, height;
-    pango_font_description_set_absolute_size(font, LETTERS * PANGO_SCALE);
-    pango_layout_set_font_description(layout, font);
     pango_layout_get_pixel_size(layout, &width, &height);
     const double left = x - (centered ? width / 2.0 : 0), most = gtk_widget_get_width(sheet->widget) - width - 2;
     cairo_move_to(sheet->cairo, MIN(left, most), y - (centered ? height / 2.0 : 0));
     pango_cairo_show_layout(sheet->cairo, layout);
     cairo_new_path(sheet->cairo);
-    pango_font_description_free(font);
     g_object_unref(layout);
 }
 

@@ -17,6 +17,7 @@
 struct _AppApplication {
     GtkApplication parent;
     GSettings *settings;
+    char *scheme;     /* of colours, that is in force */
     gboolean offered; /* unsaved work */
 };
 
@@ -65,6 +66,10 @@ GSettings *app_application_settings(AppApplication *self)
 static void set_color_scheme(AppApplication *self, const char *scheme)
 {
     GtkSettings *settings = gtk_settings_get_default();
+    if (g_strcmp0(scheme, self->scheme) == 0)
+        return; /* whatever sets it has the whole theme read anew */
+    g_free(self->scheme);
+    self->scheme = g_strdup(scheme);
     if (g_strcmp0(scheme, "system") == 0)
         gtk_settings_reset_property(settings, "gtk-application-prefer-dark-theme");
     else
@@ -223,6 +228,12 @@ static void app_application_shutdown(GApplication *application)
     G_APPLICATION_CLASS(app_application_parent_class)->shutdown(application);
 }
 
+static void app_application_finalize(GObject *object)
+{
+    g_free(APP_APPLICATION(object)->scheme);
+    G_OBJECT_CLASS(app_application_parent_class)->finalize(object);
+}
+
 static void app_application_dispose(GObject *object)
 {
     g_clear_object(&APP_APPLICATION(object)->settings);
@@ -233,6 +244,7 @@ static void app_application_class_init(AppApplicationClass *class)
 {
     GApplicationClass *application = G_APPLICATION_CLASS(class);
     G_OBJECT_CLASS(class)->dispose = app_application_dispose;
+    G_OBJECT_CLASS(class)->finalize = app_application_finalize;
     application->startup = app_application_startup;
     application->activate = app_application_activate;
     application->open = app_application_open_files;
@@ -253,6 +265,7 @@ static void app_application_init(AppApplication *self)
         translated[i] = options[i];
         translated[i].description = options[i].description ? _(options[i].description) : NULL;
     }
+    self->scheme = g_strdup("system");
     g_application_add_main_option_entries(G_APPLICATION(self), translated);
     g_application_set_option_context_parameter_string(G_APPLICATION(self), _("[SCENE…]"));
     g_application_set_option_context_summary(

@@ -76,6 +76,8 @@ static void count_version(AppWindow *self)
 void app_window_ask_picture(AppWindow *self)
 {
     static const AppFrame none = {.width = 0}; /* the view is not fitted to the first picture yet */
+    if (!gtk_widget_get_mapped(GTK_WIDGET(self))) /* it may have another scene before it is seen */
+        return;
     count_version(self);
     app_window_judge(self);
     const AppWish wish = {
@@ -465,7 +467,7 @@ AppWindow *app_window_new(AppApplication *application)
     app_window_fill_menus(self);
     app_window_begin_hint(self);
     document_renamed(self);
-    app_window_ask_picture(self);
+    g_signal_connect(self, "map", G_CALLBACK(app_window_ask_picture), NULL);
     app_view_select(self->view, APP_MARK_SOURCE, 0);
     app_window_show_chosen(self);
     if (app_pulse_is_on())
@@ -508,9 +510,8 @@ static void app_window_dispose(GObject *object)
 
 static void app_window_finalize(GObject *object)
 {
-    AppWindow *self = APP_WINDOW(object);
-    g_clear_object(&self->document);
-    luxel_parameters_free(self->parameters);
+    g_clear_object(&APP_WINDOW(object)->document);
+    luxel_parameters_free(APP_WINDOW(object)->parameters);
     G_OBJECT_CLASS(app_window_parent_class)->finalize(object);
 }
 

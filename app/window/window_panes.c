@@ -7,11 +7,12 @@
  * In a narrow window the numbers are a drawer: it lies over the picture's right side when it is asked for, so that the
  * picture stays where it is.
  */
+#include "../base/letters.h"
 #include "window_private.h"
 
 enum {
     LEFT_WIDTH = 252,
-    RIGHT_WIDTH = 236,
+    RIGHT_WIDTH = 228,
     LEAST_LEFT = 206,
     LEAST_RIGHT = 205,
     LEAST_CENTER = 300,
@@ -102,7 +103,6 @@ static void become(AppWindow *self, gboolean narrow)
         gtk_widget_remove_css_class(self->right_box, "drawer");
     }
     gtk_widget_set_halign(self->right_box, narrow ? GTK_ALIGN_END : GTK_ALIGN_FILL);
-    gtk_widget_set_size_request(self->right_box, narrow ? DRAWER_WIDTH : LEAST_RIGHT, -1);
     g_object_unref(self->right_box);
     show_right(self);
 }
@@ -116,6 +116,8 @@ static void place(AppWindow *self)
     if (total <= 0)
         return;
     become(self, total < NARROW);
+    const int least = self->is_narrow ? DRAWER_WIDTH : LEAST_RIGHT;
+    gtk_widget_set_size_request(self->right_box, (int)(least * app_letters_scale(self->right_box)), -1);
     const int left = CLAMP(self->left_width, LEAST_LEFT, MAX((int)(LEFT_SHARE * total), LEAST_LEFT));
     const int whole = gtk_widget_get_width(self->right_pane), position = MAX(whole - self->right_width, LEAST_CENTER);
     if (gtk_paned_get_position(GTK_PANED(self->left_pane)) != left)

@@ -98,6 +98,8 @@ static void gather(GtkWidget *widget, GtkExpander *section, const char *wanted, 
     const char *label = label_of(widget);
     if (!gtk_widget_get_visible(widget))
         return;
+    if (APP_IS_FORM(widget))
+        app_form_fill(APP_FORM(widget));
     if (label && (has(label, wanted) || has(key_of(widget), wanted)))
         g_array_append_val(close, found);
     else if (label && has(gtk_widget_get_tooltip_text(widget), wanted))

@@ -325,6 +325,15 @@ void app_window_set_columns(AppWindow *self)
     g_free(place);
 }
 
+/* A minus of numbers is as wide as a plus; the caller's. */
+static char *with_minus(const char *text)
+{
+    static GRegex *hyphen = NULL;
+    if (!hyphen)
+        hyphen = g_regex_new("(?<![0-9A-Za-z])-(?=[0-9])", 0, 0, NULL);
+    return g_regex_replace_literal(hyphen, text, -1, 0, "−", 0, NULL);
+}
+
 void app_window_show_reading(const AppReading *reading, gpointer owner)
 {
     AppWindow *self = owner;
@@ -346,8 +355,9 @@ void app_window_show_reading(const AppReading *reading, gpointer owner)
     const gboolean has_room = kind != KIND_COLOR || width >= self->status_widths[kind]; /* the list has them, too */
     self->is_on_surface = value->on_surface;
     app_view_set_surface(self->view, value->on_surface ? (gssize)value->surface : -1);
-    g_string_append_printf(text, "x %s  y %s %s%s", app_number_show(reading->x_mm, 5, n[0]),
-                           app_number_show(reading->y_mm, 5, n[1]), _("mm"), pinned ? "   A:" : "");
+    const double size = self->picture ? 100 * (self->picture->area.high[0] - self->picture->area.low[0]) : 1000;
+    g_string_append_printf(text, "x %s  y %s %s%s", app_number_place(reading->x_mm, size, n[0]),
+                           app_number_place(reading->y_mm, size, n[1]), _("mm"), pinned ? "   A:" : "");
     if (reading->has_minus && (value->on_surface || reading->minus.on_surface))
         add_difference(text, reading);
     else if (!value->on_surface)
@@ -362,7 +372,9 @@ void app_window_show_reading(const AppReading *reading, gpointer owner)
         add_shares(text, reading);
     }
     gtk_label_set_tabs(GTK_LABEL(self->status_label), self->status_tabs[kind]);
-    gtk_label_set_markup(GTK_LABEL(self->status_label), text->str);
+    markup = with_minus(text->str);
+    gtk_label_set_markup(GTK_LABEL(self->status_label), markup);
+    g_free(markup);
     app_dial_set_needle(APP_DIAL(self->bar), shown_value(reading));
     app_sources_show_shares(APP_SOURCES(self->sources), reading);
     app_window_show_vectors(self, reading);

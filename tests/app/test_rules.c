@@ -131,7 +131,7 @@ static char *shown(const Light *light)
     return g_string_free(names, FALSE);
 }
 
-#define ARRAY " array array.n array.spacing array.axes"
+#define ARRAY " array" /* which is not given: its keys say nothing */
 #define BODY "attenuation parts" ARRAY
 #define SPOT                                                                                                           \
     "type name group enabled color color.temperature position intensity attenuation aim inner outer falloff "          \
@@ -399,6 +399,22 @@ static void sets_one_number_of_several(void **state)
     clear_light(&light);
 }
 
+/* An array is there as a whole or not at all: then its keys have no say. */
+static void gives_and_takes_an_array(void **state)
+{
+    (void)state;
+    Light light = light_of("report", 0);
+    const luxel_parameter *places = find(&light.keys, "lights[].array.n");
+    assert_true(app_keys_is_optional(&light.keys, find(&light.keys, "lights[].array")));
+    assert_false(app_keys_is_optional(&light.keys, find(&light.keys, "lights[].color")));
+    assert_false(app_keys_is_shown(&light.keys, places));
+    give(&light, "lights[].array", "true");
+    assert_key(light.document, "lights[0].array.n", "[2, 2]");
+    assert_true(app_keys_is_shown(&light.keys, places));
+    assert_true(app_keys_is_shown(&light.keys, find(&light.keys, "lights[].array.spacing")));
+    clear_light(&light);
+}
+
 /* ---- one key instead of another ---- */
 
 static void expect_instead(const Light *light, const char *path, const char *names)
@@ -515,6 +531,7 @@ int main(void)
         cmocka_unit_test(keeps_the_place_and_back),
         cmocka_unit_test(keeps_pixels_square),
         cmocka_unit_test(sets_one_number_of_several),
+        cmocka_unit_test(gives_and_takes_an_array),
         cmocka_unit_test(names_what_can_be_instead),
         cmocka_unit_test(keeps_the_flux),
         cmocka_unit_test(changes_aims_and_shapes),

@@ -152,7 +152,7 @@ class Window:
 
     def place_said(self):
         """The place under the pointer, in millimetres, as that line says it; None where it says none."""
-        return next((tuple(float(number.replace(",", ".")) for number in match.groups())
+        return next((tuple(float(number.replace(",", ".").replace("\u2212", "-")) for number in match.groups())
                      for match in (PLACE.match(label.name) for label in self.edge()) if match), None)
 
     def edges(self):
