@@ -92,8 +92,8 @@ const RUSSIAN: Record<string, string> = {
     'share from': 'доля от',
     'under the open sky': 'под открытым небом',
     'reflected light roughly': 'отражённый свет приближённо',
-    'Reflected light is being computed more exactly; until then numbers are of direct light alone.':
-        'Отражённый свет уточняется; пока в числах только прямой свет.',
+    'Reflected light, more exactly': 'Отражённый свет точнее',
+    'Whole picture': 'Всё изображение',
     'Reflected light was computed roughly, for pictures; numbers are of direct light alone.':
         'Отражённый свет вычислен приближённо, для изображений; в числах только прямой свет.',
     minimum: 'минимум',
@@ -228,9 +228,7 @@ const RUSSIAN: Record<string, string> = {
     'The scene has errors. What is dimmed is of the last scene without errors.':
         'В сцене есть ошибки. Бледным показано то, что относится к последней сцене без ошибок.',
     'direct light alone': 'только прямой свет',
-    'Reflected light is being computed; until then all is of direct light alone.':
-        'Вычисляется отражённый свет; до тех пор всё показано только для прямого света.',
-    'The whole picture is being computed.': 'Вычисляется полное изображение.',
+    'Reflected light is being computed': 'Вычисляется отражённый свет',
     'Reflected light was not computed: all is of direct light alone.':
         'Отражённый свет не вычислен: всё показано только для прямого света.',
     'The whole picture was not computed.': 'Полное изображение не вычислено.',

@@ -12,6 +12,7 @@ import type { Picture } from './worker';
 export type State = 'working' | 'done' | 'stopped' | 'failed';
 
 const ROUNDS = [2, 12, undefined]; // seconds for reflected light, one after the other; the last one has no end
+const AT_ONCE = 500; // milliseconds within which nothing is told of it
 const LOOK = 500; // milliseconds between them, for other cameras
 
 /** Whether its reflected light is less exact than it should be, as it was found in some seconds. */
@@ -28,7 +29,8 @@ export class Work {
     /** What its last picture is of; null: there is none yet. */
     known: Of | null = null;
     private isBetween = false; // two rounds
-    private start = performance.now(); // of the round
+    private readonly began = performance.now();
+    private start = this.began; // of the round
     private isLast = false; // of the rounds
 
     constructor(
@@ -37,6 +39,11 @@ export class Work {
         private readonly onState: () => void,
         private readonly onPicture: (picture: Picture) => void,
     ) {}
+
+    /** Milliseconds since it began. */
+    get age(): number {
+        return performance.now() - this.began;
+    }
 
     /** Whether what is known can be asked for now. */
     get isOpen(): boolean {
@@ -118,6 +125,7 @@ export class WorkNotice {
     private readonly words = h('span');
     private readonly bar = h('progress', { max: 1 });
     private readonly left = h('span', { class: 'dim' });
+    private timer = 0;
     private readonly button = h('button', { type: 'button', class: 'small' });
     readonly element = h('div', { class: 'working', hidden: true }, this.words, this.bar, this.left, this.button);
 
@@ -130,13 +138,17 @@ export class WorkNotice {
 
     show() {
         const { work } = this.model;
-        const isTold = !!work && work.state !== 'done' && this.model.isCurrent(work.of);
-        this.element.hidden = !isTold;
-        if (!isTold) return;
+        const isThere = !!work && work.state !== 'done' && this.model.isCurrent(work.of);
+        const age = work ? work.age : 0;
+        const isSoon = isThere && work.state === 'working' && age < AT_ONCE; // what is done at once need not be told
+        clearTimeout(this.timer);
+        if (isSoon) this.timer = window.setTimeout(() => this.show(), AT_ONCE - age + 1);
+        this.element.hidden = !isThere || isSoon;
+        if (!isThere || isSoon) return;
         const isWorking = work.state === 'working';
         const reflects = this.model.whole?.reflects;
         const isRoughly = reflects && work.known;
-        const what = t(isRoughly ? 'Reflected light is being computed more exactly; until then numbers are of direct light alone.' : reflects ? 'Reflected light is being computed; until then all is of direct light alone.' : 'The whole picture is being computed.');
+        const what = t(isRoughly ? 'Reflected light, more exactly' : reflects ? 'Reflected light is being computed' : 'Whole picture');
         const ended = t(isRoughly ? 'Reflected light was computed roughly, for pictures; numbers are of direct light alone.' : reflects ? 'Reflected light was not computed: all is of direct light alone.' : 'The whole picture was not computed.');
         const said = isWorking ? what : `${ended} ${work.failure}`;
         if (this.words.textContent !== said) this.words.textContent = said;
