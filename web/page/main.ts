@@ -46,6 +46,7 @@ import { currentLanguage, exactly, number, setLanguage, t, type Language } from 
 
 const HINT = 'Drag a lamp – the light follows';
 const FIRST_PICTURE = 'first picture'; // a mark of the browser's measurements
+const MOMENT = 1000; // milliseconds that what it does not need waits for it
 const HINTED = 'luxel-hinted'; // of the browser's storage
 
 const NO_VECTORS =
@@ -132,7 +133,16 @@ class Page {
         await this.openFirst();
         this.hintFirst();
         this.embedding.begin();
+        await this.firstPicture();
         await this.form.reload();
+    }
+
+    // What the first picture does not need comes after it, or after a moment where there is none.
+    private firstPicture(): Promise<void> {
+        return new Promise((resolve) => {
+            this.model.listen((topic) => topic === 'picture' && requestAnimationFrame(() => setTimeout(resolve)));
+            setTimeout(resolve, MOMENT);
+        });
     }
 
     private firstLanguage(): Language {
