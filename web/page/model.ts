@@ -22,7 +22,7 @@ const BEARABLE = 400; // milliseconds that the first worker spends on a picture 
 const UNKNOWN = 8; // the stride of a scene's first picture
 const STRIDES = [1, 2, 4, 8, 16];
 const REST = 120; // milliseconds without a change after which the hand rests
-const MOMENT = 100; // milliseconds that a drag waits for its picture
+const MOMENT = 400; // milliseconds that a drag waits for its picture, which never came on slow machines if it went on
 const MOST_STEPS = 200; // of the history
 
 /** What has changed; begin: another scene was opened, of which nothing is known yet; light: numbers have all their light. */
@@ -446,7 +446,9 @@ export class Model {
             await this.renderOnce(whole, this.coarse).catch(() => undefined);
             if (this.isLeft(whole)) continue;
             if (!whole.reflects && this.picture?.stride === 1) continue;
-            await new Promise((resolve) => setTimeout(resolve, REST)); // the hand may still be moving
+            // The hand may still be moving.
+            do await new Promise((resolve) => setTimeout(resolve, REST));
+            while (this.drags > 0 && !this.isLeft(whole));
             if (!this.isLeft(whole)) await this.renderWhole(whole).catch(() => undefined);
         }
         this.rendering = false;

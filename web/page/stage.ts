@@ -38,7 +38,7 @@ const STRIDES = [0.5, 1, 2, 4, 8, 16];
 const STEPS = [14, 250, 1200, 6000]; // milliseconds that pictures of a view may take, one after the other
 const SHARED = [14, 250, 700]; // by the worker that knows reflected light, for whose numbers others wait
 const REST = 140; // milliseconds without a change after which the hand rests
-const PATIENT = 200; // milliseconds that a picture of a view that is gone may still take
+const PATIENT = [200, 3200]; // milliseconds that a picture of a view that is gone may still take: twice as long after each that gave way
 const MOST_PIXELS = 2.2e6;
 const GRAINS = 1e9; // of a mm: what is less of a camera's numbers is rounding, and takes long to be read
 const PER_PIXEL = 1.5e-4; // milliseconds, of a scene of which nothing is known yet
@@ -96,6 +96,7 @@ export class Stage {
     private busy = false;
     private client: Client | null = null;
     private given = 0; // files that its worker has
+    private patience = PATIENT[0];
     private perPixel = PER_PIXEL; // milliseconds, by the last picture
     private awaitedSince = 0; // when another view than the one shown was wanted; 0: it is shown
     private failed = ''; // the view of which the core made none
@@ -191,9 +192,15 @@ export class Stage {
         return this.client;
     }
 
+    // On a busy machine a worker that is started anew each time would never come to an end.
+    private giveWay() {
+        this.client?.giveWay();
+        this.patience = Math.min(2 * this.patience, PATIENT[1]);
+    }
+
     private async make(view: View, of: Of, knowing: Client | null, stride: number, key: string) {
         const { camera, columns, rows } = cameraOf(view, stride);
-        const timer = setInterval(() => !knowing && this.isGone(key) && this.client?.giveWay(), PATIENT);
+        const timer = setInterval(() => !knowing && this.isGone(key) && this.giveWay(), this.patience);
         const ask = async () => (knowing ?? (await this.worker())).ask('stage', of, camera, columns, rows);
         const found = await ask().catch(() => undefined);
         clearInterval(timer);
@@ -208,6 +215,7 @@ export class Stage {
             this.failed = key;
             return this.onMade();
         }
+        this.patience = Math.max(PATIENT[0], this.patience / 2);
         this.perPixel = Math.max(1e-6, found.milliseconds / (columns * rows));
         this.awaitedSince = 0;
         this.made = { of, view, stride, columns, rows, values: found.values, mask: found.mask, rgb: found.rgb, depth: found.depth };
