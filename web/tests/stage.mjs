@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The stage in Chromium: what it shows of bodies are the tool's numbers for its camera, bodies hide what is behind them, all of
 // the scene is in sight, and there is room for it on laptops, large screens and phones, upright and lying.
-import { execFileSync } from 'node:child_process';
+import { execFileSync, spawnSync } from 'node:child_process';
 import { boxOf, inside, look, opened, openScene, openText, shot, until } from './hands.mjs';
 import { check, equal, test } from './tap.mjs';
 import { BALL } from './versions.mjs';
@@ -29,7 +29,7 @@ function truths(tool, text, { eye, target, up, size, columns, rows, some }, opti
         `screen={width: ${size[0]}, height: ${size[1]}, resolution: [${columns}, ${rows}]}`,
     ].flatMap((each) => ['-s', each]);
     const places = some.flatMap(([[x, y]]) => ['-p', `${x},${y}`]);
-    return JSON.parse(execFileSync(tool, ['probe', '-', ...set, ...options, ...places, '--json'], { input: text }).toString()).points;
+    return JSON.parse(spawnSync(tool, ['probe', '-', ...set, ...options, ...places, '--json'], { input: text }).stdout).points;
 }
 
 async function showsNumbers(page, tool) {
