@@ -22,7 +22,7 @@ const BEARABLE = 400; // milliseconds that the first worker spends on a picture 
 const UNKNOWN = 8; // the stride of a scene's first picture
 const STRIDES = [1, 2, 4, 8, 16];
 const REST = 120; // milliseconds without a change after which the hand rests
-const MOMENT = 400; // milliseconds that a drag waits for its picture, which never came on slow machines if it went on
+const MOMENT = 1500; // milliseconds that a drag waits for its picture, which never came on slow machines if it went on
 const MOST_STEPS = 200; // of the history
 
 /** What has changed; begin: another scene was opened, of which nothing is known yet; light: numbers have all their light. */

@@ -35,7 +35,7 @@ interface Made extends Samples {
 }
 
 const STRIDES = [0.5, 1, 2, 4, 8, 16];
-const STEPS = [14, 250, 1200, 6000]; // milliseconds that pictures of a view may take, one after the other
+const STEPS = [14, 250, 1200, 6000, 24000]; // milliseconds that pictures of a view may take, one after the other
 const SHARED = [14, 250, 700]; // by the worker that knows reflected light, for whose numbers others wait
 const REST = 140; // milliseconds without a change after which the hand rests
 const PATIENT = [200, 3200]; // milliseconds that a picture of a view that is gone may still take: twice as long after each that gave way

@@ -294,7 +294,7 @@ async function followsSlowly(page) {
     const [x, y] = await lampIn(page, 'space');
     await page.mouse.move(x, y);
     await page.mouse.down();
-    const end = Date.now() + 6000;
+    const end = Date.now() + 15000;
     for (let i = 0; Date.now() < end && (await page.evaluate(() => window.taken)) < 4; i++) {
         await page.mouse.move(x - 8 - 2 * (i % 20), y + (i % 20));
         await page.waitForTimeout(16);
