@@ -71,7 +71,9 @@ typedef struct luxel_settings {
  * exact as the settings ask for there.  With share_reflected the solution that luxel_render() makes for the picture, by
  * the same quantity, tolerance, reflected_error, instruction set and lights, serves probes, grids, glare and the
  * balance as well, which tell the bounds that it has where they ask, and whether those are reached.  Pictures and
- * evaluators take it in any case, and their values are the same either way.
+ * evaluators take it in any case, and their values are the same either way.  A copy of the scene, in which observer,
+ * screen, points and picture alone are changed after that, is another camera of the same light: it takes the solution,
+ * too, for each picture of it.
  *
  * A probe on the screen tells the picture's value at its pixel, which takes the picture's solution beside its own, and
  * mostly longer than that.  With skip_reflected_pixels it does without where surfaces reflect light, unless one

@@ -120,14 +120,22 @@ static luxel_status solve(const struct lx_session *session, const struct lx_refl
     return status;
 }
 
-/* What the scene keeps, if it was made with the same; NULL: nothing. */
-static struct lx_radiosity *find_kept(struct lx_kept_slot *slot, const struct lx_reflected_key *key)
+/* The solution in something kept (NULL: nothing), which it takes, if it was made with the same, or also for other eyes;
+ * NULL: there is none. */
+static struct lx_radiosity *taken(struct lx_kept *kept, const struct lx_reflected_key *key, bool is_elsewhere)
 {
-    struct lx_kept *kept = slot ? lx_kept_slot_look(slot) : NULL;
-    struct lx_radiosity *found = kept ? lx_reflected_of_kept(kept, key) : NULL;
+    struct lx_radiosity *found = !kept          ? NULL
+                                 : is_elsewhere ? lx_reflected_like_kept(kept, key)
+                                                : lx_reflected_of_kept(kept, key);
     if (!found)
         lx_kept_release(kept);
     return found;
+}
+
+/* What the scene keeps, if it was made with the same; NULL: nothing. */
+static struct lx_radiosity *find_kept(struct lx_kept_slot *slot, const struct lx_reflected_key *key)
+{
+    return taken(slot ? lx_kept_slot_look(slot) : NULL, key, false);
 }
 
 /* The settings that a solution for the session's picture is made with. */
@@ -159,11 +167,7 @@ struct lx_reflected_key lx_reflected_key_of_places(const struct lx_session *sess
 
 struct lx_radiosity *lx_reflected_of_places(struct lx_kept_slot *slot, const struct lx_reflected_key *key)
 {
-    struct lx_kept *kept = slot ? lx_kept_slot_look(slot) : NULL;
-    struct lx_radiosity *found = kept ? lx_reflected_like_kept(kept, key) : NULL;
-    if (!found)
-        lx_kept_release(kept);
-    return found;
+    return taken(slot ? lx_kept_slot_look(slot) : NULL, key, true);
 }
 
 struct lx_reflected_key lx_reflected_key_of_plane(const struct lx_session *session, size_t i)
@@ -188,6 +192,8 @@ luxel_status lx_reflect_picture(const luxel_scene *scene, struct lx_session *ses
     const struct lx_reflected_key key = key_of(session);
     struct lx_control control = {.rows = 1, .progress = settings->progress, .data = settings->progress_data};
     session->world.reflected = find_kept(slot, &key);
+    if (!session->world.reflected && settings->share_reflected)
+        session->world.reflected = taken(lx_scene_reflected_elsewhere(scene), &key, true);
     if (session->world.reflected)
         return LUXEL_OK;
     const luxel_status status = solve(session, &key, &control, &session->world.reflected);

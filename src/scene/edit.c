@@ -103,6 +103,16 @@ static void compact(luxel_scene *scene)
     scene->compact_bytes = lx_document_bytes(&copy);
 }
 
+/* Whether a key is of what sees a scene and of what is made of that, so that bodies and light stay. */
+static bool is_of_sight(const struct lx_segment *segment)
+{
+    static const char *const keys[] = {"observer", "screen", "picture", "points"};
+    for (size_t i = 0; i < sizeof keys / sizeof *keys; i++)
+        if (!segment->is_index && strcmp(segment->key, keys[i]) == 0)
+            return true;
+    return false;
+}
+
 static luxel_status set(luxel_scene *scene, const char *assignment, luxel_diagnostics *diagnostics)
 {
     struct lx_place place = {.source = "-s", .text = assignment, .length = strlen(assignment)};
@@ -116,6 +126,8 @@ static luxel_status set(luxel_scene *scene, const char *assignment, luxel_diagno
         status = assign(scene, &path, key_length + 1, diagnostics);
     if (status == LUXEL_OK) {
         lx_scene_uncommit(scene);
+        if (!is_of_sight(&path.segments[0]))
+            lx_scene_part_from_original(scene);
         compact(scene);
     }
     return status;

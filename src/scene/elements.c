@@ -110,6 +110,7 @@ static luxel_status adopt(const struct edit *edit, const struct lx_text *text, b
         status == LUXEL_OK && lx_document_same(wanted, wanted->root, &changed->document, changed->document.root, false);
     if (*adopted) {
         lx_scene_uncommit(scene);
+        lx_scene_part_from_original(scene);
         lx_document_clear(&scene->document);
         scene->document = changed->document;
         scene->compact_bytes = changed->compact_bytes;

@@ -22,6 +22,7 @@ struct luxel_scene {
     struct lx_kept_files kept;               /* what was read of the files that it names */
     struct lx_kept_slot *reflected;          /* what its surfaces reflect, once that was found; NULL: nothing is */
     struct lx_kept_slot *reflected_on_plane; /* likewise, for the measuring plane that was last */
+    struct lx_kept *reflected_elsewhere;     /* of the scene that it is a copy of but for what sees it; NULL: nothing */
 };
 
 /* The public list of the parameters of any table. */
@@ -29,6 +30,9 @@ luxel_parameters *lx_parameters_of(const struct lx_table *table, luxel_translate
 
 /* Takes the readiness away and frees what it consists of. */
 void lx_scene_uncommit(luxel_scene *scene);
+
+/* Forgets what the scene that it is a copy of kept, as bodies, light or files are other ones. */
+void lx_scene_part_from_original(luxel_scene *scene);
 
 /* The text of a scene's document, as luxel_scene_write_text() gives it; the caller's. */
 luxel_status lx_write_document(const struct lx_document *document, char **text);

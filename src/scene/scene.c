@@ -82,6 +82,7 @@ luxel_status luxel_scene_set_folder_of(luxel_scene *scene, const char *path)
     free(scene->folder);
     scene->folder = folder;
     lx_scene_uncommit(scene);
+    lx_scene_part_from_original(scene);
     return LUXEL_OK;
 }
 
@@ -137,6 +138,7 @@ luxel_scene *luxel_scene_copy(const luxel_scene *scene)
     copy->carried = scene->carried;
     share_slot(scene->reflected, copy->reflected);
     share_slot(scene->reflected_on_plane, copy->reflected_on_plane);
+    copy->reflected_elsewhere = scene->reflected ? lx_kept_slot_look(scene->reflected) : NULL;
     return copy;
 }
 
@@ -145,6 +147,7 @@ void luxel_scene_free(luxel_scene *scene)
     if (!scene)
         return;
     lx_scene_uncommit(scene);
+    lx_scene_part_from_original(scene);
     lx_document_clear(&scene->document);
     lx_kept_clear(&scene->kept);
     free(scene->folder);
@@ -161,6 +164,17 @@ void lx_scene_uncommit(luxel_scene *scene)
     lx_kept_slot_free(scene->reflected);
     lx_kept_slot_free(scene->reflected_on_plane);
     scene->reflected = scene->reflected_on_plane = NULL;
+}
+
+void lx_scene_part_from_original(luxel_scene *scene)
+{
+    lx_kept_release(scene->reflected_elsewhere);
+    scene->reflected_elsewhere = NULL;
+}
+
+struct lx_kept *lx_scene_reflected_elsewhere(const luxel_scene *scene)
+{
+    return scene->is_ahead || !scene->reflected_elsewhere ? NULL : lx_kept_hold(scene->reflected_elsewhere);
 }
 
 struct lx_kept_slot *lx_scene_reflected(const luxel_scene *scene)
@@ -218,7 +232,10 @@ luxel_status luxel_scene_commit(luxel_scene *scene, luxel_diagnostics *diagnosti
 {
     if (!scene)
         return LUXEL_ERROR_ARGUMENT;
+    const size_t read_before = scene->kept.count;
     lx_kept_refresh(&scene->kept);
+    if (scene->kept.count != read_before)
+        lx_scene_part_from_original(scene);
     luxel_status status = commit(scene, diagnostics);
     if (status == LUXEL_OK)
         lx_kept_drop_unused(&scene->kept);

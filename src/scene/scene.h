@@ -133,6 +133,9 @@ const char *lx_foreign_law(const struct lx_item *light);
 
 /* A place to keep what the surfaces of a committed scene reflect, for whoever asks next; NULL: there is none. */
 struct lx_kept_slot *lx_scene_reflected(const luxel_scene *scene);
+/* What the scene kept that this one is a copy of, but for observer, screen, points and picture, as one more user; NULL:
+ * nothing. */
+struct lx_kept *lx_scene_reflected_elsewhere(const luxel_scene *scene);
 /* A place to keep what they reflect to the measuring plane, or the places, that were asked for last. */
 struct lx_kept_slot *lx_scene_reflected_on_plane(const luxel_scene *scene);
 

@@ -276,6 +276,55 @@ static void pixels_are_skipped(void **state)
     luxel_scene_free(other);
 }
 
+/* ---- another camera ---- */
+
+/* A copy that another observer sees takes the solution for its pictures and exact values, within their bounds; one
+ * whose light is another, and whoever shares none, makes one of his own. */
+static void cameras_share_one(void **state)
+{
+    (void)state;
+    static const char *const camera[] = {"observer={position: [2500, -1500, 6000], target: [0, 0, 300]}",
+                                         "screen={width: 2600, height: 1950, resolution: [24, 18]}"};
+    static const char *const light = "lights[0].power=5000";
+    const luxel_settings shared = settings_of(true), own = settings_of(false);
+    luxel_scene *scene = open_scene();
+    luxel_field *field, *seen, *exact;
+    luxel_evaluator *evaluator;
+    luxel_value value;
+    assert_int_equal(luxel_render(scene, &shared, NULL, &field), LUXEL_OK);
+    luxel_field_free(field);
+    luxel_scene *copy = luxel_scene_copy(scene), *other = luxel_scene_copy(scene);
+    for (int i = 0; i < 2; i++) {
+        assert_int_equal(luxel_scene_set(copy, camera[i], NULL), LUXEL_OK);
+        assert_int_equal(luxel_scene_set(other, camera[i], NULL), LUXEL_OK);
+    }
+    assert_int_equal(luxel_scene_set(other, light, NULL), LUXEL_OK);
+    assert_int_equal(luxel_scene_commit(copy, NULL), LUXEL_OK);
+    assert_int_equal(luxel_scene_commit(other, NULL), LUXEL_OK);
+    made_count = 0;
+    assert_int_equal(luxel_render(copy, &shared, NULL, &seen), LUXEL_OK);
+    assert_int_equal(luxel_evaluator_new(copy, &shared, NULL, &evaluator), LUXEL_OK);
+    assert_int_equal(made_count, 0);
+    assert_int_equal(luxel_render(copy, &own, NULL, &exact), LUXEL_OK);
+    assert_int_equal(made_count, 1);
+    assert_int_equal(luxel_render(other, &shared, NULL, &field), LUXEL_OK);
+    assert_int_equal(made_count, 2);
+    const luxel_statistics *a = luxel_field_statistics(seen), *b = luxel_field_statistics(exact);
+    const double most = b->maximum.value * (a->reflected_error + b->reflected_error + 4e-6);
+    assert_true(a->reflected_error > 0 && a->reflected_error < 0.2);
+    for (size_t i = 0; i < 24 * 18; i++)
+        agree((double)luxel_field_single(seen)[i], (double)luxel_field_single(exact)[i], most);
+    luxel_evaluate_screen(evaluator, 300, -200, &value, NULL);
+    assert_true(value.has_value && value.error > 0 && value.error < 0.2 * value.value);
+    luxel_evaluator_free(evaluator);
+    luxel_field_free(field);
+    luxel_field_free(seen);
+    luxel_field_free(exact);
+    luxel_scene_free(scene);
+    luxel_scene_free(copy);
+    luxel_scene_free(other);
+}
+
 struct told {
     double last;
     int steps; /* while the solution is made, which is most of the work */
@@ -313,7 +362,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(one_is_made),           cmocka_unit_test(anyone_makes_it),    cmocka_unit_test(numbers_agree),
         cmocka_unit_test(pictures_are_the_same), cmocka_unit_test(pixels_are_skipped), cmocka_unit_test(progress_rises),
-        cmocka_unit_test(places_share_one),
+        cmocka_unit_test(places_share_one),      cmocka_unit_test(cameras_share_one),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -52,6 +52,7 @@ luxel_settings present_settings(void)
     settings.tolerance = core.tolerance;
     settings.light_error = core.light_error;
     settings.reflected_error = core.reflected_error;
+    settings.within = core.within;
     return settings;
 }
 
@@ -122,6 +123,14 @@ PAGE_CALLS(page_direct) void page_direct(int direct)
     if ((direct != 0) != core.is_direct)
         drop_evaluator();
     core.is_direct = direct != 0;
+}
+
+/* In how many seconds reflected light is solved for from now on, as well as goes; 0: as exactly as it should be. */
+PAGE_CALLS(page_within) void page_within(double seconds)
+{
+    if (seconds != core.within)
+        drop_evaluator();
+    core.within = seconds;
 }
 
 PAGE_CALLS(page_quantity) void page_quantity(int irradiance)

@@ -18,6 +18,7 @@ struct core {
     luxel_quantity quantity;
     luxel_color_view view; /* of pictures in colour */
     bool is_direct;        /* only direct light is computed, whatever the scene says */
+    double within;         /* seconds for a solution of reflected light; 0: without end */
     /* The package for npm: what it asks has a solution of reflected light of its own, as the tool's, and these settings
      * of luxel_settings. */
     bool is_package;

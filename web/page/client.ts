@@ -57,7 +57,7 @@ interface Answered {
 
 // Pictures and values may take long, as where surfaces reflect light to each other.
 const LONG: (keyof Questions)[] = [
-    'render', 'stage', 'probe', 'lit', 'values', 'extrema', 'grids', 'explain', 'balance', 'summary', 'isophotes', 'file',
+    'render', 'stage', 'probe', 'lit', 'values', 'extrema', 'grids', 'daylight', 'explain', 'balance', 'summary', 'isophotes', 'file',
 ];
 const PATIENCE = 1500; // milliseconds that something urgent waits for them
 const LATEST = 1000; // milliseconds after which the second part is fetched, whether there is a picture or not
@@ -65,7 +65,7 @@ const LATEST = 1000; // milliseconds after which the second part is fetched, whe
 // Whose turn is next: what changes the scene, then the number under the pointer, the picture, and all else.
 const TURNS: Partial<Record<keyof Questions, number>> = {
     probe: 1, render: 2, stageProbe: 2, stage: 3, isophotes: 3, explain: 3, line: 3, lit: 3, values: 4,
-    file: 5, summary: 5, extrema: 5, balance: 6, grids: 6,
+    file: 5, summary: 5, extrema: 5, balance: 6, grids: 6, daylight: 6,
 };
 
 /** How it stands with the core's second part: some question waits for it, it is there, or it cannot be had. */

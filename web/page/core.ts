@@ -144,6 +144,19 @@ export interface Grid {
     limits: Limit[];
 }
 
+/** Daylight factors of measuring grids, in percent of what falls on a horizontal plane under the open sky. */
+export interface Daylight {
+    horizontal: Amount;
+    levels: number[]; // in lx, of EN 17037
+    grids: {
+        values: (number | null)[];
+        measured: number;
+        mean: Amount;
+        median: Amount;
+        shares: (number | null)[]; // of the cells that reach each level, 0 to 1; null: units are radiometric
+    }[];
+}
+
 /** Observers that are one entry of a scene, and how much the lights dazzle them at most. */
 export interface Rated {
     name: string | null;
@@ -469,6 +482,11 @@ export class Core {
         this.call.page_direct(isDirect ? 1 : 0);
     }
 
+    /** In how many seconds reflected light is solved for, as well as goes; 0: as exactly as it should be. */
+    within(seconds: number): void {
+        this.call.page_within(seconds);
+    }
+
     /** Changes a text: assignments KEY=VALUE, elements put into lists, keys taken out.  Null: it does not go. */
     edit(text: string | Uint8Array, changes: Change[]): string | null {
         const [place, length] = typeof text === 'string' ? this.put(text) : this.putBytes(text);
@@ -619,6 +637,11 @@ export class Core {
     /** The measuring grids and the observers; null: one cannot be measured. */
     grids(): Measured | null {
         return this.json(this.call.page_grids());
+    }
+
+    /** The daylight factors of the measuring grids; null: no sky shines, or they cannot be found. */
+    daylight(): Daylight | null {
+        return this.json(this.call.page_daylight());
     }
 
     /** The ends of the line across the whole screen, through a point at an angle. */

@@ -35,6 +35,11 @@ interface Row {
 const CONVENTIONS =
     /\.(over_pi|highlight|normalized|falloff|rounding|range|tolerance|parts|pixels|view|opening|interpolation|units)$|^(tolerance|parts|units)$/;
 
+// Names, which stand in the row, and what is changed seldom.
+const SELDOM_CHANGED = /^\w+\[\d+\](\.\w+)?\.(name|enabled|up|sides|c0|maintenance_factor)$/;
+// What stands first, below each other: the kind, and how much light there is.
+const FIRST = [/\.type$/, /^lights\[\d+\]\.(intensity|radiance|power|irradiance|horizontal|zenith|flux)$/];
+
 const MANY = 60; // lights whose irradiance is told seldom while the probe moves
 const SELDOM = 250; // milliseconds
 const STILL = 3; // pixels that a hand moves without meaning it
@@ -74,6 +79,14 @@ function numbersOf(text: string | null): number[] | null {
     } catch {
         return null;
     }
+}
+
+// Whether a thing has something else instead: an aim, or another outline than the one that the key is of.
+function isUnused(path: string, entries: Entry[]): boolean {
+    const given = (wanted: string) => entries.some((each) => each.path === wanted && each.isGiven);
+    const [, base, name] = /^(.*)\.(\w+)$/.exec(path) ?? [];
+    if (name === 'axis') return given(`${base}.aim`) || (/\]\.\w+$/.test(base) && !given(`${base}.center`));
+    return false;
 }
 
 export class Form {
@@ -362,33 +375,35 @@ export class Form {
         const shown = h('div', {});
         const hidden = h('div', {});
         const known = this.fields.length;
-        const colours = this.lampColours(entries, shown);
-        for (const { path, key, isGiven } of entries) {
-            if (colours.has(path)) continue;
-            const isFirst = isGiven && !path.includes('.materials.') && !CONVENTIONS.test(path);
-            (isFirst ? shown : hidden).append(this.field(path, this.told(path, key, entries)));
-        }
+        const isShown = ({ path, isGiven }: Entry) =>
+            isGiven && !path.includes('.materials.') && !CONVENTIONS.test(path) && !SELDOM_CHANGED.test(path) && !isUnused(path, entries);
+        const rank = ({ path }: Entry) => (FIRST.findIndex((each) => each.test(path)) + FIRST.length + 1) % (FIRST.length + 1);
+        const ahead = entries.filter(isShown);
+        const add = (entry: Entry, place: HTMLElement, beside: Entry[]) => place.append(this.field(entry.path, this.told(entry.path, entry.key, beside)));
+        const isColour = ({ path }: Entry) => lampOfColour(path) !== null;
+        for (const entry of ahead.sort((a, b) => rank(a) - rank(b))) if (!isColour(entry)) add(entry, shown, ahead);
+        this.lampColours(entries, shown);
+        for (const entry of entries) if (!ahead.includes(entry) && !isColour(entry)) add(entry, hidden, entries);
         const sun = entries.find(({ path, isGiven }) => isGiven && sunOf(path));
         if (sun) shown.append(sunSwitch(this.model, sunOf(sun.path)!));
         this.fields.slice(known).forEach((field) => field.update(this.values.get(field.path) ?? null));
         this.showMessages();
         if (hidden.childElementCount === 0) return [shown];
-        const more = h('details', { class: 'more', open: this.showsMore }, h('summary', {}, t('More: conventions and what is not given')), hidden);
+        const more = h('details', { class: 'more', open: this.showsMore }, h('summary', {}, t('More: name, conventions')), hidden);
         more.addEventListener('toggle', () => (this.showsMore = more.open));
         return [shown, more];
     }
 
-    // The keys of a lamp's colour have one field together, which is put into a place; returns those keys.
-    private lampColours(entries: Entry[], place: HTMLElement): Set<string> {
+    // The keys of a lamp's colour have one field together, which is put into a place.
+    private lampColours(entries: Entry[], place: HTMLElement) {
         const keys = new Map(entries.filter(({ path }) => lampOfColour(path)).map(({ path, key }) => [path, key]));
         const [first] = keys.keys();
-        if (!first) return new Set();
+        if (!first) return;
         const complain = (path: string, trouble: string) => this.complain(path, trouble);
         const field = new LampColour(lampOfColour(first)!, keys, { model: this.model, complain });
         place.append(field.row);
         for (const [path, key] of keys)
             this.fields.push({ path, key, update: (value) => field.update(path, value), row: field.row, note: field.note, trouble: '' });
-        return new Set(keys.keys());
     }
 
     private kindWords(list: string, type: string): string {

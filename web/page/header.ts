@@ -21,6 +21,7 @@ export interface Actions {
     take(files: File[]): Promise<void>;
     save(ending: string): void;
     share(): void;
+    keys(): void;
     changeLanguage(code: Language): void;
 }
 
@@ -76,6 +77,7 @@ export function header(model: Model, actions: Actions) {
         files,
         h('a', { class: 'lessons', href: `#lesson=ambient&lang=${currentLanguage()}` }, t('Lessons')),
         languages,
+        button('Keys', () => actions.keys(), 'icon keys-list', '?'),
     );
     const menu = button('More', () => open(!rest.classList.contains('is-open')), 'icon menu', '⋯');
     const open = (isOpen: boolean) => {

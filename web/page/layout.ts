@@ -116,7 +116,7 @@ export class Layout {
         );
         this.tabs = new Choice<Tab>(TABS, 'tabs', 'Drawer', (tab) => this.open(tab));
         this.charts = new Choice<Chart>(CHARTS, 'tabs', 'Below the stage', (chart) => this.chart(chart));
-        this.partial = h('p', { class: 'partial', hidden: true }, t('direct light alone'));
+        this.partial = h('p', { class: 'partial', hidden: true });
         const caption = (camera: Camera, words: string, ...rest: HTMLElement[]) =>
             h(
                 'button',
@@ -233,10 +233,10 @@ export class Layout {
         if (!isThere && this.strip === chart) this.chart('section');
     }
 
-    /** Offers the balance of the flux where surfaces reflect light, and says that space is lit by the lamps alone. */
-    tellReflections(areThere: boolean) {
-        this.offer('balance', areThere);
-        this.partial.hidden = !areThere;
+    /** Says what light is missing in space; nothing: none. */
+    tellMissing(words: string) {
+        this.partial.textContent = words;
+        this.partial.hidden = !words;
     }
 
     /** The pixels of the picture, in its caption. */

@@ -19,6 +19,7 @@ import { header } from './header';
 import { Histogram } from './histogram';
 import { download, packed, unpacked } from './link';
 import { keep, kept } from './keeping';
+import { jump, KeysHelp } from './keys_help';
 import { Layout, type Camera } from './layout';
 import { lessonIn, startLessons } from './lessons/lesson';
 import { LoadingNotice } from './loading';
@@ -45,6 +46,7 @@ import { currentLanguage, exactly, number, setLanguage, t, type Language } from 
 
 const HINT = 'Drag a lamp – the light follows';
 const FIRST_PICTURE = 'first picture'; // a mark of the browser's measurements
+const MOMENT = 1000; // milliseconds that what it does not need waits for it
 const HINTED = 'luxel-hinted'; // of the browser's storage
 
 const NO_VECTORS =
@@ -95,6 +97,7 @@ class Page {
     private readonly loading = new LoadingNotice(this.model.client);
     private readonly layout = new Layout();
     private readonly licences = licences();
+    private readonly keysHelp = new KeysHelp();
     private readonly toast = h('p', { class: 'toast', role: 'status', hidden: true });
     private readonly points = new PointsPanel(this.model);
     private readonly statistics = new Statistics(this.model);
@@ -130,7 +133,16 @@ class Page {
         await this.openFirst();
         this.hintFirst();
         this.embedding.begin();
+        await this.firstPicture();
         await this.form.reload();
+    }
+
+    // What the first picture does not need comes after it, or after a moment where there is none.
+    private firstPicture(): Promise<void> {
+        return new Promise((resolve) => {
+            this.model.listen((topic) => topic === 'picture' && requestAnimationFrame(() => setTimeout(resolve)));
+            setTimeout(resolve, MOMENT);
+        });
     }
 
     private firstLanguage(): Language {
@@ -247,6 +259,7 @@ class Page {
         this.space.onTell = (text, x, y) => this.tellBeside(text, x, y);
         this.space.onHover = (thing) => this.hover(thing);
         this.space.onDrag = () => this.hintDone();
+        this.space.onMade = () => this.tellMissing();
         this.picture.onMark = (thing, x, y) => {
             if (thing) this.tellBeside(this.space.nameOf(thing), x, y);
             this.hover(thing);
@@ -338,6 +351,12 @@ class Page {
         // What is being typed is undone by the browser, letter by letter; what was taken is a step of the history.
         const isField = target instanceof HTMLInputElement && !['checkbox', 'range', 'file'].includes(target.type);
         const isTyping = target instanceof HTMLTextAreaElement || (isField && isTypedOver(target));
+        const isBare = !event.ctrlKey && !event.metaKey && !event.altKey;
+        if (isBare && event.key === 'F6') {
+            jump(event.shiftKey ? -1 : 1);
+            return event.preventDefault();
+        }
+        if (isBare && event.key === '?' && !isTyping && !isField) return this.keysHelp.open();
         if (!(event.ctrlKey || event.metaKey) || isTyping) return;
         const letter = event.key.toLowerCase();
         if (letter === 'z' && !event.shiftKey) this.model.undo();
@@ -350,6 +369,9 @@ class Page {
     private stageKey(key: string) {
         if (key === 'o' || key === 'O') this.switchCamera();
         else if (key === '[' || key === ']') this.dial.turn(key === ']' ? 0.5 : -0.5);
+        else if (key === 'w' || key === 'W') void this.why();
+        else if (key === 'p' || key === 'P') this.points.add();
+        else if (key === 'a' || key === 'A') this.addLamp();
         else this.thingKey(key.length === 1 ? key.toLowerCase() : key);
     }
 
@@ -365,6 +387,12 @@ class Page {
         else if (key === 's' && list === 'lights') void this.model.solo(index);
         else if (key === 'h' && list === 'lights')
             void this.model.change([{ set: `lights[${index}].enabled=${!this.model.scene?.lights[index]?.enabled}` }]);
+    }
+
+    // One like the chosen lamp, or the first.
+    private addLamp() {
+        const chosen = this.space.selected?.kind === 'light' ? this.space.selected.index : 0;
+        void this.model.addLight(this.model.scene?.lights[chosen]?.type ?? 'point', chosen);
     }
 
     private keyOfSeveral(key: string) {
@@ -423,10 +451,12 @@ class Page {
             this.gallery.dialog,
             this.sharing.dialog,
             this.figures.dialog,
+            this.keysHelp.dialog,
         ];
         this.app.replaceChildren(...parts.filter((part) => part !== null));
         this.stale.textContent = t('The scene has errors. What is dimmed is of the last scene without errors.');
         this.tellCharts();
+        this.tellSmall();
         this.showHistory();
     }
 
@@ -479,8 +509,16 @@ class Page {
 
     // What only some scenes have.
     private tellCharts() {
-        this.layout.tellReflections(!!this.model.whole?.reflects);
+        this.layout.offer('balance', !!this.model.whole?.reflects);
+        this.tellMissing();
         this.layout.offer('grids', !!this.model.scene?.grids || !!this.model.scene?.observers);
+    }
+
+    // Of reflected light, in space.
+    private tellMissing() {
+        const of = this.space.stage.made?.of;
+        const isRough = of?.within !== undefined && this.model.work?.state !== 'done';
+        this.layout.tellMissing(of && this.model.isPartial(of) ? t('direct light alone') : isRough ? t('reflected light roughly') : '');
     }
 
     private header(): HTMLElement {
@@ -488,6 +526,7 @@ class Page {
             gallery: () => this.gallery.open(this.builtins),
             take: (files) => this.files.take(files),
             save: (ending) => (ending === 'figure' ? this.figures.open() : void this.saving.save(ending)),
+            keys: () => this.keysHelp.open(),
             share: () => void this.sharing.open(this.picture.probe ?? [0, 0]),
             changeLanguage: (code) => this.changeLanguage(code),
         });
@@ -761,7 +800,8 @@ class Page {
         if (typeof here.value !== 'number') return;
         this.isReadoutOfProbe = false;
         const unit = scene.unit === 'relative' ? t('relative') : scene.unit;
-        const partial = this.model.isPartial(whole) ? `, ${t('direct light alone')}` : '';
+        const source = this.model.source();
+        const partial = source && this.model.isPartial(source.of) ? `, ${t('direct light alone')}` : '';
         this.readout.textContent = `${exactly(here.value, here.error)} ${unit} (${t('not seen by the observer')}${partial})`;
         this.showReadout(x, y);
     }
@@ -779,8 +819,13 @@ class Page {
     }
 
     private cameraChanged() {
+        this.tellSmall();
         this.readout.hidden = true;
         this.redraw();
+    }
+
+    private tellSmall() {
+        this.model.isSmall = this.layout.camera === 'space' && this.embedding.view === 'all';
     }
 
     private redraw() {

@@ -10,18 +10,19 @@ import type { Geometry, Shape, Thing } from './geometry';
 import type { ColourView } from './srgb';
 import { sunMoves } from './sun/sun';
 import type { Of, Version } from './version';
-import { Work } from './work';
+import { isRough, Work } from './work';
 import type { Picture } from './worker';
 
 export type { Shape, Thing } from './geometry';
 
-const OFTEN = 24; // milliseconds that a picture may take to follow the hand
+const OFTEN = 24; // milliseconds that a picture may take to follow the hand,
+const OFTEN_SMALL = 8; // and one that stands small beside the space view
 const SLOW = 200; // milliseconds from which on a second worker makes a picture
 const BEARABLE = 400; // milliseconds that the first worker spends on a picture of direct light
 const UNKNOWN = 8; // the stride of a scene's first picture
 const STRIDES = [1, 2, 4, 8, 16];
 const REST = 120; // milliseconds without a change after which the hand rests
-const MOMENT = 100; // milliseconds that a drag waits for its picture
+const MOMENT = 1500; // milliseconds that a drag waits for its picture, which never came on slow machines if it went on
 const MOST_STEPS = 200; // of the history
 
 /** What has changed; begin: another scene was opened, of which nothing is known yet; light: numbers have all their light. */
@@ -68,6 +69,8 @@ export class Model {
     stale = false;
     /** The whole picture with all its light, where that takes long. */
     work: Work | null = null;
+    /** Whether the picture stands small beside the space view, so that a coarse one shows as much. */
+    isSmall = false;
     /** How many drags still change the scene: the last movement is taken after the hand has let go. */
     drags = 0;
     /** Whether a thing is not to be moved by hand. */
@@ -134,7 +137,7 @@ export class Model {
     /** Whether the picture is whole, current, and has all light. */
     get isSettled(): boolean {
         const { picture } = this;
-        return !!picture && picture.stride === 1 && this.isCurrent(picture.of) && !this.isPartial(picture.of);
+        return !!picture && picture.stride === 1 && this.isCurrent(picture.of) && !this.isPartial(picture.of) && !isRough(picture);
     }
 
     /** Whether long work was stopped, by its user or by a failure. */
@@ -443,7 +446,9 @@ export class Model {
             await this.renderOnce(whole, this.coarse).catch(() => undefined);
             if (this.isLeft(whole)) continue;
             if (!whole.reflects && this.picture?.stride === 1) continue;
-            await new Promise((resolve) => setTimeout(resolve, REST)); // the hand may still be moving
+            // The hand may still be moving.
+            do await new Promise((resolve) => setTimeout(resolve, REST));
+            while (this.drags > 0 && !this.isLeft(whole));
             if (!this.isLeft(whole)) await this.renderWhole(whole).catch(() => undefined);
         }
         this.rendering = false;
@@ -464,15 +469,19 @@ export class Model {
 
     private begins(whole: Whole) {
         this.work?.drop();
-        const work = new Work({ ...this.versionOf(whole), direct: false }, () => this.work === work && this.tell('work'));
+        const isCurrent = () => this.work === work;
+        const work: Work = new Work(
+            { ...this.versionOf(whole), direct: false },
+            whole.reflects,
+            () => isCurrent() && this.tell('work'),
+            (picture) => isCurrent() && this.take(picture),
+        );
         this.work = work;
         this.tell('work');
-        void work.begin(this.client).then(async (picture) => {
-            if (this.work !== work || !picture) return;
+        void work.begin(this.client).then(async () => {
+            if (!isCurrent() || work.state !== 'done') return;
             await work.client!.speakAs(this.client).catch(() => undefined); // the language may have been changed meanwhile
-            if (this.work !== work) return;
-            this.take(picture);
-            if (whole.reflects) this.tell('light');
+            if (isCurrent() && whole.reflects) this.tell('light');
         });
     }
 
@@ -493,7 +502,8 @@ export class Model {
         }
         this.failing = '';
         this.wholeTime = picture.milliseconds * stride * stride;
-        this.coarse = STRIDES.find((each) => this.wholeTime / (each * each) <= OFTEN) ?? STRIDES[STRIDES.length - 1];
+        const often = this.isSmall ? OFTEN_SMALL : OFTEN;
+        this.coarse = STRIDES.find((each) => this.wholeTime / (each * each) <= often) ?? STRIDES[STRIDES.length - 1];
         const shown = this.picture;
         const isFinal = shown?.of.number === whole.number && (shown.of.direct !== whole.reflects || shown.stride < stride);
         if (!isFinal) this.take(picture);
@@ -508,9 +518,16 @@ export class Model {
     source(): { client: Client; of: Of } | null {
         const { whole, work } = this;
         if (!whole || !this.isCurrent(whole)) return null;
-        const isDone = work?.state === 'done' && work.client;
-        const of = { ...this.versionOf(whole), direct: whole.reflects && !isDone };
-        return { client: whole.reflects && isDone ? isDone : this.client, of };
+        if (whole.reflects && work?.state === 'done') return { client: work.client!, of: work.known! };
+        return { client: this.client, of: { ...this.versionOf(whole), direct: whole.reflects } };
+    }
+
+    /** What light other cameras show, and who has all of it at hand; null as client: direct light, which anybody computes. */
+    lighting(): { client: Client | null; of: Of } | null {
+        const { work } = this;
+        const of = this.asWhole();
+        if (!of || !this.isCurrent(of)) return null;
+        return of.direct && work?.isOpen ? { client: work.client, of: work.known! } : { client: null, of };
     }
 
     /** Exact values at places of the screen; null: the scene has changed meanwhile.  They come in small parts. */
@@ -533,8 +550,9 @@ export class Model {
 
     /** Lines of equal value of a picture. */
     isophotes({ of, stride }: Picture, logarithmic: boolean) {
-        const client = this.work?.state === 'done' && !of.direct ? this.work.client! : this.client;
-        return client.ask('isophotes', of, stride, 8, logarithmic).catch(() => []);
+        const isReflected = this.whole?.reflects && !of.direct;
+        if (isReflected && this.work?.state !== 'done') return Promise.resolve([]); // whoever knows that light is busy
+        return (isReflected ? this.work!.client! : this.client).ask('isophotes', of, stride, 8, logarithmic).catch(() => []);
     }
 
     /** After a failure of the core: begins anew, but not with a text that made it fail twice. */

@@ -33,6 +33,17 @@ function greatest(numbers: number[], most: number): number[] {
         .sort((a, b) => a - b);
 }
 
+/** The shares of a value in one bar, for where there is no room for one each. */
+function stack(shares: number[], value: number): HTMLElement {
+    const parts = shares.map((share, i) => {
+        const part = h('span');
+        part.style.inlineSize = `${value > 0 ? Math.max(0, (100 * share) / value) : 0}%`;
+        part.style.background = lightStyle(i);
+        return part;
+    });
+    return h('div', { class: 'stack', 'aria-hidden': 'true' }, ...parts);
+}
+
 export class ProbePanel {
     readonly element = h('section', { class: 'probe', 'aria-live': 'polite' });
     onValue: (probe: Probe | null) => void = () => undefined;
@@ -148,6 +159,7 @@ export class ProbePanel {
                 ? []
                 : [h('p', { class: 'dim' }, `${t('A, the pixel here')}: ${number(before, 4)} ${unit}`)]),
             this.colour.element,
+            ...(value === null ? [] : [stack(shares, value)]),
             h('ul', { class: 'shares', 'aria-label': t('Shares of the lights') }, ...(value === null ? [] : bars)),
         );
         this.model.dim();

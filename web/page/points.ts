@@ -171,7 +171,8 @@ export class PointsPanel {
         input.select();
     }
 
-    private add() {
+    /** Adds the place of the probe, behind the point that was looked at last. */
+    add() {
         const row = this.points.length ? this.at[0] + 1 : 0;
         const [x, y] = this.place().map((coordinate) => Number(coordinate.toPrecision(6)));
         this.at = [row, 1];

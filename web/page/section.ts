@@ -2,7 +2,7 @@
 // Sections: the value, or each lamp's share of it, along the line through the probe at any angle, or along a line that
 // stays where its ends were put.
 import type { Compare } from './compare';
-import { choice, fitted, h, lightColour, showIn, styleColour, takeIn } from './dom';
+import { choice, faded, fitted, h, lightColour, showIn, styleColour, takeIn } from './dom';
 import { coarseFirst, placeOn, rowOn, type Row, type Section } from './line';
 import { download } from './link';
 import type { Model } from './model';
@@ -12,6 +12,18 @@ const SAMPLES = 241;
 const PAUSE = 60; // milliseconds between two sections while the probe moves
 
 const MARGIN = { left: 44, right: 6, bottom: 18, top: 8 };
+
+/** A curve, or, with what it stands on, a band. */
+interface Curve {
+    values: (number | null)[];
+    colour: string;
+    thick: number;
+    under?: (number | null)[];
+    isDashed?: boolean;
+}
+
+const MOST_BANDS = 12; // lamps
+const BAND = 0.42; // how much of its colour a band has
 
 export class SectionPanel {
     readonly canvas = h('canvas', { class: 'section', role: 'img' });
@@ -179,23 +191,27 @@ export class SectionPanel {
         this.model.dim();
     }
 
-    /** Curves by columns of numbers: colour, thickness, dashes. */
-    private curves(section: Section): { values: (number | null)[]; colour: string; thick: number; dashed?: boolean }[] {
+    /** Curves by columns of numbers; of lamps, unless they are many, bands that stand on one another. */
+    private curves(section: Section): Curve[] {
         const { rows } = section;
         const lights = rows[0].length - 2;
         const share = (row: (number | null)[], i: number) =>
             row[1] === null ? null : row[1] > 0 ? (100 * (row[i + 2] ?? 0)) / row[1] : 0;
-        const shares = Array.from({ length: lights }, (_, i) => ({
-            values: rows.map((row) =>
+        let below: (number | null)[] = rows.map(() => 0);
+        const shares = Array.from({ length: lights }, (_, i): Curve => {
+            const values = rows.map((row) =>
                 this.showsShares ? share(row, i) : row[1] === null ? null : (row[i + 2] ?? null),
-            ),
-            colour: lightColour(i),
-            thick: 1.5,
-        }));
+            );
+            const curve = { values, colour: lightColour(i), thick: 1.5 };
+            if (lights > MOST_BANDS) return curve;
+            const under = below;
+            below = values.map((value, k) => value === null ? null : value + (under[k] ?? 0));
+            return { ...curve, values: below, under };
+        });
         if (this.showsShares) return shares;
         const whole = { values: rows.map((row) => row[1]), colour: styleColour('--text'), thick: 2 };
         const before = this.compare.alongA(section.from, section.to, SAMPLES)?.filter((_, i) => this.last?.isKnown[i]);
-        const other = before ? [{ values: before, colour: styleColour('--dim'), thick: 1.5, dashed: true }] : [];
+        const other = before ? [{ values: before, colour: styleColour('--dim'), thick: 1.5, isDashed: true }] : [];
         return [...(lights > 1 ? shares : []), ...other, whole];
     }
 
@@ -216,10 +232,22 @@ export class SectionPanel {
             height - MARGIN.bottom - ((height - MARGIN.bottom - MARGIN.top) * value) / most,
         ];
         this.drawAxes(context, place, most, length, width);
-        for (const { values, colour, thick, dashed } of curves) {
+        for (const { values, colour, thick, under, isDashed } of curves) {
+            if (under) {
+                const at = (k: number, of: (number | null)[]) => place(known.rows[k][0]!, of[k] ?? 0);
+                context.fillStyle = faded(colour, BAND);
+                context.beginPath();
+                for (const [first, last] of runsOf(values)) {
+                    context.moveTo(...at(first, under));
+                    for (let k = first; k <= last; k++) context.lineTo(...at(k, values));
+                    for (let k = last; k > first; k--) context.lineTo(...at(k, under));
+                }
+                context.fill();
+                continue;
+            }
             context.strokeStyle = colour;
             context.lineWidth = thick;
-            context.setLineDash(dashed ? [5, 4] : []);
+            context.setLineDash(isDashed ? [5, 4] : []);
             context.beginPath();
             let drawing = false;
             values.forEach((value, i) => {
@@ -323,6 +351,17 @@ export class SectionPanel {
             'text/csv',
         );
     }
+}
+
+/** The first and the last place of each run of values that are there. */
+function runsOf(values: (number | null)[]): [number, number][] {
+    const runs: [number, number][] = [];
+    values.forEach((value, k) => {
+        if (value === null) return;
+        if (k > 0 && values[k - 1] !== null) runs[runs.length - 1][1] = k;
+        else runs.push([k, k]);
+    });
+    return runs;
 }
 
 function pair(place: number[]): [number, number] {

@@ -53,6 +53,8 @@ export class SpaceView {
     onHover: (thing: Thing | null) => void = () => undefined;
     /** Told that a thing or a handle was taken. */
     onDrag: () => void = () => undefined;
+    /** Told that bodies are shown as they are seen from somewhere else, or in another light. */
+    onMade: () => void = () => undefined;
     /** What is said beside the first lamp; empty: nothing. */
     hint = '';
     /** The thing that the hand is on, here or in a list. */
@@ -81,7 +83,10 @@ export class SpaceView {
         scale: () => Scale,
         private readonly several: Several,
     ) {
-        this.stage = new Stage(model, scale, () => this.draw());
+        this.stage = new Stage(model, scale, () => {
+            this.onMade();
+            this.draw();
+        });
         new ResizeObserver(() => this.resized()).observe(this.canvas);
         model.follow(this.canvas, () => this.stage.made?.of ?? model.whole);
         followPointer(
@@ -727,11 +732,12 @@ export class SpaceView {
     /** The exact value that is seen from here at a point of the canvas. */
     async valueAt(x: number, y: number): Promise<Probe | null> {
         const { made } = this.stage;
-        if (!made || !this.model.isCurrent(made.of)) return null;
-        const { view, of, stride } = made;
+        const source = this.model.source();
+        if (!made || !source || !this.model.isCurrent(made.of)) return null;
+        const { view, stride } = made;
         const { camera, columns, rows } = cameraOf(view, stride);
         const at = [(x - view.width / 2) / view.factor, (view.height / 2 - y) / view.factor];
-        return this.model.client.ask('stageProbe', of, camera, columns, rows, at[0], at[1]);
+        return source.client.ask('stageProbe', source.of, camera, columns, rows, at[0], at[1]);
     }
 
     private hover(event: PointerEvent) {

@@ -35,9 +35,10 @@ interface Made extends Samples {
 }
 
 const STRIDES = [0.5, 1, 2, 4, 8, 16];
-const STEPS = [30, 250, 1200, 6000]; // milliseconds that pictures of a view may take, one after the other
+const STEPS = [14, 250, 1200, 6000, 24000]; // milliseconds that pictures of a view may take, one after the other
+const SHARED = [14, 250, 700]; // by the worker that knows reflected light, for whose numbers others wait
 const REST = 140; // milliseconds without a change after which the hand rests
-const PATIENT = 200; // milliseconds that a picture of a view that is gone may still take
+const PATIENT = [200, 3200]; // milliseconds that a picture of a view that is gone may still take: twice as long after each that gave way
 const MOST_PIXELS = 2.2e6;
 const GRAINS = 1e9; // of a mm: what is less of a camera's numbers is rounding, and takes long to be read
 const PER_PIXEL = 1.5e-4; // milliseconds, of a scene of which nothing is known yet
@@ -46,7 +47,7 @@ const LATE = 250; // milliseconds after which what is shown is of a view that is
 const FAR_OFF = 8; // of the camera of an observer who looks along parallel lines, in sizes of the screen
 
 const keyOf = (of: Of | null, view: View) =>
-    [of?.number, of?.direct, ...view.eye, ...view.target, ...view.up, view.factor, view.width, view.height].join();
+    [of?.number, of?.direct, of?.within, ...view.eye, ...view.target, ...view.up, view.factor, view.width, view.height].join();
 
 /** A scene's text but its lights: whether bodies are the same; where it is written in unusual ways it says no. */
 function withoutLights(text: string): string {
@@ -91,10 +92,11 @@ export class Stage {
     /** What is shown; null: nothing yet. */
     made: Made | null = null;
     readonly image = document.createElement('canvas');
-    private wanted: { view: View; of: Of } | null = null;
+    private wanted: { view: View; of: Of; knowing: Client | null } | null = null; // and who knows its light
     private busy = false;
     private client: Client | null = null;
     private given = 0; // files that its worker has
+    private patience = PATIENT[0];
     private perPixel = PER_PIXEL; // milliseconds, by the last picture
     private awaitedSince = 0; // when another view than the one shown was wanted; 0: it is shown
     private failed = ''; // the view of which the core made none
@@ -126,10 +128,13 @@ export class Stage {
 
     /** Asks for what is seen from here; what is shown meanwhile is of the view before. */
     want(view: View) {
-        const of = this.model.asWhole();
-        if (!of || !this.model.isCurrent(of) || view.width < 8 || view.height < 8) return;
-        this.wanted = { view, of };
-        const isOther = !!this.made && keyOf(null, this.made.view) !== keyOf(null, view);
+        const lighting = this.model.lighting();
+        if (!lighting || view.width < 8 || view.height < 8) return;
+        const { of, client: knowing } = lighting;
+        const { made } = this;
+        const isOther = !!made && keyOf(null, made.view) !== keyOf(null, view);
+        const hasMore = made?.of.number === of.number && !made.of.direct && of.direct; // which stays while better light is solved for
+        this.wanted = hasMore && !isOther ? null : { view, of, knowing };
         if (isOther && !this.awaitedSince) {
             this.awaitedSince = performance.now();
             setTimeout(() => this.isLate && this.onMade(), LATE + 10);
@@ -140,10 +145,12 @@ export class Stage {
     private async run() {
         this.busy = true;
         while (this.wanted) {
-            const { view, of } = this.wanted;
+            const { view, of, knowing } = this.wanted;
             const key = keyOf(of, view);
             const present = this.made && keyOf(this.made.of, this.made.view) === key ? this.made.stride : Infinity;
-            const stride = this.next(view, present);
+            const gainsLight = this.made?.of.number === of.number && keyOf(null, this.made.view) === keyOf(null, view);
+            const steps = !knowing ? STEPS : gainsLight ? SHARED.slice(-1) : SHARED;
+            const stride = this.next(view, present, steps);
             if (key === this.failed || stride === null) {
                 this.wanted = null;
                 break;
@@ -152,7 +159,7 @@ export class Stage {
                 await new Promise((resolve) => setTimeout(resolve, REST)); // the hand may still be moving
                 if (this.isGone(key)) continue;
             }
-            await this.make(view, of, stride, key);
+            await this.make(view, of, knowing, stride, key);
         }
         this.busy = false;
     }
@@ -162,10 +169,10 @@ export class Stage {
     }
 
     // The next finer stride of a view's pictures that is had in some time; null: there is none.
-    private next(view: View, present: number): number | null {
+    private next(view: View, present: number, steps: number[]): number | null {
         const finest = Math.max(0.5, 1 / (window.devicePixelRatio || 1)) * 0.999;
         const pixels = (stride: number) => (view.width * view.height) / stride ** 2;
-        for (const most of STEPS) {
+        for (const most of steps) {
             const goes = (stride: number) =>
                 stride >= finest && pixels(stride) <= MOST_PIXELS && pixels(stride) * this.perPixel <= most;
             const stride = STRIDES.find(goes) ?? STRIDES[STRIDES.length - 1];
@@ -185,10 +192,16 @@ export class Stage {
         return this.client;
     }
 
-    private async make(view: View, of: Of, stride: number, key: string) {
+    // On a busy machine a worker that is started anew each time would never come to an end.
+    private giveWay() {
+        this.client?.giveWay();
+        this.patience = Math.min(2 * this.patience, PATIENT[1]);
+    }
+
+    private async make(view: View, of: Of, knowing: Client | null, stride: number, key: string) {
         const { camera, columns, rows } = cameraOf(view, stride);
-        const timer = setInterval(() => this.isGone(key) && this.client?.giveWay(), PATIENT);
-        const ask = async () => (await this.worker()).ask('stage', of, camera, columns, rows);
+        const timer = setInterval(() => !knowing && this.isGone(key) && this.giveWay(), this.patience);
+        const ask = async () => (knowing ?? (await this.worker())).ask('stage', of, camera, columns, rows);
         const found = await ask().catch(() => undefined);
         clearInterval(timer);
         if (of.scene !== this.model.version.scene) return;
@@ -202,6 +215,7 @@ export class Stage {
             this.failed = key;
             return this.onMade();
         }
+        this.patience = Math.max(PATIENT[0], this.patience / 2);
         this.perPixel = Math.max(1e-6, found.milliseconds / (columns * rows));
         this.awaitedSince = 0;
         this.made = { of, view, stride, columns, rows, values: found.values, mask: found.mask, rgb: found.rgb, depth: found.depth };

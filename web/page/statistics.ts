@@ -4,6 +4,7 @@ import type { PictureFacts } from './core';
 import { h } from './dom';
 import type { Model } from './model';
 import type { Version } from './version';
+import { isRough } from './work';
 import { bound, number, t } from './words';
 
 /** What a picture is, in one line. */
@@ -35,8 +36,8 @@ export class Statistics {
         const { picture, scene } = this.model;
         if (!picture || !scene || picture.stride !== 1) return;
         const unit = scene.unit === 'relative' ? t('relative') : scene.unit;
-        const partial = this.model.isPartial(picture.of) ? ` (${t('direct light alone')})` : '';
-        this.element.textContent = told(picture.facts, unit) + partial;
+        const missing = this.model.isPartial(picture.of) ? t('direct light alone') : isRough(picture) ? t('reflected light roughly') : '';
+        this.element.textContent = told(picture.facts, unit) + (missing && ` (${missing})`);
         this.of = picture.of;
         this.model.dim();
     }

@@ -18,6 +18,8 @@ export interface Version {
 /** A version as it is computed: with all its light, or direct light alone. */
 export interface Of extends Version {
     readonly direct: boolean;
+    /** Seconds in which reflected light is solved for, as well as goes; none: as exactly as it should be. */
+    readonly within?: number;
 }
 
 /** Why a question has no answer: it is of a version that is no longer wanted. */

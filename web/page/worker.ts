@@ -38,10 +38,11 @@ let present = 0; // the number of the question that is being answered
 let lastTidings = 0;
 
 /** Makes a version the present scene of the core; false: its text has errors. */
-function open({ text, irradiance, direct, view }: Of): boolean {
+function open({ text, irradiance, direct, within, view }: Of): boolean {
     core.quantity(irradiance);
     core.view(view);
     core.direct(direct);
+    core.within(within ?? 0);
     if (text === openText) return true;
     core.folder.asked.clear();
     const whole = core.open(text);
@@ -56,7 +57,7 @@ function opened(of: Of): Core {
 }
 
 function draw(of: Of, stride: number): boolean {
-    const name = [of.number, of.direct, stride].join();
+    const name = [of.number, of.direct, of.within, stride].join();
     const isDrawn = drawn === name || core.render(stride);
     if (isDrawn) drawn = name;
     return isDrawn;
@@ -165,6 +166,7 @@ const questions = {
     summary: (of: Of) => opened(of).summary(),
     balance: (of: Of) => opened(of).balance(),
     grids: (of: Of) => opened(of).grids(),
+    daylight: (of: Of) => opened(of).daylight(),
     isophotes: (of: Of, stride: number, wanted: number, logarithmic: boolean) =>
         opened(of) && draw(of, stride) ? core.isophotes(wanted, logarithmic) : [],
     extrema: (of: Of) => opened(of).extrema(),

@@ -213,6 +213,40 @@ async function judgesLimits(page, tool) {
     await tab(page, 'Section');
 }
 
+const UNDER_SKY = `luxel: 1
+units: photometric
+screen: {width: 3000, height: 3000, resolution: [60, 60]}
+observer: {z: 9000}
+surfaces:
+  - {type: rectangle, center: [0, 0, 0], size: [4000, 4000], axis: [0, 0, 1], material: {model: lambert}}
+  - {type: box, center: [700, 0, 900], size: [300, 3000, 1800], material: {model: lambert}}
+lights:
+  - {type: sky, kind: 1, horizontal: 700, ground: 0.2}
+grids:
+  - {name: desk, center: [0, 0, 800], size: [1000, 1000], n: [3, 2]}
+`;
+
+/** Under a sky grids tell daylight factors, the tool's numbers, in the strip and in space. */
+async function tellsDaylight(page, tool) {
+    const { grids } = JSON.parse(spawnSync(tool, ['daylight', '-', '--json'], { input: UNDER_SKY }).stdout);
+    await openText(page, UNDER_SKY);
+    await tab(page, 'Grids');
+    await page.getByRole('button', { name: 'Daylight factor' }).click();
+    await page.locator('.grids caption', { hasText: 'daylight factor' }).waitFor();
+    const cells = await page.locator('.grids .cells td').allTextContents();
+    const expected = grids[0].values.flat();
+    equal(cells.length, expected.length, 'cells');
+    cells.forEach((text, i) => check(Math.abs(Number(text) - expected[i]) <= 6e-4 * expected[i], `cell ${i}: ${text} instead of ${expected[i]}`));
+    const facts = await page.locator('.grids table').first().innerText();
+    for (const number of [grids[0].mean, grids[0].median]) check(facts.includes(String(Number(number.toPrecision(6))).slice(0, 5)), `${number} is not in ${facts}`);
+    check(facts.includes(`${Number((100 * grids[0].en17037.shares[500]).toPrecision(3))} %`), `the share of 500 lx is not in ${facts}`);
+    equal((await inside(page, 'space.measured.cells.map(({ text }) => text)')).map(Number), expected.map((value) => Number(value.toPrecision(3))), 'numbers in space');
+    await shot(page, 'daylight-factors');
+    await page.getByRole('button', { name: 'Illuminance' }).click();
+    await page.locator('.grids caption', { hasText: 'lx' }).waitFor();
+    await tab(page, 'Section');
+}
+
 /** A reload goes on where the page was, with all that can be undone. */
 async function keepsOn(browser, url) {
     const page = await opened(browser, url);
@@ -252,6 +286,7 @@ export async function controls(browser, url, tool) {
     await test('the histogram tells the true extrema', () => showsHistogram(page, tool));
     await test('measuring grids with their numbers', () => showsGrids(page, tool));
     await test('limits of grids and observers, and whether they are kept', () => judgesLimits(page, tool));
+    await test('daylight factors of grids under a sky', () => tellsDaylight(page, tool));
     await test('no fault was reported by controls', () => equal(page.faults, [], 'faults'));
     await page.context().close();
     await test('a reload goes on where it was', () => keepsOn(browser, url));

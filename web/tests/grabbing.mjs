@@ -2,7 +2,7 @@
 // Grabbing in Chromium: handles change sizes, radii and angles, names and sizes stand beside the hand, the first drag is hinted at,
 // several lamps are moved, dimmed, copied and removed as one, and pointing at a term of the calculation lights its vector.
 import { execFileSync } from 'node:child_process';
-import { boxOf, dragBy, inside, look, opened, openScene, openText, shot, tab, until } from './hands.mjs';
+import { boxOf, dragBy, inside, lampIn, look, opened, openScene, openText, shot, tab, until } from './hands.mjs';
 import { check, equal, test } from './tap.mjs';
 
 const CURRENT = 'space.stage.made && model.isCurrent(space.stage.made.of)';
@@ -273,6 +273,42 @@ async function beginsQuickly(browser, url) {
     return told;
 }
 
+/** Where a scene takes long to be judged, as on slow machines, pictures follow a hand that does not rest all the same. */
+async function followsSlowly(page) {
+    await openScene(page, 'sphere');
+    await until(page, `${CURRENT} && ${STILL}`);
+    await page.evaluate(() => {
+        const { model } = window.luxel.inside;
+        const { urgent } = model.client;
+        window.taken = 0;
+        model.take = function (picture) {
+            window.taken++;
+            return Object.getPrototypeOf(this).take.call(this, picture);
+        };
+        model.client.urgent = async function (name, ...values) {
+            const answer = await urgent.call(this, name, ...values);
+            if (name === 'judge') await new Promise((resolve) => setTimeout(resolve, 160));
+            return answer;
+        };
+    });
+    const [x, y] = await lampIn(page, 'space');
+    await page.mouse.move(x, y);
+    await page.mouse.down();
+    const end = Date.now() + 15000;
+    for (let i = 0; Date.now() < end && (await page.evaluate(() => window.taken)) < 4; i++) {
+        await page.mouse.move(x - 8 - 2 * (i % 20), y + (i % 20));
+        await page.waitForTimeout(16);
+    }
+    const taken = await page.evaluate(() => window.taken);
+    await page.mouse.up();
+    await page.evaluate(() => {
+        delete window.luxel.inside.model.take;
+        delete window.luxel.inside.model.client.urgent;
+    });
+    await until(page, STILL);
+    check(taken >= 4, `${taken} pictures while the hand moved`);
+}
+
 /** The tool judges the first scene as the page does, in both languages. */
 async function isScene(browser, url, tool) {
     for (const language of ['en', 'ru']) {
@@ -298,6 +334,7 @@ export async function grabbing(browser, url, tool) {
     await test('names of numbers are dragged', () => dragsNames(page));
     await test('terms of Why? light their vectors', () => pointsAtTerms(page));
     await test('edges stay sharp while light is moved', () => keepsEdges(page));
+    await test('pictures follow the hand where scenes take long', () => followsSlowly(page));
     await test('no fault was reported of grabbing', () => equal(page.faults, [], 'faults'));
     await page.context().close();
 }

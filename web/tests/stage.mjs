@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 // The stage in Chromium: what it shows of bodies are the tool's numbers for its camera, bodies hide what is behind them, all of
 // the scene is in sight, and there is room for it on laptops, large screens and phones, upright and lying.
-import { execFileSync } from 'node:child_process';
-import { boxOf, inside, look, opened, openScene, shot, until } from './hands.mjs';
+import { execFileSync, spawnSync } from 'node:child_process';
+import { boxOf, inside, look, opened, openScene, openText, shot, until } from './hands.mjs';
 import { check, equal, test } from './tap.mjs';
+import { BALL } from './versions.mjs';
 
 const CURRENT = 'space.stage.made && model.isCurrent(space.stage.made.of)';
 
@@ -20,19 +21,25 @@ const pixels = (page) =>
         return { eye, target, up, size: [columns * pixel, rows * pixel], columns, rows, stride, some: some.map((i) => [at(i), values[i]]) };
     });
 
+/** What the tool finds at those pixels. */
+function truths(tool, text, { eye, target, up, size, columns, rows, some }, options = []) {
+    const numbers = (list) => list.map((n) => n.toPrecision(17)).join(', ');
+    const set = [
+        `observer={position: [${numbers(eye)}], target: [${numbers(target)}], up: [${numbers(up)}], projection: perspective}`,
+        `screen={width: ${size[0]}, height: ${size[1]}, resolution: [${columns}, ${rows}]}`,
+    ].flatMap((each) => ['-s', each]);
+    const places = some.flatMap(([[x, y]]) => ['-p', `${x},${y}`]);
+    return JSON.parse(spawnSync(tool, ['probe', '-', ...set, ...options, ...places, '--json'], { input: text }).stdout).points;
+}
+
 async function showsNumbers(page, tool) {
     const told = [];
     for (const scene of ['three-lights', 'desk', 'room']) {
         await openScene(page, scene);
         await until(page, `${CURRENT} && space.stage.made.stride <= 4`);
-        const { eye, target, up, size, columns, rows, stride, some } = await pixels(page);
-        const numbers = (list) => list.map((n) => n.toPrecision(17)).join(', ');
-        const set = [
-            `observer={position: [${numbers(eye)}], target: [${numbers(target)}], up: [${numbers(up)}], projection: perspective}`,
-            `screen={width: ${size[0]}, height: ${size[1]}, resolution: [${columns}, ${rows}]}`,
-        ].flatMap((each) => ['-s', each]);
-        const places = some.flatMap(([[x, y]]) => ['-p', `${x},${y}`]);
-        const { points } = JSON.parse(execFileSync(tool, ['probe', scene, ...set, ...places, '--json'], { stdio: ['ignore', 'pipe', 'pipe'] }).toString());
+        const seen = await pixels(page);
+        const { stride, some } = seen;
+        const points = truths(tool, await inside(page, 'model.text'), seen);
         some.forEach(([at, value], i) => {
             const off = Math.abs(points[i].value - value);
             check(off <= 2e-4 * Math.abs(value) + 1e-6, `${scene} at ${at}: ${value} instead of ${points[i].value}`);
@@ -164,6 +171,34 @@ async function saysWhatIsMissing(page) {
     await shot(page, 'stage-reflections');
 }
 
+/** Once it is known reflected light is in space, too, from whichever side, and goes as a lamp is moved. */
+async function showsReflections(page, tool) {
+    const LIT = `${CURRENT} && !space.stage.made.of.direct && space.stage.made.stride <= 2`;
+    const note = page.locator('.of-space .partial');
+    await openText(page, BALL);
+    const most = await inside(page, 'model.picture.facts.maximum.value');
+    for (const side of [[-0.65, 0.9], [0.4, 1.2]]) {
+        await page.evaluate(([turn, tilt]) => {
+            const { space } = window.luxel.inside;
+            space.turned = [turn, tilt];
+            space.draw();
+        }, side);
+        await until(page, `${LIT} && space.stage.wanted === null && Math.abs(space.turned[0] - ${side[0]}) < 1e-9`);
+        const seen = await pixels(page);
+        const [whole, direct] = [[], ['-s', 'reflections=none']].map((options) => truths(tool, BALL, seen, options));
+        const sum = (off) => seen.some.reduce((all, [, value], i) => all + Math.abs(off(value, i)), 0);
+        const [reflected, wrong] = [sum((_, i) => whole[i].value - direct[i].value), sum((value, i) => whole[i].value - value)];
+        check(wrong < 0.3 * reflected, `${wrong} beside what is reflected, ${reflected}`);
+        seen.some.forEach(([at, value], i) => check(Math.abs(whole[i].value - value) <= 0.012 * most, `${at}: ${value} instead of ${whole[i].value}`));
+    }
+    check(await note.isHidden(), 'a note beside all the light there is');
+    await shot(page, 'stage-reflected');
+    await inside(page, "void model.change([{ set: 'lights[0].position=[-200, 0, 900]' }])");
+    await until(page, `${CURRENT} && space.stage.made.of.direct`);
+    await note.waitFor();
+    await until(page, LIT);
+}
+
 async function hasRoom(browser, url) {
     const told = [];
     for (const [width, height] of [[1280, 720], [1920, 1080]])
@@ -246,6 +281,7 @@ export async function stage(browser, url, tool) {
     await test('a hand in space is told the value there', () => pointsInSpace(page, tool));
     await test('cameras fly, wheel and keys zoom', () => flies(page));
     await test('the stage says that it lacks reflected light', () => saysWhatIsMissing(page));
+    await test('reflected light is in space once it is known', () => showsReflections(page, tool));
     await test('the stage shows no other scene', () => belongs(page));
     await test('no fault was reported on the stage', () => equal(page.faults, [], 'faults'));
     await page.context().close();

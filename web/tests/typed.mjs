@@ -36,6 +36,7 @@ async function tellsWrongNumbers(page) {
     await enter(intensity, '12');
     await until(page, "model.text.includes('intensity: 12')");
     equal(await noteOf(intensity).textContent(), '', 'what is wrong after mending');
+    await page.locator('details.more > summary').first().click();
     await page.getByLabel('Name').first().fill('a "b"');
     await page.getByLabel('Name').first().press('Enter');
     await until(page, `model.scene?.lights[0].name === 'a "b"'`);

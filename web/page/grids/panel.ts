@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // The measuring grids of a scene in the strip: the irradiance in each cell, what lighting designers read off it, how much
-// observers are dazzled, and whether all of it keeps its limits.  While they are looked at, grids, their numbers and the
-// observers stand in the space view, too.
+// observers are dazzled, and whether all of it keeps its limits; or, under a sky, the daylight factor in each cell.  While
+// they are looked at, grids, their numbers and the observers stand in the space view, too.
 import { Apart } from '../apart';
-import type { Grid, Limit, Measured, Rated } from '../core';
+import type { Daylight, Grid, Limit, Measured, Rated } from '../core';
 import { h } from '../dom';
 import { NOTHING_MEASURED, type InSpace } from './in_space';
 import type { Model } from '../model';
@@ -31,6 +31,11 @@ export class GridsPanel {
     private of: Of | null = null; // what is shown
     private found: Measured = { grids: [], observers: [] };
     private readonly apart: Apart<Measured>;
+    private readonly underSky: Apart<Daylight>;
+    private daylight: { found: Daylight | null; of: Of } | null = null;
+    private isOfDaylight = false; // daylight factors are shown, rather than illuminances
+    private readonly choice = h('div', { class: 'choice', role: 'group' });
+    private readonly told = h('div');
 
     constructor(private readonly model: Model) {
         model.follow(this.element, () => this.of);
@@ -43,24 +48,74 @@ export class GridsPanel {
                 this.onChange();
             },
         );
+        this.underSky = new Apart(
+            model,
+            (client, of) => client.ask('daylight', of),
+            (found, of) => {
+                this.daylight = { found, of };
+                this.show();
+                this.onChange();
+            },
+        );
+        this.element.append(this.choice, this.told);
     }
 
     clear() {
-        this.of = null;
+        this.of = this.daylight = null;
         this.found = { grids: [], observers: [] };
-        this.element.replaceChildren();
+        this.told.replaceChildren();
+        this.choice.replaceChildren();
     }
 
     /** Whether the strip shows it. */
     set isShown(isShown: boolean) {
         this.apart.isShown = isShown;
         this.apart.refresh();
+        this.askForDaylight();
         this.onChange();
     }
 
     /** In other words. */
     again() {
         this.apart.again();
+        this.underSky.again();
+    }
+
+    private askForDaylight() {
+        this.underSky.isShown = this.apart.isShown && this.isUnderSky && this.isOfDaylight;
+        this.underSky.refresh();
+    }
+
+    // Whether there is a sky by which daylight is counted.
+    private get isUnderSky(): boolean {
+        return !!this.model.scene?.lights.some(({ type, enabled }) => type === 'sky' && enabled);
+    }
+
+    // What is shown of daylight; null: illuminances are.
+    private get shownDaylight(): Daylight | null {
+        const isShown = this.isOfDaylight && this.isUnderSky && this.daylight?.of.number === this.of?.number;
+        return isShown ? (this.daylight?.found ?? null) : null;
+    }
+
+    private showChoice() {
+        const names: [boolean, string][] = [
+            [false, 'Illuminance'],
+            [true, 'Daylight factor'],
+        ];
+        const buttons = names.map(([isOfDaylight, word]) => {
+            const choose = () => {
+                this.isOfDaylight = isOfDaylight;
+                this.askForDaylight();
+                this.show();
+                this.onChange();
+            };
+            const isPressed = this.isOfDaylight === isOfDaylight;
+            return h('button', { type: 'button', class: 'small', 'aria-pressed': String(isPressed), onclick: choose }, t(word));
+        });
+        const focused = [...this.choice.children].indexOf(document.activeElement!);
+        this.choice.setAttribute('aria-label', t('Quantity'));
+        this.choice.replaceChildren(...(this.isUnderSky ? buttons : []));
+        if (this.isUnderSky) buttons[focused]?.focus();
     }
 
     // Nothing is said of limits before all light is known.
@@ -72,6 +127,8 @@ export class GridsPanel {
     get inSpace(): InSpace {
         if (!this.apart.isShown || !this.model.isCurrent(this.of)) return NOTHING_MEASURED;
         const { grids, observers } = this.found;
+        const daylight = this.shownDaylight;
+        if (daylight) return { cells: grids.flatMap((grid, i) => (grid.values.length > MOST_CELLS ? [] : placed({ ...grid, ...daylight.grids[i] }))), lines: grids.flatMap((grid) => outlines(grid, () => null)) };
         const told = (limits: Limit[]) => (this.isPartial ? null : worst(limits));
         return {
             cells: grids.filter(({ values }) => values.length <= MOST_CELLS).flatMap((grid) => placed(grid)),
@@ -81,8 +138,14 @@ export class GridsPanel {
 
     private show() {
         const { grids, observers } = this.found;
-        const parts = [...grids.map((grid, i) => this.grid(grid, i)), ...observers.map((observer, i) => this.observer(observer, i))];
-        this.element.replaceChildren(...(parts.length ? parts : [h('p', { class: 'dim' }, t('This grid cannot be measured.'))]));
+        const daylight = this.shownDaylight;
+        const isAwaited = this.isOfDaylight && this.isUnderSky && this.daylight?.of.number !== this.of?.number;
+        const parts = daylight
+            ? grids.map((grid, i) => this.gridUnderSky(grid, i, daylight))
+            : [...grids.map((grid, i) => this.grid(grid, i)), ...observers.map((observer, i) => this.observer(observer, i))];
+        const says = (words: string) => [h('p', { class: 'dim' }, words)];
+        this.showChoice();
+        this.told.replaceChildren(...(isAwaited ? says('…') : parts.length ? parts : says(t('This grid cannot be measured.'))));
         this.model.dim();
     }
 
@@ -130,17 +193,27 @@ export class GridsPanel {
                   ...strips.flatMap(([key, area]): [string, string][] => (area ? [[key, exactly(...area.average)]] : [])),
               ]
             : [];
-        const lines = Array.from({ length: rows }, (_, row) =>
-            h(
-                'tr',
-                {},
-                ...values
-                    .slice(row * columns, row * columns + Math.min(columns, MOST_COLUMNS))
-                    .map((value) => h('td', { class: 'amount' }, value === null ? '—' : number(value, 4))),
-            ),
-        );
-        const cells = h('table', { class: 'cells' }, h('tbody', {}, ...lines));
-        return h('section', { class: 'grid', 'aria-label': title }, this.facts(title, facts), this.limits(grid.limits, unit), cells);
+        return h('section', { class: 'grid', 'aria-label': title }, this.facts(title, facts), this.limits(grid.limits, unit), cellsOf(values, columns, rows));
+    }
+
+    // Its daylight factors, and the share of it that has so many lx by the scene's own sky, as EN 17037 counts.
+    private gridUnderSky({ name, columns, rows }: Grid, index: number, { grids, levels, horizontal }: Daylight): HTMLElement {
+        const { values, measured, mean, median, shares } = grids[index];
+        const partial = this.daylight && this.model.isPartial(this.daylight.of) ? ` (${t('direct light alone')})` : '';
+        const title = `${name ?? `${t('Grid')} ${index + 1}`}, ${t('daylight factor')}, %${partial}`;
+        const reaching = levels.flatMap((level, i): [string, string][] => {
+            const share = shares[i];
+            return share === null ? [] : [[`${t('share from')} ${number(level)} ${t('lx')}`, `${number(100 * share, 3)} %`]];
+        });
+        const facts: [string, string][] = measured
+            ? [
+                  [t('average'), exactly(...mean)],
+                  [t('median'), exactly(...median)],
+                  ...reaching,
+                  [t('under the open sky'), `${number(horizontal[0], 5)} ${this.model.photometric ? t('lx') : t('W/m²')}`],
+              ]
+            : [];
+        return h('section', { class: 'grid', 'aria-label': title }, this.facts(title, facts), cellsOf(values, columns, rows));
     }
 
     private observer({ name, eye, places, ugr, limits }: Rated, index: number): HTMLElement {
@@ -149,6 +222,14 @@ export class GridsPanel {
         const rating = this.isPartial ? '…' : ugr ? exactly(...ugr) : t('nothing dazzles, or all else is dark');
         return h('section', { class: 'grid', 'aria-label': title }, this.facts(title, [[places > 1 ? t('greatest UGR') : 'UGR', rating]]), this.limits(limits, ''));
     }
+}
+
+function cellsOf(values: (number | null)[], columns: number, rows: number): HTMLElement {
+    const cell = (value: number | null) => h('td', { class: 'amount' }, value === null ? '—' : number(value, 4));
+    const lines = Array.from({ length: rows }, (_, row) =>
+        h('tr', {}, ...values.slice(row * columns, row * columns + Math.min(columns, MOST_COLUMNS)).map(cell)),
+    );
+    return h('table', { class: 'cells' }, h('tbody', {}, ...lines));
 }
 
 function placed({ columns, rows, center, size, across, up, values }: Grid): InSpace['cells'] {
