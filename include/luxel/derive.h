@@ -2,10 +2,13 @@
 /*
  * Derivatives: how a value changes with what the scene says, such as the position of a lamp or a material's shininess.
  *
- * A derivative is by the key's own unit in the scene's text: mm, degrees, W/sr.  It is found from exact values of
- * changed scenes, by central differences of shrinking steps that are extrapolated to step 0 (Richardson), so whatever
- * can be probed can be derived: every law, shadows, area lights, reflected light.  Its error is what the values' own
- * bounds make of it, added to twice how far the extrapolations still differ: an honest estimate, no proof.
+ * A derivative is by the key's own unit in the scene's text: mm, degrees, W/sr.  Light of points, directions and from
+ * everywhere has it by the rules of differentiation, at each place for all keys at once; its error is a bound, but for
+ * that of how the scene's constants change with a key, which is an estimate.
+ * Other light has it from exact values of changed scenes, by central differences of shrinking steps that are
+ * extrapolated to step 0 (Richardson), so whatever can be probed can be derived: shadows, area lights, reflected light.
+ * Its error is what the values' own bounds make of it, added to twice how far the extrapolations still differ: an
+ * honest estimate, no proof.
  *
  * A place of the screen stays where it is on the screen: where a surface moves, so does the element that is seen.
  *
@@ -44,10 +47,10 @@ typedef struct luxel_derivatives luxel_derivatives;
  * Derives the values at `count` places by `key_count` keys, which are paths such as lights[0].position or
  * surfaces[0].material.shininess of keys that take a number or numbers; lights[*].intensity means all elements of the
  * list that have one, changed by as much, so that theirs add up.  settings->tolerance 0 is 1e-11 here.  `probes`
- * are what luxel_probe_places() tells of these places, so that they are not probed again, or NULL.  *derivatives is the
- * caller's: free it with luxel_derivatives_free().  Each number of a key takes 4 to some 16 values of every place, of
- * scenes that are prepared once for all of them.  Without places the keys alone are checked.  Progress and cancelling
- * as of luxel_render().
+ * are what luxel_probe_places() tells of these places, so that their values are taken from there, or NULL.
+ * *derivatives is the caller's: free it with luxel_derivatives_free().  Where differences are taken each number of a
+ * key takes 4 to some 16 values of every place, of scenes that are prepared once for all of them.  Without places the
+ * keys alone are checked.  Progress and cancelling as of luxel_render().
  * LUXEL_ERROR_PATH: keys that do not exist, have no value in this scene, or take no numbers; all of them are reported.
  * LUXEL_ERROR_SCENE: there are points of the screen, and the scene shows nothing there (luxel_scene_check_view()).
  * Else errors as luxel_evaluator_new(), and where light is reflected as luxel_probe_places().

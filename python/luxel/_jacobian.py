@@ -65,15 +65,19 @@ def elements_of(elements: Any) -> "Floats":
     return array.reshape(-1, array.shape[-1])
 
 
-def derive(handle: "_luxel.SceneHandle", keys: List[str], places: "Floats", surface: int, how: Settings,
-           grid: int = -1) -> Jacobian:
+def derive(handle: "_luxel.SceneHandle", keys: List[str], places: "Floats", surface: int, how: Settings, grid: int,
+           full: bool) -> "Union[Floats, Jacobian]":
     """Derives the values at places, rows of 2, 6 or 9 numbers, or of a grid, whose cells the places then are."""
     import numpy
 
     columns = columns_of(handle, keys)
     shape: Tuple[int, int] = (len(places), len(columns))
+    found = numpy.empty(shape)
+    if not full:
+        _luxel.derive(handle, keys, (places, None, None, found, None, None), surface, grid, how)
+        return found
     values, value_errors = numpy.empty(shape[0]), numpy.empty(shape[0])
-    found, errors, states = numpy.empty(shape), numpy.empty(shape), numpy.empty(shape)
+    errors, states = numpy.empty(shape), numpy.empty(shape)
     _luxel.derive(handle, keys, (places, values, value_errors, found, errors, states), surface, grid, how)
     return Jacobian(found, errors, states.astype(numpy.uint8), values, value_errors, columns)
 
@@ -130,7 +134,8 @@ def jacobian(self: "Scene", keys: Union[str, Iterable[str]], points: Any = None,
     Places are `points` of the screen (n, 2), which stay there where a surface moves, or the scene's own; or free
     `elements`, a pair of places and normals (..., 3) and a third array of views if they have their own; or the
     cells of a `grid`, by name or index, row by row, for its irradiance; or the samples of all `pixels`, row by
-    row from the top.  Each number of a key takes 4 to 16 values of all places, of scenes that they share.
+    row from the top.  Light of points, cones, directions and from everywhere is derived by rules, all numbers at
+    once; integrals, reflected light and tabulated luminaires take 4 to 16 values of all places for each number.
     """
     import numpy
 
@@ -142,8 +147,6 @@ def jacobian(self: "Scene", keys: Union[str, Iterable[str]], points: Any = None,
     if grid is not None:
         index = self._grid_index(grid)
         cells = self.grid(index, lights=[]).values.size
-        found = derive(self._handle, names, numpy.zeros((cells, 2)), 0, how, index)
-    else:
-        places = places_of(self, points, elements, None, pixels)
-        found = derive(self._handle, names, places, self._surface(surface), how)
-    return found if full else found.derivatives
+        return derive(self._handle, names, numpy.zeros((cells, 2)), 0, how, index, full)
+    places = places_of(self, points, elements, None, pixels)
+    return derive(self._handle, names, places, self._surface(surface), how, -1, full)

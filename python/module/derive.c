@@ -2,6 +2,9 @@
 /* Derivatives at whole arrays of places, written to arrays of Python without the interpreter's lock. */
 #include <math.h>
 #include <stdlib.h>
+#ifndef _WIN32
+#include <sys/mman.h>
+#endif
 
 #include "failure.h"
 #include "inverse.h"
@@ -55,7 +58,7 @@ static PyObject *derive_numbers(PyObject *module, PyObject *arguments)
 }
 
 /* The arrays of a call: places, the value of each with its error, and their derivatives with errors and states, a
- * column for each number of a key. */
+ * column for each number of a key; None for those that are not wanted. */
 enum { PLACES, VALUES, VALUE_ERRORS, DERIVATIVES, ERRORS, STATES, ARRAYS };
 
 static void release(struct strided *arrays)
@@ -74,7 +77,9 @@ static bool take(PyObject *tuple, struct strided *arrays)
         !PyArg_ParseTuple(tuple, "OOOOOO", &given[0], &given[1], &given[2], &given[3], &given[4], &given[5]))
         return false;
     for (int i = 0; i < ARRAYS; i++)
-        if (!strided_take(given[i], names[i], dimensions[i], i > 0, &arrays[i]) ||
+        if (i > PLACES && given[i] == Py_None)
+            continue;
+        else if (!strided_take(given[i], names[i], dimensions[i], i > 0, &arrays[i]) ||
             arrays[i].shape[0] != arrays[PLACES].shape[0]) {
             if (!PyErr_Occurred())
                 PyErr_Format(PyExc_ValueError, "%s: as many rows as places are expected", names[i]);
@@ -85,8 +90,14 @@ static bool take(PyObject *tuple, struct strided *arrays)
 
 luxel_place *places_of(const struct strided *places, size_t surface)
 {
-    luxel_place *list = calloc((size_t)places->shape[0] + 1, sizeof *list);
+    static const size_t page = 2 << 20; /* a large one: millions of places take long in small ones */
+    const size_t bytes = (((size_t)places->shape[0] + 1) * sizeof(luxel_place) + page - 1) / page * page;
+    luxel_place *list = bytes > page ? aligned_alloc(page, bytes) : malloc(bytes);
 
+#ifdef MADV_HUGEPAGE
+    if (list && bytes > page)
+        (void)madvise(list, bytes, MADV_HUGEPAGE); /* a hint */
+#endif
     for (Py_ssize_t i = 0; list && i < places->shape[0]; i++) {
         luxel_place *place = &list[i];
         double *const parts[] = {place->position_mm, place->normal, place->view};
@@ -99,6 +110,12 @@ luxel_place *places_of(const struct strided *places, size_t surface)
     return list;
 }
 
+static void write_one(const struct strided *array, Py_ssize_t i, Py_ssize_t k, double number)
+{
+    if (array->is_held)
+        strided_set(array, i, k, number);
+}
+
 static void write_all(const struct strided *arrays, const luxel_derivatives *found, size_t key_count)
 {
     for (Py_ssize_t i = 0; i < arrays[PLACES].shape[0]; i++) {
@@ -106,15 +123,15 @@ static void write_all(const struct strided *arrays, const luxel_derivatives *fou
         Py_ssize_t column = 0;
 
         luxel_derivatives_value(found, (size_t)i, &value);
-        strided_set(&arrays[VALUES], i, 0, value.value);
-        strided_set(&arrays[VALUE_ERRORS], i, 0, value.error);
+        write_one(&arrays[VALUES], i, 0, value.value);
+        write_one(&arrays[VALUE_ERRORS], i, 0, value.error);
         for (size_t key = 0; key < key_count; key++)
             for (size_t k = 0; k < luxel_derivatives_numbers(found, key); k++, column++) {
                 const luxel_derivative *one = luxel_derivatives_get(found, (size_t)i, key, k);
 
-                strided_set(&arrays[DERIVATIVES], i, column, one->value);
-                strided_set(&arrays[ERRORS], i, column, one->error);
-                strided_set(&arrays[STATES], i, column, (double)one->state);
+                write_one(&arrays[DERIVATIVES], i, column, one->value);
+                write_one(&arrays[ERRORS], i, column, one->error);
+                write_one(&arrays[STATES], i, column, (double)one->state);
             }
     }
 }

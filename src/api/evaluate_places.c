@@ -1,12 +1,13 @@
 /* SPDX-License-Identifier: MIT */
 /* Exact values at many places, batch by batch, by several threads. */
-#include <luxel/evaluator.h>
+#include "evaluate_places.h"
 
+#include <stdlib.h>
 #include <string.h>
 
+#include "../base/memory.h"
 #include "../base/rows.h"
 #include "../world/evaluate.h"
-#include "../world/world.h"
 
 /* A control counts its rows in an unsigned; more places than this go one part after the other. */
 static const size_t MOST_AT_A_TIME = (size_t)1 << 30;
@@ -18,6 +19,8 @@ struct evaluating {
     luxel_value *values;
     double *shares; /* NULL: not wanted */
     size_t lights;
+    const struct lx_slopes *slopes; /* NULL: not wanted */
+    struct lx_slope_list to;
 };
 
 /* A batch, and which of the places its elements are. */
@@ -33,6 +36,42 @@ static double *shares_of(const struct evaluating *work, size_t place)
     return work->shares ? work->shares + place * work->lights : NULL;
 }
 
+/* Writes the slopes of element i; those that somebody else has to tell stay as they are. */
+static void write_slopes(const struct batch *batch, const struct lx_column *sums, size_t i)
+{
+    const struct lx_slopes *slopes = batch->work->slopes;
+    luxel_derivative *list = &batch->work->to.list[batch->of[i] * slopes->number_count];
+    for (size_t k = 0; k < slopes->number_count; k++)
+        if (slopes->numbers[k].is_known) {
+            list[k].state = slopes->numbers[k].is_limited ? LUXEL_DERIVATIVE_ONE_SIDED : LUXEL_DERIVATIVE_EXISTS;
+            list[k].value = sums[k].value[i];
+            list[k].error = sums[k].error[i];
+        }
+}
+
+static void find_slopes(const struct batch *batch)
+{
+    const struct evaluating *work = batch->work;
+    const struct lx_elements *elements = &batch->elements;
+    const luxel_place *first = &work->places[batch->of[0]];
+    struct lx_column *sums = lx_new_aligned(work->slopes->number_count + 1, sizeof *sums);
+    double screen_mm[LX_BATCH][2];
+    bool in_doubt[LX_BATCH];
+    for (size_t i = 0; i < elements->count && !elements->are_free; i++)
+        memcpy(screen_mm[i], work->places[batch->of[i]].screen_mm, sizeof screen_mm[i]);
+    if (sums)
+        lx_slope_elements(&work->evaluator->world, work->slopes, elements,
+                          lx_wanted_for(work->evaluator->settings.quantity), elements->are_free ? NULL : screen_mm,
+                          first->has_view, sums, in_doubt);
+    for (size_t i = 0; i < elements->count; i++) {
+        const bool is_known = sums && !in_doubt[i] && work->values[batch->of[i]].has_value;
+        work->to.in_doubt[batch->of[i]] = !is_known;
+        if (is_known)
+            write_slopes(batch, sums, i);
+    }
+    free(sums);
+}
+
 /* Sums the lights of a batch; what lies on no surface has the material of one that its place names. */
 static void light_batch(const struct batch *batch)
 {
@@ -41,6 +80,8 @@ static void light_batch(const struct batch *batch)
     for (size_t i = 0; i < batch->elements.count; i++)
         if (batch->elements.own[i] == 0)
             work->values[batch->of[i]].surface = work->places[batch->of[i]].surface;
+    if (work->slopes)
+        find_slopes(batch);
 }
 
 static const struct lx_lobe *lobe_of(const struct batch *batch, size_t i)
@@ -133,6 +174,8 @@ static size_t evaluate_seen(const struct evaluating *work, const struct lx_askin
             continue;
         }
         work->values[next] = (luxel_value){.on_surface = false};
+        if (work->slopes)
+            work->to.in_doubt[next] = true;
         if (work->shares)
             memset(shares_of(work, next), 0, work->lights * sizeof *work->shares);
     }
@@ -156,6 +199,8 @@ static void evaluate(void *data, unsigned worker, bool is_caller, unsigned first
             i = evaluate_alike(work, &asking, i, last);
         } else {
             luxel_evaluate_place(work->evaluator, place, &work->values[i], shares_of(work, i));
+            if (work->slopes)
+                work->to.in_doubt[i] = true;
             i++;
         }
     }
@@ -171,6 +216,22 @@ static bool evaluate_part(struct evaluating *work, unsigned count)
     return lx_rows_run_part(&control, lx_thread_count(settings->threads, count / batch + 1), &part);
 }
 
+static luxel_status evaluate_all(struct evaluating *work, size_t count)
+{
+    while (count > 0) {
+        const size_t now = count < MOST_AT_A_TIME ? count : MOST_AT_A_TIME;
+        if (!evaluate_part(work, (unsigned)now))
+            return LUXEL_CANCELLED;
+        work->places += now;
+        work->values += now;
+        work->shares = work->shares ? work->shares + now * work->lights : NULL;
+        work->to.list = work->slopes ? work->to.list + now * work->slopes->number_count : NULL;
+        work->to.in_doubt = work->slopes ? work->to.in_doubt + now : NULL;
+        count -= now;
+    }
+    return LUXEL_OK;
+}
+
 luxel_status luxel_evaluate_places(const luxel_evaluator *evaluator, const luxel_place *places, size_t count,
                                    luxel_value *values, double *shares)
 {
@@ -181,14 +242,12 @@ luxel_status luxel_evaluate_places(const luxel_evaluator *evaluator, const luxel
                               .values = values,
                               .shares = shares,
                               .lights = luxel_evaluator_light_count(evaluator)};
-    while (count > 0) {
-        const size_t now = count < MOST_AT_A_TIME ? count : MOST_AT_A_TIME;
-        if (!evaluate_part(&work, (unsigned)now))
-            return LUXEL_CANCELLED;
-        work.places += now;
-        work.values += now;
-        work.shares = work.shares ? work.shares + now * work.lights : NULL;
-        count -= now;
-    }
-    return LUXEL_OK;
+    return evaluate_all(&work, count);
+}
+
+luxel_status lx_evaluate_slopes(const luxel_evaluator *evaluator, const struct lx_slopes *slopes,
+                                const luxel_place *places, size_t count, luxel_value *values, struct lx_slope_list to)
+{
+    struct evaluating work = {.evaluator = evaluator, .places = places, .values = values, .slopes = slopes, .to = to};
+    return evaluate_all(&work, count);
 }

@@ -435,7 +435,7 @@ static luxel_status begin(struct lx_arranging *arranging, const luxel_scene *sce
     if (status == LUXEL_OK)
         status = goals;
     if (status == LUXEL_OK)
-        status = tunes ? lx_superposition_list(arranging->made->goals, &arranging->settings, diagnostics,
+        status = tunes ? lx_superposition_list(arranging->made->goals, &arranging->settings, diagnostics, true,
                                                &arranging->superposition)
                        : lx_superposition_make(arranging->made->goals, &arranging->settings, *light, diagnostics,
                                                &arranging->superposition);

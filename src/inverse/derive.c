@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Derivatives of exact values by numbers of the scene, from values of changed copies of it. */
+/* Derivatives of exact values by numbers of the scene: by slopes, else from values of changed copies of it. */
 #include <luxel/derive.h>
 
 #include <float.h>
@@ -7,17 +7,19 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "../api/evaluate_places.h"
 #include "../base/diagnostics.h"
 #include "../base/memory.h"
 #include "../base/phrase.h"
 #include "differences.h"
 #include "keys.h"
 #include "prober.h"
+#include "rates.h"
+#include "steps.h"
 
 enum {
-    MOST_ROWS = 40,     /* halved steps */
-    MOST_HALVINGS = 50, /* of the first step, until both of its ends are legal */
-    PART = 1 << 12      /* places whose differences are kept at once */
+    PART = 1 << 12, /* places whose differences are kept at once */
+    BLOCK = 1 << 14 /* and whose values are found at once together with slopes */
 };
 
 struct luxel_derivatives {
@@ -27,17 +29,11 @@ struct luxel_derivatives {
     luxel_derivative *list;   /* number_count of each place */
 };
 
-/* What is so near, by the size of the number, counts as touching (a lamp in a ceiling): steps below tell
- * nothing of the scene. */
-static const double LEAST_STEP = 1e-9;
-
 /* A number of one of a key's values, and the scenes that it was changed for so far: all places share them. */
 struct number {
-    const struct lx_key *key;
-    size_t target, index; /* which value, and among the numbers of all keys */
-    double at, first;     /* what it is; the first step, so far as it is legal */
-    bool is_one_sided;
-    struct lx_prober sides[MOST_ROWS][2];
+    size_t index; /* among the numbers of all keys */
+    struct lx_stepping stepping;
+    struct lx_prober sides[LX_MOST_STEPS][2];
 };
 
 struct derivation {
@@ -56,6 +52,10 @@ struct derivation {
     luxel_place *asked; /* these places, where they are no cells, */
     struct lx_probed *found[2];
     struct lx_differences *differences;
+    size_t *which; /* places of a part */
+    struct lx_slopes slopes;
+    size_t *doubtful; /* places at which they do not tell */
+    size_t doubtful_count;
 };
 
 static bool tell_progress(double share, void *data)
@@ -63,55 +63,6 @@ static bool tell_progress(double share, void *data)
     const struct derivation *derivation = data;
     const double done = ((double)derivation->done + share * (double)derivation->part) / derivation->of_all;
     return derivation->progress(fmin(done, 1.0), derivation->progress_data);
-}
-
-/* ---- steps ---- */
-
-/* A step as it is taken: what was stepped to has no rounding of its own.  0: it is too small. */
-static double step_of(const struct number *number, unsigned row)
-{
-    const volatile double end = number->at + ldexp(number->first, -(int)row);
-    return end - number->at;
-}
-
-/* The scene that is changed by so much; LUXEL_ERROR_SCENE: there is none, which is told where diagnostics are given. */
-static luxel_status change_scene(const struct derivation *derivation, const struct number *number, double change,
-                                 luxel_diagnostics *diagnostics, luxel_scene **changed)
-{
-    return lx_key_shift(derivation->scene, number->key, number->target, number->index - number->key->offset, change,
-                        diagnostics, changed);
-}
-
-static bool is_legal(const struct derivation *derivation, const struct number *number, double change)
-{
-    luxel_scene *scene;
-    const bool good = change_scene(derivation, number, change, NULL, &scene) == LUXEL_OK;
-    luxel_scene_free(scene);
-    return good;
-}
-
-/* Finds the first step: that of the key, halved until it is legal, and whether it goes both ways.  LUXEL_ERROR_SCENE,
- * reported: no step is. */
-static luxel_status find_steps(const struct derivation *derivation, struct number *number)
-{
-    const double widest = number->key->targets[number->target].scale * 0.05;
-    bool up = false, down = false;
-    number->first = widest;
-    for (int i = 0; i < MOST_HALVINGS; i++, number->first /= 2.0) {
-        up = is_legal(derivation, number, number->first);
-        down = is_legal(derivation, number, -number->first);
-        if (up && down)
-            return LUXEL_OK;
-        /* a value at the end of what is legal stays there, however small the step */
-        if ((up || down) && number->first < widest * 0x1p-30)
-            break;
-    }
-    number->is_one_sided = true;
-    for (number->first = up ? widest : -widest; fabs(number->first) > widest * 0x1p-30; number->first /= 2.0)
-        if (is_legal(derivation, number, number->first))
-            return LUXEL_OK;
-    luxel_scene *scene;
-    return change_scene(derivation, number, widest, derivation->diagnostics, &scene);
 }
 
 static luxel_status open_prober(const struct derivation *derivation, luxel_scene *scene, struct lx_prober *prober)
@@ -124,14 +75,14 @@ static luxel_status open_prober(const struct derivation *derivation, luxel_scene
 
 /* The values at the open places of a part with the key's number changed to one side of a row. */
 static luxel_status probe_side(struct derivation *derivation, struct number *number, unsigned row, unsigned side,
-                               size_t first, size_t count)
+                               const size_t *part, size_t count)
 {
     struct lx_prober *prober = &number->sides[row][side];
     if (!prober->scene) {
-        const double step = step_of(number, row);
+        const double step = lx_step_of(&number->stepping, row);
         luxel_scene *scene;
         luxel_status status =
-            change_scene(derivation, number, side > 0 ? -step : step, derivation->diagnostics, &scene);
+            lx_step_scene(&number->stepping, side > 0 ? -step : step, derivation->diagnostics, &scene);
         if (status == LUXEL_OK)
             status = open_prober(derivation, scene, prober);
         if (status != LUXEL_OK)
@@ -139,7 +90,7 @@ static luxel_status probe_side(struct derivation *derivation, struct number *num
     }
     derivation->done += count;
     for (size_t i = 0; prober->cells && i < count; i++)
-        derivation->found[side][i] = prober->cells[first + derivation->open[i]];
+        derivation->found[side][i] = prober->cells[part[derivation->open[i]]];
     return prober->cells
                ? LUXEL_OK
                : lx_prober_values(prober, derivation->asked, count, derivation->diagnostics, derivation->found[side]);
@@ -149,7 +100,7 @@ static void add_step(const struct derivation *derivation, const struct number *n
                      struct lx_differences *differences)
 {
     double values[2] = {0.0, 0.0}, errors[2] = {0.0, 0.0};
-    for (size_t side = 0; side < (number->is_one_sided ? 1 : 2); side++) {
+    for (size_t side = 0; side < (number->stepping.is_one_sided ? 1 : 2); side++) {
         const struct lx_probed *found = &derivation->found[side][i];
         differences->is_missing = differences->is_missing || !found->exists;
         values[side] = found->value;
@@ -169,50 +120,58 @@ static void add(luxel_derivative one, luxel_derivative *sum)
         sum->state = one.state;
 }
 
-/* Takes steps at places from `first` on, at each until smaller ones tell no more. */
-static luxel_status derive_part(struct derivation *derivation, struct number *number, size_t first, size_t count)
+/* Takes steps at the places of a part, at each until smaller ones tell no more. */
+static luxel_status derive_part(struct derivation *derivation, struct number *number, const size_t *part, size_t count)
 {
     luxel_derivatives *made = derivation->made;
+    const bool is_one_sided = number->stepping.is_one_sided;
     luxel_status status = LUXEL_OK;
     for (size_t i = 0; i < count; i++) {
-        const struct lx_probed *middle = &made->values[first + i];
-        lx_differences_begin(&derivation->differences[i], middle->value, middle->error, number->is_one_sided);
+        const struct lx_probed *middle = &made->values[part[i]];
+        lx_differences_begin(&derivation->differences[i], middle->value, middle->error, is_one_sided);
         derivation->differences[i].is_missing = !middle->exists;
     }
-    for (unsigned row = 0; status == LUXEL_OK && row < MOST_ROWS; row++) {
-        const double step = step_of(number, row);
+    for (unsigned row = 0; status == LUXEL_OK && row < LX_MOST_STEPS; row++) {
+        const double step = lx_step_of(&number->stepping, row);
         size_t open = 0;
         for (size_t i = 0; i < count; i++)
             if (!lx_differences_are_done(&derivation->differences[i])) {
                 if (derivation->places)
-                    derivation->asked[open] = derivation->places[first + i];
+                    derivation->asked[open] = derivation->places[part[i]];
                 derivation->open[open++] = i;
             }
-        if (open == 0 || fabs(step) < LEAST_STEP * number->key->targets[number->target].scale)
+        if (open == 0 || step == 0.0)
             break;
-        status = probe_side(derivation, number, row, 0, first, open);
-        if (status == LUXEL_OK && !number->is_one_sided)
-            status = probe_side(derivation, number, row, 1, first, open);
+        status = probe_side(derivation, number, row, 0, part, open);
+        if (status == LUXEL_OK && !is_one_sided)
+            status = probe_side(derivation, number, row, 1, part, open);
         for (size_t i = 0; status == LUXEL_OK && i < open; i++)
             add_step(derivation, number, i, step, &derivation->differences[derivation->open[i]]);
     }
     for (size_t i = 0; i < count; i++)
         add(lx_differences_conclude(&derivation->differences[i]),
-            &made->list[(first + i) * made->number_count + number->index]);
+            &made->list[part[i] * made->number_count + number->index]);
     return status;
 }
 
+/* By differences of values: at the places where they are in doubt, or at all. */
 static luxel_status derive_number(struct derivation *derivation, size_t index, size_t target)
 {
-    const size_t places = derivation->made->place_count;
     const struct lx_key *key = lx_keys_of(&derivation->made->keys, index);
-    struct number number = {
-        .key = key, .target = target, .index = index, .at = key->targets[target].numbers[index - key->offset]};
-    luxel_status status = find_steps(derivation, &number);
-    for (size_t first = 0; status == LUXEL_OK && first < places; first += derivation->part)
-        status = derive_part(derivation, &number, first,
-                             places - first < derivation->part ? places - first : derivation->part);
-    for (size_t row = 0; row < MOST_ROWS; row++)
+    const bool is_known = derivation->slopes.numbers[index].is_known;
+    const size_t places = is_known ? derivation->doubtful_count : derivation->made->place_count;
+    struct number number = {.index = index};
+    if (places == 0)
+        return LUXEL_OK;
+    luxel_status status =
+        lx_steps_find(derivation->scene, key, target, index - key->offset, derivation->diagnostics, &number.stepping);
+    for (size_t first = 0; status == LUXEL_OK && first < places; first += derivation->part) {
+        const size_t count = places - first < derivation->part ? places - first : derivation->part;
+        for (size_t i = 0; i < count; i++)
+            derivation->which[i] = is_known ? derivation->doubtful[first + i] : first + i;
+        status = derive_part(derivation, &number, derivation->which, count);
+    }
+    for (size_t row = 0; row < LX_MOST_STEPS; row++)
         for (size_t side = 0; side < 2; side++)
             lx_prober_close(&number.sides[row][side]);
     return status;
@@ -224,15 +183,17 @@ static bool make_room(struct derivation *derivation)
 {
     luxel_derivatives *made = derivation->made;
     const size_t part = derivation->part + 1;
-    made->values = lx_new_array(made->place_count + 1, sizeof *made->values);
-    made->list = lx_new_array(made->place_count * made->number_count + 1, sizeof *made->list);
+    made->values = lx_new_aligned(made->place_count + 1, sizeof *made->values);
+    made->list = lx_new_aligned(made->place_count * made->number_count + 1, sizeof *made->list);
     derivation->open = lx_new_array(part, sizeof *derivation->open);
     derivation->asked = lx_new_array(part, sizeof *derivation->asked);
     derivation->found[0] = lx_new_array(part, sizeof *derivation->found[0]);
     derivation->found[1] = lx_new_array(part, sizeof *derivation->found[1]);
     derivation->differences = lx_new_array(part, sizeof *derivation->differences);
-    return made->values && made->list && derivation->open && derivation->asked && derivation->found[0] &&
-           derivation->found[1] && derivation->differences;
+    derivation->which = lx_new_array(part, sizeof *derivation->which);
+    derivation->doubtful = lx_new_aligned(made->place_count + 1, sizeof *derivation->doubtful);
+    return made->values && made->list && derivation->which && derivation->doubtful && derivation->open &&
+           derivation->asked && derivation->found[0] && derivation->found[1] && derivation->differences;
 }
 
 static void free_room(struct derivation *derivation)
@@ -242,50 +203,102 @@ static void free_room(struct derivation *derivation)
     free(derivation->found[0]);
     free(derivation->found[1]);
     free(derivation->differences);
+    free(derivation->which);
+    free(derivation->doubtful);
+    lx_slopes_clear(&derivation->slopes);
+}
+
+/* The values in the scene as it is, with slopes as far as these are known. */
+static luxel_status find_slopes(struct derivation *derivation, const struct lx_prober *prober, size_t first,
+                                size_t count, luxel_value *values, bool *in_doubt)
+{
+    luxel_derivatives *made = derivation->made;
+    const struct lx_slope_list to = {&made->list[first * made->number_count], in_doubt};
+    const luxel_status status =
+        lx_evaluate_slopes(prober->evaluator, &derivation->slopes, &derivation->places[first], count, values, to);
+    for (size_t i = 0; status == LUXEL_OK && i < count; i++) {
+        made->values[first + i] = (struct lx_probed){values[i].has_value, values[i].value, values[i].error};
+        if (in_doubt[i])
+            derivation->doubtful[derivation->doubtful_count++] = first + i;
+    }
+    return status;
+}
+
+static void clear(luxel_derivatives *made, size_t first, size_t count)
+{
+    memset(&made->list[first * made->number_count], 0, count * made->number_count * sizeof *made->list);
+}
+
+static luxel_status find_all_slopes(struct derivation *derivation, const struct lx_prober *prober)
+{
+    const size_t places = derivation->made->place_count, most = places < BLOCK ? places : BLOCK;
+    luxel_value *values = lx_new_array(most, sizeof *values);
+    bool *in_doubt = lx_new_array(most, sizeof *in_doubt);
+    luxel_status status = values && in_doubt ? LUXEL_OK : lx_out_of_memory(derivation->diagnostics);
+    for (size_t first = 0; status == LUXEL_OK && first < places; first += most) {
+        const size_t count = places - first < most ? places - first : most;
+        clear(derivation->made, first, count);
+        status = find_slopes(derivation, prober, first, count, values, in_doubt);
+        derivation->done += count;
+    }
+    free(values);
+    free(in_doubt);
+    return status;
 }
 
 /* The values in the scene as it is: those of probes where there are some. */
-static luxel_status find_values(struct derivation *derivation, const luxel_probes *probes)
+static luxel_status find_values(struct derivation *derivation, const luxel_probes *probes, bool any_slopes)
 {
     luxel_derivatives *made = derivation->made;
     struct lx_prober prober;
+    luxel_status status = LUXEL_OK;
+    if (!any_slopes)
+        clear(made, 0, made->place_count);
+    if (!probes || any_slopes) {
+        luxel_scene *copy = luxel_scene_copy(derivation->scene);
+        if (!copy)
+            return lx_out_of_memory(derivation->diagnostics);
+        status = open_prober(derivation, copy, &prober);
+        if (status == LUXEL_OK && any_slopes)
+            status = find_all_slopes(derivation, &prober);
+        else if (status == LUXEL_OK && prober.cells)
+            memcpy(made->values, prober.cells, made->place_count * sizeof *made->values);
+        else if (status == LUXEL_OK)
+            status =
+                lx_prober_values(&prober, derivation->places, made->place_count, derivation->diagnostics, made->values);
+        lx_prober_close(&prober);
+    }
     for (size_t i = 0; probes && i < made->place_count; i++) {
         const luxel_probe *probe = luxel_probes_get(probes, i);
         made->values[i] = (struct lx_probed){probe->has_value, probe->value, probe->error};
     }
-    if (probes)
-        return LUXEL_OK;
-    luxel_scene *copy = luxel_scene_copy(derivation->scene);
-    if (!copy)
-        return lx_out_of_memory(derivation->diagnostics);
-    luxel_status status = open_prober(derivation, copy, &prober);
-    if (status == LUXEL_OK && prober.cells)
-        memcpy(made->values, prober.cells, made->place_count * sizeof *made->values);
-    for (size_t first = 0; status == LUXEL_OK && !prober.cells && first < made->place_count;
-         first += derivation->part) {
-        const size_t left = made->place_count - first, count = left < derivation->part ? left : derivation->part;
-        status =
-            lx_prober_values(&prober, &derivation->places[first], count, derivation->diagnostics, &made->values[first]);
-        derivation->done += count;
-    }
-    lx_prober_close(&prober);
     return status;
 }
 
 static luxel_status derive_all(struct derivation *derivation, const luxel_probes *probes)
 {
     luxel_derivatives *made = derivation->made;
+    const bool is_solved = lx_prober_solves(derivation->scene);
     luxel_status status = LUXEL_OK;
-    size_t numbers = 0; /* to be changed */
-    derivation->part = made->place_count < PART || lx_prober_solves(derivation->scene) ? made->place_count : PART;
-    for (size_t i = 0; i < made->keys.count; i++)
-        numbers += made->keys.list[i].count * made->keys.list[i].target_count;
-    derivation->of_all = (double)(made->place_count * (1 + 12 * numbers) + 1);
+    size_t by_differences = 0; /* numbers, of all values that they change */
+    bool any_slopes = false;
+    if (made->place_count == 0)
+        return LUXEL_OK;
+    derivation->part = made->place_count < PART || is_solved ? made->place_count : PART;
     if (!make_room(derivation))
         status = lx_out_of_memory(derivation->diagnostics);
-    if (status == LUXEL_OK && made->place_count > 0)
-        status = find_values(derivation, probes);
-    for (size_t i = 0; status == LUXEL_OK && made->place_count > 0 && i < made->number_count; i++)
+    if (status == LUXEL_OK)
+        status = lx_rates_find(derivation->scene, &derivation->settings, &made->keys, derivation->diagnostics,
+                               derivation->places && !is_solved, &derivation->slopes);
+    for (size_t i = 0; status == LUXEL_OK && i < made->number_count; i++) {
+        const bool is_known = derivation->slopes.numbers[i].is_known;
+        by_differences += is_known ? 0 : lx_keys_of(&made->keys, i)->target_count;
+        any_slopes = any_slopes || is_known;
+    }
+    derivation->of_all = (double)(made->place_count * (1 + 12 * by_differences) + 1);
+    if (status == LUXEL_OK)
+        status = find_values(derivation, probes, any_slopes);
+    for (size_t i = 0; status == LUXEL_OK && i < made->number_count; i++)
         for (size_t t = 0; t < lx_keys_of(&made->keys, i)->target_count && status == LUXEL_OK; t++)
             status = derive_number(derivation, i, t);
     free_room(derivation);

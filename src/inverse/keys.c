@@ -222,20 +222,30 @@ luxel_status lx_key_shift(const luxel_scene *scene, const struct lx_key *key, si
         diagnostics, changed);
 }
 
+bool lx_keys_next(const struct lx_keys *keys, struct lx_each *each)
+{
+    if (each->key && ++each->target < each->key->targets + each->key->target_count)
+        return true;
+    each->key = each->key ? each->key + 1 : keys->list;
+    while (each->key < keys->list + keys->count && each->key->target_count == 0)
+        each->key++;
+    each->target = each->key < keys->list + keys->count ? each->key->targets : NULL;
+    return each->target;
+}
+
 luxel_status lx_keys_change(const luxel_scene *scene, const struct lx_keys *keys, const double *numbers,
                             luxel_diagnostics *diagnostics, luxel_scene **changed)
 {
     luxel_scene *made = luxel_scene_copy(scene);
     luxel_status status = made ? LUXEL_OK : lx_out_of_memory(diagnostics);
-    for (size_t i = 0; i < keys->count; i++)
-        for (size_t t = 0; t < keys->list[i].target_count && status == LUXEL_OK; t++) {
-            const struct lx_key *key = &keys->list[i];
-            bool is_same = true;
-            for (size_t k = 0; k < key->count; k++)
-                is_same = is_same && numbers[key->offset + k] == key->targets[t].numbers[k];
-            if (!is_same)
-                status = set_target(made, key, &key->targets[t], &numbers[key->offset], diagnostics);
-        }
+    for (struct lx_each each = {.key = NULL}; status == LUXEL_OK && lx_keys_next(keys, &each);) {
+        const double *wanted = &numbers[each.key->offset];
+        bool is_same = true;
+        for (size_t k = 0; k < each.key->count; k++)
+            is_same = is_same && wanted[k] == each.target->numbers[k];
+        if (!is_same)
+            status = set_target(made, each.key, each.target, wanted, diagnostics);
+    }
     return end_change(made, status, diagnostics, changed);
 }
 
@@ -258,21 +268,18 @@ luxel_status lx_changer_make(const luxel_scene *scene, const struct lx_keys *key
     /* a solution of reflected light that a scene keeps knows nothing of bindings */
     if (lx_wants_reflections(lx_scene_parameters(scene)))
         return LUXEL_OK;
-    for (size_t i = 0; i < keys->count; i++)
-        count += keys->list[i].target_count;
+    for (struct lx_each each = {.key = NULL}; lx_keys_next(keys, &each);)
+        count++;
     changer->own = luxel_scene_copy(scene);
     changer->bindings = lx_new_array(count + 1, sizeof *changer->bindings);
     if (!changer->own || !changer->bindings)
         return lx_out_of_memory(diagnostics);
-    for (size_t i = 0; i < keys->count; i++)
-        for (size_t t = 0; t < keys->list[i].target_count && status == LUXEL_OK; t++)
-            status = set_target(changer->own, &keys->list[i], &keys->list[i].targets[t],
-                                keys->list[i].targets[t].numbers, diagnostics);
+    for (struct lx_each each = {.key = NULL}; status == LUXEL_OK && lx_keys_next(keys, &each);)
+        status = set_target(changer->own, each.key, each.target, each.target->numbers, diagnostics);
     if (status == LUXEL_OK)
         status = luxel_scene_commit(changer->own, diagnostics);
-    for (size_t i = 0; i < keys->count; i++)
-        for (size_t t = 0; t < keys->list[i].target_count && status == LUXEL_OK && is_bound; t++)
-            is_bound = bind(changer, &keys->list[i].targets[t]);
+    for (struct lx_each each = {.key = NULL}; status == LUXEL_OK && is_bound && lx_keys_next(keys, &each);)
+        is_bound = bind(changer, each.target);
     if (!is_bound) {
         free(changer->bindings);
         changer->bindings = NULL;
@@ -295,8 +302,7 @@ const luxel_scene *lx_changer_change(struct lx_changer *changer, const double *n
         lx_keys_change(changer->scene, changer->keys, numbers, NULL, &changer->own);
         return changer->own;
     }
-    for (size_t i = 0; i < changer->keys->count; i++)
-        for (size_t t = 0; t < changer->keys->list[i].target_count; t++)
-            lx_bound_put(changer->own, &changer->bindings[next++], &numbers[changer->keys->list[i].offset]);
+    for (struct lx_each each = {.key = NULL}; lx_keys_next(changer->keys, &each);)
+        lx_bound_put(changer->own, &changer->bindings[next++], &numbers[each.key->offset]);
     return lx_bound_check(changer->own, changer->bindings, changer->binding_count) ? changer->own : NULL;
 }

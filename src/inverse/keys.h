@@ -40,6 +40,15 @@ void lx_keys_clear(struct lx_keys *keys);
 /* The key that a number of all of them belongs to. */
 const struct lx_key *lx_keys_of(const struct lx_keys *keys, size_t number);
 
+/* A value of a key; zero-initialise to begin before the first of all. */
+struct lx_each {
+    const struct lx_key *key;
+    const struct lx_target *target;
+};
+
+/* Goes on to the next value of all keys; false: there is none. */
+bool lx_keys_next(const struct lx_keys *keys, struct lx_each *each);
+
 /* Commits a copy of the scene in which number i of one of the key's values has changed so much.  LUXEL_ERROR_SCENE:
  * there is no such scene. */
 luxel_status lx_key_shift(const luxel_scene *scene, const struct lx_key *key, size_t target, size_t i, double change,

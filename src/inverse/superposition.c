@@ -63,6 +63,49 @@ static size_t count_cells(const luxel_grid *part)
     return part ? (size_t)part->columns * part->rows : 0;
 }
 
+/* The limits of observer i, of nobody's rating. */
+static size_t limits_of_observer(const luxel_scene *scene, size_t i, luxel_limit limits[LUXEL_MOST_LIMITS])
+{
+    size_t count = 0;
+    luxel_judge_glare(scene, i, &(luxel_glare){.has_rating = false}, limits, &count);
+    return count;
+}
+
+/* What a rating is 8 times the logarithm of; without a background, the glare itself. */
+static double dazzle(const luxel_glare *glare)
+{
+    double sum = 0;
+    if (glare->has_rating)
+        return pow(10, glare->rating.value / 8);
+    for (size_t i = 0; i < glare->source_count; i++) {
+        const luxel_glare_source *source = &glare->sources[i];
+        if (source->reason == LUXEL_GLARE_COUNTS)
+            sum += source->luminance * source->luminance * source->seen * source->solid_angle /
+                   (source->position_index * source->position_index);
+    }
+    return sum / 4;
+}
+
+static luxel_status measure_observers(const struct lx_superposition *superposition, const luxel_scene *scene,
+                                      const luxel_settings *settings, double *values)
+{
+    luxel_status status = LUXEL_OK;
+    for (size_t i = 0; i < luxel_scene_observer_count(scene) && status == LUXEL_OK; i++) {
+        luxel_limit limits[LUXEL_MOST_LIMITS];
+        luxel_glare_sight sight;
+        luxel_glare *glare = NULL;
+        const size_t count = limits_of_observer(scene, i, limits);
+        if (count == 0)
+            continue;
+        luxel_scene_observer(scene, i, NULL, &sight);
+        status = luxel_find_glare(scene, settings, &sight, superposition->diagnostics, &glare);
+        for (size_t k = 0; k < count && status == LUXEL_OK; k++)
+            *values++ = dazzle(glare);
+        luxel_glare_free(glare);
+    }
+    return status;
+}
+
 luxel_status lx_measure_goals(const struct lx_superposition *superposition, const luxel_scene *scene,
                               const luxel_settings *settings, double *values, luxel_layout_limit *limits,
                               size_t *limit_count)
@@ -83,7 +126,9 @@ luxel_status lx_measure_goals(const struct lx_superposition *superposition, cons
             status = judge(scene, i, grid, limits, limit_count);
         luxel_grid_free(grid);
     }
-    return status;
+    return status == LUXEL_OK && superposition->observers > 0
+               ? measure_observers(superposition, scene, settings, &values[first])
+               : status;
 }
 
 static luxel_status set_numbers(luxel_scene *scene, size_t light, const char *key, const double numbers[2],
@@ -371,8 +416,22 @@ static luxel_status list_goals_of(struct lx_superposition *superposition, size_t
     return status;
 }
 
+/* The rating is at most so much where what it is the logarithm of is. */
+static void list_observers(struct lx_superposition *superposition)
+{
+    const luxel_scene *scene = superposition->scene;
+    for (size_t i = 0; i < luxel_scene_observer_count(scene); i++) {
+        luxel_limit limits[LUXEL_MOST_LIMITS];
+        const size_t count = limits_of_observer(scene, i, limits);
+        for (size_t k = 0; k < count; k++)
+            superposition->goals[superposition->goal_count++] =
+                (struct lx_goal){superposition->cells++, 1, LX_LIMIT_MAXIMUM, pow(10, limits[k].wanted / 8), 0};
+        superposition->observers += count;
+    }
+}
+
 luxel_status lx_superposition_list(const luxel_scene *scene, const luxel_settings *settings,
-                                   luxel_diagnostics *diagnostics, struct lx_superposition *superposition)
+                                   luxel_diagnostics *diagnostics, bool observe, struct lx_superposition *superposition)
 {
     *superposition = (struct lx_superposition){.scene = scene, .settings = settings, .diagnostics = diagnostics};
     luxel_settings dark = *superposition->settings;
@@ -380,12 +439,16 @@ luxel_status lx_superposition_list(const luxel_scene *scene, const luxel_setting
     luxel_status status = LUXEL_OK;
     dark.lights = &none;
     dark.light_count = 0;
-    superposition->goals = lx_new_array(luxel_scene_grid_count(scene) * LX_GOALS_OF_GRID + 1, sizeof(struct lx_goal));
+    superposition->goals = lx_new_array(luxel_scene_grid_count(scene) * LX_GOALS_OF_GRID +
+                                            luxel_scene_observer_count(scene) * LUXEL_MOST_LIMITS + 1,
+                                        sizeof(struct lx_goal));
     if (!superposition->goals)
         return lx_out_of_memory(superposition->diagnostics);
     for (size_t i = 0; i < luxel_scene_grid_count(scene) && status == LUXEL_OK; i++)
         if (has_limits(grid_of(scene, i)))
             status = list_goals_of(superposition, i, &dark);
+    if (observe)
+        list_observers(superposition);
     if (status != LUXEL_OK || superposition->cells > 0)
         return status;
     return lx_refuse(superposition->diagnostics, LX_MSG_ARRANGE_NO_GOAL, NULL);
@@ -430,7 +493,7 @@ luxel_status lx_superposition_make(const luxel_scene *scene, const luxel_setting
 {
     luxel_scene *one = NULL;
     luxel_settings alone = *settings;
-    luxel_status status = lx_superposition_list(scene, settings, diagnostics, superposition);
+    luxel_status status = lx_superposition_list(scene, settings, diagnostics, false, superposition);
     superposition->light = light;
     alone.lights = &superposition->light;
     alone.light_count = 1;

@@ -17,11 +17,11 @@ struct lx_superposition {
     const luxel_settings *settings;
     luxel_diagnostics *diagnostics;
     size_t light;
-    double axes[2][3];  /* along which columns and rows follow each other, unit */
-    double half_mm[2];  /* how far from the middle of the array luminaires may stand */
-    double wall_mm[2];  /* and how far walls are, half_mm where there are none */
-    double least_mm[2]; /* spacings in which they do not overlap */
-    size_t goal_count, cells;
+    double axes[2][3];                   /* along which columns and rows follow each other, unit */
+    double half_mm[2];                   /* how far from the middle of the array luminaires may stand */
+    double wall_mm[2];                   /* and how far walls are, half_mm where there are none */
+    double least_mm[2];                  /* spacings in which they do not overlap */
+    size_t goal_count, cells, observers; /* cells: the last are those of observers that count, one for each limit */
     struct lx_goal *goals;
     unsigned nodes[2];  /* places of the table along x and y */
     double *table;      /* nodes[1] x nodes[0] x cells */
@@ -36,9 +36,11 @@ struct lx_array_try {
     double spacing_mm[2];
 };
 
-/* Lists the goals and their cells alone, of any light. */
+/* Lists the goals and their cells alone, of any light.  `observe`: those of observers, too, whose cell has what their
+ * rating is the logarithm of, or where nothing is known of the background what is in proportion to it. */
 luxel_status lx_superposition_list(const luxel_scene *scene, const luxel_settings *settings,
-                                   luxel_diagnostics *diagnostics, struct lx_superposition *superposition);
+                                   luxel_diagnostics *diagnostics, bool observe,
+                                   struct lx_superposition *superposition);
 
 /* Finds all of it.  LUXEL_ERROR_ARGUMENT: no light arrives.  Clear it in any case. */
 luxel_status lx_superposition_make(const luxel_scene *scene, const luxel_settings *settings, size_t light,

@@ -37,9 +37,10 @@ struct tuning {
     luxel_scene *plain; /* in which nothing is reflected */
     size_t numbers, cells;
     double *scale, *low, *high;
-    double first_flux;                /* of the scene as it is */
-    double *correction, correct_flux; /* what is reflected, where the flux was that */
-    double *slopes, *fluxes;          /* numbers x cells, numbers */
+    double first_flux; /* of the scene as it is */
+    /* What is reflected, where the flux was that; of observers, by what it divides their glare. */
+    double *correction, correct_flux;
+    double *slopes, *fluxes; /* numbers x cells, numbers */
     double *rows, *table;
     size_t *basis;
 };
@@ -71,8 +72,12 @@ static luxel_status measure(const struct tuning *tuning, const double *numbers, 
     status = lx_measure_goals(tuning->goals, scene, tuning->goals->settings, values, NULL, NULL);
     *flux = flux_of(scene);
     luxel_scene_free(scene);
-    for (size_t i = 0; i < tuning->cells; i++)
-        values[i] += tuning->correction[i] * (tuning->correct_flux > 0 ? *flux / tuning->correct_flux : 1);
+    const double by = tuning->correct_flux > 0 && *flux > 0 ? *flux / tuning->correct_flux : 1;
+    const size_t seen = tuning->cells - tuning->goals->observers;
+    for (size_t i = 0; i < seen; i++)
+        values[i] += tuning->correction[i] * by;
+    for (size_t i = seen; i < tuning->cells; i++)
+        values[i] *= tuning->correction[i] / by;
     return status;
 }
 
@@ -81,10 +86,11 @@ static double merit_of(const struct tuning *tuning, double reserve, double flux)
     return tuning->arranging->wanted->dims ? COST * fmin(reserve, ABOVE) - flux / tuning->first_flux : reserve;
 }
 
-static size_t make_rows(const struct tuning *tuning, const double *values)
+/* Rows with the slopes by so many of the numbers. */
+static size_t make_rows(const struct tuning *tuning, const double *values, size_t numbers)
 {
     return lx_goals_rows(tuning->goals->goals, tuning->goals->goal_count, values, tuning->slopes, tuning->cells,
-                         tuning->numbers, tuning->rows);
+                         numbers, tuning->rows);
 }
 
 static luxel_status stand_at(const struct tuning *tuning, struct stand *stand)
@@ -92,10 +98,10 @@ static luxel_status stand_at(const struct tuning *tuning, struct stand *stand)
     const luxel_status status = measure(tuning, stand->numbers, stand->values, &stand->flux);
     if (status != LUXEL_OK)
         return status;
-    const size_t width = tuning->numbers + 1, count = make_rows(tuning, stand->values);
+    const size_t count = make_rows(tuning, stand->values, 0);
     stand->reserve = count > 0 ? HUGE_VAL : 0;
     for (size_t i = 0; i < count; i++)
-        stand->reserve = fmin(stand->reserve, tuning->rows[i * width + tuning->numbers]);
+        stand->reserve = fmin(stand->reserve, tuning->rows[i]);
     stand->merit = merit_of(tuning, stand->reserve, stand->flux);
     return LUXEL_OK;
 }
@@ -145,7 +151,7 @@ static double room_of(const struct tuning *tuning, const struct stand *stand, si
 /* The numbers that are best by the linear program, and the merit that it expects there. */
 static double plan_step(const struct tuning *tuning, const struct stand *stand, double reach, double *numbers)
 {
-    const size_t n = tuning->numbers, width = n + 1, columns = n + 1, count = make_rows(tuning, stand->values);
+    const size_t n = tuning->numbers, width = n + 1, columns = n + 1, count = make_rows(tuning, stand->values, n);
     const bool dims = tuning->arranging->wanted->dims;
     double gain[LX_MOST_TUNED + 1], found[LX_MOST_TUNED + 1], lowest = HUGE_VAL, highest = HUGE_VAL;
     double flux = stand->flux, least = HUGE_VAL;
@@ -285,15 +291,25 @@ static luxel_status keep(struct tuning *tuning, const struct stand *at, struct l
     return status;
 }
 
-/* What is reflected where a scene was computed: its values less those without. */
+static void forget(struct tuning *tuning)
+{
+    tuning->correct_flux = 0;
+    for (size_t i = 0; i < tuning->cells; i++)
+        tuning->correction[i] = i < tuning->cells - tuning->goals->observers ? 0 : 1;
+}
+
+/* What is reflected where a scene was computed: its values less those without; of observers, by those. */
 static luxel_status learn(struct tuning *tuning, const struct stand *at, double *room)
 {
+    const double *values = tuning->arranging->values;
+    const size_t seen = tuning->cells - tuning->goals->observers;
     double flux;
-    for (size_t i = 0; i < tuning->cells; i++)
-        tuning->correction[i] = 0;
+    forget(tuning);
     const luxel_status status = measure(tuning, at->numbers, room, &flux);
-    for (size_t i = 0; status == LUXEL_OK && i < tuning->cells; i++)
-        tuning->correction[i] = isnan(room[i]) ? 0 : tuning->arranging->values[i] - room[i];
+    for (size_t i = 0; status == LUXEL_OK && i < seen; i++)
+        tuning->correction[i] = isnan(room[i]) ? 0 : values[i] - room[i];
+    for (size_t i = seen; status == LUXEL_OK && i < tuning->cells; i++)
+        tuning->correction[i] = room[i] > 0 && values[i] > 0 ? values[i] / room[i] : 1;
     tuning->correct_flux = flux;
     return status;
 }
@@ -435,6 +451,8 @@ luxel_status lx_tune(struct lx_arranging *arranging)
         .arranging = arranging, .goals = &arranging->superposition, .cells = arranging->superposition.cells};
     struct stand stands[2] = {{.numbers = NULL}};
     luxel_status status = begin(&tuning, stands);
+    if (status == LUXEL_OK)
+        forget(&tuning);
     for (unsigned i = 0; i < (arranging->reflects ? SLOW_STARTS : STARTS) && status == LUXEL_OK; i++) {
         status = try_start(&tuning, i, &stands[0], &stands[1]);
         arranging->made->arrangement.tried++;

@@ -41,7 +41,7 @@ struct lx_document {
 };
 
 /* Limits: of what the links can reach, and of what a machine should be asked to hold. */
-enum { LX_MOST_NODES = 1 << 24, LX_MOST_SOURCES = 1 << 28 };
+enum { LX_MOST_OF_DOCUMENT = 1 << 24, LX_MOST_SOURCES = 1 << 28 };
 
 /* A document starts as {0}. */
 void lx_document_clear(struct lx_document *document);

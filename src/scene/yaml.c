@@ -98,7 +98,7 @@ static luxel_status place_node(struct reader *reader, struct lx_node node, lx_no
         node.key_end = level->key_end;
         level->has_key = false;
     }
-    if (reader->document->node_count >= LX_MOST_NODES)
+    if (reader->document->node_count >= LX_MOST_OF_DOCUMENT)
         return refuse(reader, node.start, node.end, LX_MSG_TOO_MANY_VALUES, LX_ARGS(LX_TERM(LX_N("16 million"))));
     if (lx_document_add_node(reader->document, node, id) < 0)
         return out_of_memory(reader);

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /*
  * The reference on batches of elements (elements.h), compiled once for each instruction set as kernel.c is, but without
- * contraction: making unit vectors and views, what stands in the way of light, and the light of points and directions.
- * The functions are those of light/emitter.c, material/ and reference.c, operation by operation.
+ * contraction: making unit vectors and views, what stands in the way of light, and the light of points and directions,
+ * with its gradients.  The functions are those of light/emitter.c, material/ and reference.c, operation by operation.
  */
 #include <float.h>
 #include <math.h>
@@ -266,12 +266,16 @@ static void light(const struct lx_emitter *emitter, const struct lx_elements *el
 
 #include "kernel_occlusion.h"
 
+#include "kernel_gradient.h"
+
 extern const struct lx_element_kernels LX_OF_ISA(lx_element_kernels);
 const struct lx_element_kernels LX_OF_ISA(lx_element_kernels) = {
     .unit = unit,
     .look_at = look_at,
     .sum = sum,
     .light = light,
+    .gradient = gradient,
+    .add_rate = add_rate,
     .close_own = close_own,
     .hold = LX_BY_SHAPE(hold),
     .close = LX_BY_SHAPE(close),

@@ -3,8 +3,8 @@
 #ifndef LX_WORLD_KERNEL_ELEMENTS_H
 #define LX_WORLD_KERNEL_ELEMENTS_H
 
-#include "elements.h"
 #include "general.h"
+#include "gradient.h"
 
 /* Questions about a batch; members that were not asked for mean nothing. */
 enum lx_wanted { LX_WANT_IRRADIANCE = 1, LX_WANT_BRIGHTNESS = 2, LX_WANT_REFLECTED = 4 };
@@ -20,6 +20,7 @@ struct lx_openness {
 struct lx_ways {
     bool endless;
     double to[3]; /* the place of a point, the unit vector of a direction */
+    double room;  /* edges are passed by so many times more than decides with certainty, or are in doubt: 1 at least */
 };
 
 /* The functions of one instruction set. */
@@ -41,6 +42,12 @@ struct lx_element_kernels {
     /* Adds the light of an emitter that is not extended; open: NULL where all ways are. */
     void (*light)(const struct lx_emitter *emitter, const struct lx_elements *elements, const struct lx_column *open,
                   enum lx_wanted wanted, struct lx_received *received);
+    /* Sets the gradient of that light, of one of the two, by the emitter's numbers, and adds the one by the elements';
+     * those that `needs` asks for (gradient.h).  Adds the elements that are in doubt. */
+    void (*gradient)(const struct lx_emitter *emitter, const struct lx_elements *elements, const struct lx_column *open,
+                     enum lx_wanted wanted, unsigned needs, struct lx_gradient *gradient);
+    /* Adds a derivative by something that changes at a rate. */
+    void (*add_rate)(const struct lx_column *derivative, lx_bounded rate, size_t count, struct lx_column *sum);
     /* The value of what is received, one of the two, and a sum that it is added to. */
     void (*sum)(const struct lx_received *received, enum lx_wanted wanted, size_t count, struct lx_column *value,
                 struct lx_column *total);

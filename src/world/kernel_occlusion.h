@@ -196,7 +196,7 @@ static void close_own(const struct lx_ways *ways, const struct lx_elements *elem
         const struct plain3 way = way_from(ways, values_of(&elements->place_mm, i));
         const lanes_double long_side = length_at_most(side), long_way = length_at_most(way);
         const lanes_double margin =
-            MARGIN * long_side * long_way + 4 * error_of_place(elements, i) * (long_side + long_way);
+            MARGIN * ways->room * long_side * long_way + 4 * error_of_place(elements, i) * (long_side + long_way);
         const lanes_double above = inner(side, way), has_side = is_above(long_side, zero);
         lanes_double in_doubt = not_so(is_above(size_of(above), margin)) * has_side;
         for (size_t k = 0; k < LX_WIDTH_double; k++)
@@ -215,6 +215,7 @@ static void close_sphere(const struct lx_shape *sphere, uint32_t surface, const 
                          const struct lx_elements *elements, struct lx_openness *openness)
 {
     const double r2 = sphere->radius_mm * sphere->radius_mm, farthest = ways->endless ? HUGE_VAL : 1;
+    const double wide_margin = WIDE_MARGIN * ways->room;
     const lanes_double zero = all_double(0);
     for (size_t i = 0; i < elements->count; i += LX_WIDTH_double) {
         const struct plain3 place = values_of(&elements->place_mm, i), way = way_from(ways, place);
@@ -222,12 +223,12 @@ static void close_sphere(const struct lx_shape *sphere, uint32_t surface, const 
         const lanes_double p2 = inner(p, p), w2 = inner(way, way);
         const lanes_double t = lesser_double(greater_double(-inner(p, way) / w2, zero), all_double(farthest));
         const struct plain3 nearest = {p.x + t * way.x, p.y + t * way.y, p.z + t * way.z};
-        const lanes_double d2 = inner(nearest, nearest), margin = WIDE_MARGIN * (p2 + r2 + t * t * w2);
+        const lanes_double d2 = inner(nearest, nearest), margin = wide_margin * (p2 + r2 + t * t * w2);
         const lanes_double passes = is_above(d2, r2 + margin), reached = is_above(r2 - margin, d2);
         lanes_double leaves = all_double(1), both_inside = zero;
         if (!ways->endless) {
             const struct plain3 end = sum3(p, way);
-            const lanes_double e2 = inner(end, end), wide = WIDE_MARGIN * (p2 + r2 + w2);
+            const lanes_double e2 = inner(end, end), wide = wide_margin * (p2 + r2 + w2);
             leaves = either(is_above(p2, r2 + wide), is_above(e2, r2 + wide));
             both_inside = is_above(r2 - wide, p2) * is_above(r2 - wide, e2);
         }
@@ -246,7 +247,7 @@ static void close_plate(const struct lx_shape *plate, uint32_t surface, const st
 {
     const struct plain3 axis = constant3(plate->axis);
     const lanes_double zero = all_double(0);
-    const double touch = plate->touch_mm, end_touch = ways->endless ? 0 : touch;
+    const double touch = plate->touch_mm, end_touch = ways->endless ? 0 : touch, margin_of = MARGIN * ways->room;
     for (size_t i = 0; i < elements->count; i += LX_WIDTH_double) {
         const struct plain3 place = values_of(&elements->place_mm, i), way = way_from(ways, place);
         const struct plain3 from = difference3(place, constant3(plate->anchor_mm));
@@ -255,8 +256,8 @@ static void close_plate(const struct lx_shape *plate, uint32_t surface, const st
         const lanes_double start = inner(from, axis), change = inner(way, axis);
         const lanes_double end = ways->endless ? change : inner(sum3(from, way), axis);
         const lanes_double beyond = where_above_double(zero, start, end, -end), height = size_of(start);
-        const lanes_double start_margin = MARGIN * far + 4 * error;
-        const lanes_double end_margin = MARGIN * (far + long_way) + 4 * error;
+        const lanes_double start_margin = margin_of * far + 4 * error;
+        const lanes_double end_margin = margin_of * (far + long_way) + 4 * error;
         lanes_double closed = is_above(height - touch, start_margin) * is_above(beyond - end_touch, end_margin);
         lanes_double open = either(is_above(touch - height, start_margin), is_above(end_touch - beyond, end_margin)) *
                             is_above(height + touch, start_margin);
@@ -265,7 +266,7 @@ static void close_plate(const struct lx_shape *plate, uint32_t surface, const st
             const double half = plate->half_mm[k];
             const lanes_double offset = size_of(inner(from, edge) * change - start * inner(way, edge));
             const lanes_double room = half * size_of(change) - offset;
-            const lanes_double margin = MARGIN * long_way * (4 * far + half) + 8 * error * (far + long_way + half);
+            const lanes_double margin = margin_of * long_way * (4 * far + half) + 8 * error * (far + long_way + half);
             closed *= is_above(room - touch * size_of(change), margin); /* beyond the edge itself it is in doubt */
             open = either(open, is_above(-room, margin));
         }

@@ -13,11 +13,9 @@
 /* Emitters between two questions whether to go on. */
 enum { BETWEEN_CHECKS = 64 };
 
-/* Whether a batch has the light of an emitter by vectors; of extended sources, luminaires, what comes through glass,
- * and where there are mirrors, it asks the reference. */
-static bool is_vectored(const struct lx_world *world, const struct lx_emitter *emitter)
+bool lx_world_is_vectored(const struct lx_prepared *prepared, const struct lx_emitter *emitter)
 {
-    const bool is_bare = !world->prepared->is_glazed && world->prepared->mirrors.count == 0;
+    const bool is_bare = !prepared->is_glazed && prepared->mirrors.count == 0;
     return is_bare && !lx_is_extended(emitter) && !lx_is_dome(emitter) && !emitter->profile.luminaire;
 }
 
@@ -148,9 +146,9 @@ static bool may_close(const struct lx_shape *shape, const struct lx_elements *el
     return lx_may_block(&ball, &elements->around, &towards, ways->endless);
 }
 
-static struct lx_ways ways_to(const struct lx_emitter *emitter)
+static struct lx_ways ways_to(const struct lx_emitter *emitter, double room)
 {
-    struct lx_ways ways = {.endless = lx_is_endless(emitter)};
+    struct lx_ways ways = {.endless = lx_is_endless(emitter), .room = room};
     lx_emitter_origin(emitter, ways.to);
     return ways;
 }
@@ -186,9 +184,9 @@ static void settle_doubts(const struct lx_world *world, const struct lx_elements
     }
 }
 
-/* The ways from elements to an emitter that is a point or a direction; NULL: all are open. */
+/* The ways from elements to an emitter that is a point or a direction, those in doubt left so; NULL: all are open. */
 static const struct lx_column *find_open(const struct lx_world *world, const struct lx_elements *elements,
-                                         const struct lx_emitter *emitter, struct lx_openness *openness)
+                                         const struct lx_emitter *emitter, double room, struct lx_openness *openness)
 {
     const struct lx_prepared *prepared = world->prepared;
     const struct lx_element_kernels *kernels = world->kernels;
@@ -196,7 +194,7 @@ static const struct lx_column *find_open(const struct lx_world *world, const str
     bool is_open = true;
     if (!casts || lx_is_uniform(emitter))
         return NULL;
-    const struct lx_ways ways = ways_to(emitter);
+    const struct lx_ways ways = ways_to(emitter, room);
     struct lx_found found;
     const bool is_found = find_near(prepared, elements, &ways, &found);
     const size_t count = lx_found_count(&found, is_found, prepared->surface_count);
@@ -225,8 +223,6 @@ static const struct lx_column *find_open(const struct lx_world *world, const str
         is_open = false;
         kernels->close_own(&ways, elements, openness);
     }
-    if (!is_open && openness->any_in_doubt)
-        settle_doubts(world, elements, emitter, openness);
     return is_open ? NULL : &openness->open;
 }
 
@@ -297,8 +293,10 @@ static void add_emitter(const struct lx_world *world, const struct lx_elements *
                         struct lx_received *received)
 {
     struct lx_openness openness;
-    if (is_vectored(world, emitter)) {
-        const struct lx_column *open = find_open(world, elements, emitter, &openness);
+    if (lx_world_is_vectored(world->prepared, emitter)) {
+        const struct lx_column *open = find_open(world, elements, emitter, 1, &openness);
+        if (open && openness.any_in_doubt)
+            settle_doubts(world, elements, emitter, &openness);
         world->kernels->light(emitter, elements, open, wanted, received);
         return;
     }
@@ -350,6 +348,19 @@ void lx_world_light_between(const struct lx_world *world, const struct lx_elemen
                             enum lx_wanted wanted, const struct lx_asking *asking, struct lx_received *received)
 {
     sum_emitters(world, elements, first, end, NULL, wanted, asking, received);
+}
+
+void lx_world_gradient(const struct lx_world *world, const struct lx_elements *elements,
+                       const struct lx_emitter *emitter, enum lx_wanted wanted, unsigned needs,
+                       struct lx_gradient *gradient)
+{
+    /* edges of shadows that are nearer than some 1e-8 of the lengths that they come from */
+    static const double ROOM = 0x1p17;
+    struct lx_openness openness;
+    const struct lx_column *open = find_open(world, elements, emitter, ROOM, &openness);
+    for (size_t i = 0; open && i < elements->count; i++)
+        gradient->in_doubt[i] = gradient->in_doubt[i] || (openness.in_doubt[i] && open->value[i] != 0);
+    world->kernels->gradient(emitter, elements, open, wanted, needs, gradient);
 }
 
 void lx_world_light(const struct lx_world *world, const struct lx_elements *elements, enum lx_wanted wanted,

@@ -25,6 +25,10 @@ struct lx_world {
                     struct lx_received *received);
 };
 
+/* Whether a batch has the light of an emitter by vectors; of extended sources, luminaires, what comes through glass,
+ * and where there are mirrors, it asks the reference. */
+bool lx_world_is_vectored(const struct lx_prepared *prepared, const struct lx_emitter *emitter);
+
 /*
  * How many elements a piece of work for one thread should have: a batch, or a single one where some source takes long
  * for each element.
@@ -57,5 +61,11 @@ void lx_world_light_of(const struct lx_world *world, const struct lx_elements *e
 /* The direct light of the emitters from `first` on and before `end`. */
 void lx_world_light_between(const struct lx_world *world, const struct lx_elements *elements, size_t first, size_t end,
                             enum lx_wanted wanted, const struct lx_asking *asking, struct lx_received *received);
+
+/* The gradient of the light of an emitter that is vectored, of elements whose lobe is a power or without a highlight,
+ * as the kernel makes it; at borders of shadows it is in doubt. */
+void lx_world_gradient(const struct lx_world *world, const struct lx_elements *elements,
+                       const struct lx_emitter *emitter, enum lx_wanted wanted, unsigned needs,
+                       struct lx_gradient *gradient);
 
 #endif

@@ -192,6 +192,37 @@ def aimed(tap, tool):
     tap.ok(text.code == 1 and "lights[0].aim[2]" in text.out and "% of what is wanted" in text.err, "as text", text)
 
 
+DAZZLING = """luxel: 1
+units: photometric
+reflections: 1
+screen: {width: 4000, height: 4000, resolution: [40, 40]}
+observer: {z: 9000}
+surfaces:
+  - {type: room, center: [0, 0, 1400], size: [6000, 4000, 2800], up: z,
+     material: {model: lambert, diffuse: 0.6, over_pi: true}}
+lights:
+  - {type: planar, rectangle: {center: [600, 0, 2500], size: [400, 400]}, power: 3000}
+grids: [{name: desk, center: [-1500, 0, 750], size: [1500, 1500], n: [5, 5]}]
+observers: [{name: sitting, eye: [-2500, 0, 1200], view: [1, 0, 0]}]
+"""
+
+
+def without_glare(tap, tool):
+    """The panel that lights the desk best is seen by who sits there; told so, one is found that dazzles nobody."""
+    tool.write("glare.yaml", DAZZLING)
+    free = ("--free", "lights[0].rectangle.center[0]", "--free", "lights[0].power", "--reflected-error", "0.05")
+    found = tool.run("arrange", "glare.yaml", "--goal", "average>=150", "--goal", "ugr<=16", *free, "--json",
+                     "-o", "out.yaml")
+    layouts = found.json()["layouts"]
+    limits = [{limit["name"]: limit["verdict"] for limit in layout["limits"]} for layout in layouts]
+    tap.ok(found.code == 0 and layouts and all(one == {"average": "pass", "ugr": "pass"} for one in limits),
+           "lit and not dazzled", found)
+    tap.equal(tool.run("grid", "out.yaml", "--limits", "--reflected-error", "0.05").code, 0, "it keeps both")
+    alone = tool.run("arrange", "glare.yaml", "--goal", "average>=150", *free, "--json").json()["layouts"][0]
+    tap.ok(alone["numbers"]["lights[0].power"] > 5 * layouts[0]["numbers"]["lights[0].power"],
+           "without that goal it would be bright", alone)
+
+
 def several_arrays(tap, tool):
     """The spacings of two arrays at once: better than either alone."""
     array = "  - {type: point, position: [0, %d, 2000], intensity: 200, array: {n: [2, 1], spacing: [500, 1]}}\n"
@@ -250,5 +281,5 @@ def unreached(tap, tool):
 
 
 if __name__ == "__main__":
-    run_tests(Tap(), nine, dimmed, reflected, areas, one_by_one, aimed, several_arrays,
+    run_tests(Tap(), nine, dimmed, reflected, areas, one_by_one, aimed, without_glare, several_arrays,
               unreached)

@@ -121,6 +121,39 @@ def none_there(tap, tool):
     tap.equal(tool.run("derive", "scene.yaml", *ORIGIN).code, 2, "no key")
 
 
+def on_any_machine(tap, tool):
+    """The same numbers by every instruction set."""
+    lamps = ("  - {type: spot, position: [300, 100, 2000], aim: [0, 0, 0], intensity: 9, inner: 5, outer: 60}\n"
+             "  - {type: distant, direction: [1, 2, -3], irradiance: 2}\n")
+    sphere = "[{type: sphere, center: [0, 0, 100], radius: 150, material: {model: %s}}]"
+    free = [word for key in ("lights[0].position", "lights[0].inner", "lights[1].direction", "surfaces[0].center",
+                             "surfaces[0].material.shininess", "observer.z") for word in ("--free", key)]
+    for model in ("phong", "blinn-phong"):
+        tool.write("scene.yaml", SCENE % (lamps, sphere % model))
+        runs = [tool.run("derive", "scene.yaml", "--json", "-p", "30,40", "-p", "-90,20", *free,
+                         environment={"LUXEL_ISA": name} if name else {})
+                for name in ("", "generic", "x86-64", "x86-64-v3")]
+        told = [[point["derivatives"] for point in run.json()["points"]] for run in runs if run.code == 0]
+        tap.ok(len(told) > 1 and all(one == told[0] for one in told), model, told)
+
+
+def kinks(tap, tool):
+    """Rules that change at the element: at the edge of a hard cone, where a linear one begins to fall, at a plate's."""
+    lamp = ("  - {type: spot, position: [0, 0, 1000], axis: [0, 0, -1], intensity: 9, inner: %r, outer: 45, "
+            "falloff: %s}\n")
+    at = ("--at", "%r,0,0,0,0,1" % (1000 * math.tan(math.radians(30))), "--quantity", "irradiance")
+    hard = derive(tool, lamp % (45, "hard"), ["lights[0].position"], options=("--at", "1000,0,0,0,0,1", *at[2:]))
+    tap.ok("jumps" in hard["lights[0].position"][0]["reason"], "the edge of a hard cone", hard)
+    linear = derive(tool, lamp % (30, "linear"), ["lights[0].position", "lights[0].outer"], options=at)
+    tap.ok("kink" in linear["lights[0].position"][0]["reason"], "where a cone begins to fall", linear)
+    holds(tap, linear["lights[0].position"][1], 0, "along the edge", 1e-7)
+    edge = "[{type: rectangle, center: [0, 0, 0], size: [200, 200]}]"
+    lamp = "  - {type: point, position: [0, 0, 2000], intensity: 1}\n"
+    seen = derive(tool, lamp, ["surfaces[0].center", "lights[0].intensity"], edge, ("-p", "100,20"))
+    tap.ok(seen["surfaces[0].center"][0]["value"] is None and seen["surfaces[0].center"][1]["value"] is not None,
+           "the edge of a plate that moves", seen)
+
+
 def of_all_lights(tap, tool):
     """By a key of all lights that have it: theirs add up, and by a dimming group's factor they do in their shares."""
     lamps = ("  - {type: ambient, irradiance: 1}\n  - {type: point, group: g, position: [300, 0, 900], intensity: 3}\n"
@@ -189,5 +222,5 @@ def reflected_light(tap, tool):
 
 
 if __name__ == "__main__":
-    run_tests(Tap(), the_exercise, closed_forms, soft_shadows, random_spots, none_there, of_all_lights, of_grids,
-              touching, reflected_light)
+    run_tests(Tap(), the_exercise, closed_forms, soft_shadows, random_spots, none_there, on_any_machine, kinks,
+              of_all_lights, of_grids, touching, reflected_light)
