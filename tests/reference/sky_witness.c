@@ -143,7 +143,7 @@ static void mark_all(void)
         }
     }
     if (source.kind == SKY || source.kind == OVERCAST)
-        mark_plane(source.up);
+        mark_plane(source.sky.up);
     if (source.kind == PLATE)
         mark_quad(source.at, source.u, source.v);
     if (source.kind == GLOBE)
@@ -190,7 +190,7 @@ static bool is_clear;
 /* What the source sends where it is seen. */
 static double emitted(vector way)
 {
-    return source.kind == SKY || source.kind == OVERCAST ? luminance(way) : source.value;
+    return source.kind == SKY || source.kind == OVERCAST ? luminance(&source.sky, way) : source.value;
 }
 
 static double along(double angle)
@@ -244,7 +244,7 @@ static void note_turn(vector way)
  * circles have a kink across which no rule of a smooth function is to be taken. */
 static void note_edge(vector a, vector b)
 {
-    const vector from = add(a, place, -1), to = add(b, place, -1), planes[2] = {source.up, normal};
+    const vector from = add(a, place, -1), to = add(b, place, -1), planes[2] = {source.sky.up, normal};
     note_turn(from);
     for (int i = 0; i < 2; i++) {
         const double low = dot(planes[i], from), high = dot(planes[i], to);
@@ -310,7 +310,7 @@ static double all_around(double *error)
     if (source.kind == GLOBE)
         note_ball(source.at, source.radius);
     note_turn(normal);
-    note_turn(source.up);
+    note_turn(source.sky.up);
     qsort(turns, (size_t)turn_count, sizeof *turns, by_value);
     double sum = 0;
     inner_error = 0;
@@ -329,9 +329,9 @@ static double open_horizontal(void)
     const int bodies_before = body_count;
     double error;
     body_count = 0;
-    normal = source.up;
+    normal = source.sky.up;
     place = (vector){0, 0, 0};
-    pole = source.kind == SKY ? source.sun : source.up;
+    pole = source.kind == SKY ? source.sky.sun : source.sky.up;
     across(pole, &first_side, &second_side);
     farthest = PI;
     scale_of_all = 1;
@@ -349,11 +349,11 @@ static double ask(double *error)
         return fmax(cosine, 0) * source.value / (away * away * 1e-6) * left_of(times(way, 1 / away), away);
     }
     if (source.kind == DISTANT)
-        return fmax(dot(source.sun, normal), 0) * source.value * left_of(source.sun, HUGE_VAL);
-    pole = source.kind == SKY || source.kind == SUN ? source.sun : normal;
+        return fmax(dot(source.sky.sun, normal), 0) * source.value * left_of(source.sky.sun, HUGE_VAL);
+    pole = source.kind == SKY || source.kind == SUN ? source.sky.sun : normal;
     across(pole, &first_side, &second_side);
     farthest = source.kind == SUN ? source.radius : PI;
-    scale_of_all = source.kind == SKY || source.kind == OVERCAST ? source.scale : source.value;
+    scale_of_all = source.kind == SKY || source.kind == OVERCAST ? source.sky.scale : source.value;
     const double first = all_around(error);
     if (first > scale_of_all / 10 || first == 0)
         return first;
@@ -392,16 +392,16 @@ static void read_level(const char *word)
     double number[2];
     if (scanf("%15s", by) != 1 || !numbers(number, 2))
         fail(word);
-    source.scale = 1;
-    source.ground = 0;
-    source.sun = source.kind == OVERCAST ? source.up : unit(source.sun);
-    source.up = unit(source.up);
+    source.sky.scale = 1;
+    source.sky.ground = 0;
+    source.sky.sun = source.kind == OVERCAST ? source.sky.up : unit(source.sky.sun);
+    source.sky.up = unit(source.sky.up);
     if (by[0] == 'z')
-        source.scale = number[0] / luminance(source.up);
+        source.sky.scale = number[0] / luminance(&source.sky, source.sky.up);
     const double found = open_horizontal();
     if (by[0] == 'h')
-        source.scale = number[0] / found;
-    source.ground = number[1] / PI * (by[0] == 'h' ? number[0] : found);
+        source.sky.scale = number[0] / found;
+    source.sky.ground = number[1] / PI * (by[0] == 'h' ? number[0] : found);
 }
 
 static bool is_body(const char *word)
@@ -448,16 +448,16 @@ static bool is_source(const char *word)
     bool good = true;
     if (!strcmp(word, "sky")) {
         good = numbers(n, 6) && vectors(v, 2);
-        source = (struct source){.kind = SKY, .a = n[0], .b = n[1], .c = n[2], .d = n[3], .e = n[4], .off = n[5]};
-        source.up = v[0], source.sun = v[1];
+        source = (struct source){.kind = SKY, .sky = {false, n[0], n[1], n[2], n[3], n[4], n[5]}};
+        source.sky.up = v[0], source.sky.sun = v[1];
         read_level(word);
     } else if (!strcmp(word, "overcast")) {
         good = vectors(v, 1);
-        source = (struct source){.kind = OVERCAST, .up = v[0]};
+        source = (struct source){.kind = OVERCAST, .sky = {.is_overcast = true, .up = v[0]}};
         read_level(word);
     } else if (!strcmp(word, "sun")) {
         good = vectors(v, 1) && numbers(n, 2);
-        source = (struct source){.kind = SUN, .sun = unit(v[0]), .up = unit(v[0]), .radius = n[0]};
+        source = (struct source){.kind = SUN, .sky = {.sun = unit(v[0]), .up = unit(v[0])}, .radius = n[0]};
         source.value = n[1] / (PI * sin(n[0]) * sin(n[0]));
     } else if (!strcmp(word, "plate")) {
         good = vectors(v, 3) && numbers(n, 1);
@@ -470,14 +470,14 @@ static bool is_source(const char *word)
         source = (struct source){.kind = POINT, .at = v[0], .value = n[0]};
     } else if (!strcmp(word, "distant")) {
         good = vectors(v, 1) && numbers(n, 1);
-        source = (struct source){.kind = DISTANT, .sun = unit(v[0]), .value = n[0]};
+        source = (struct source){.kind = DISTANT, .sky.sun = unit(v[0]), .value = n[0]};
     } else {
         return false;
     }
     if (!good)
         fail(word);
     if (source.kind > SUN && source.kind < DISTANT)
-        source.up = (vector){0, 0, 1};
+        source.sky.up = (vector){0, 0, 1};
     return true;
 }
 

@@ -3,50 +3,14 @@
 #ifndef LX_SKY_WITNESS_SCENE_H
 #define LX_SKY_WITNESS_SCENE_H
 
-#include <math.h>
-#include <stdbool.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
+#include "witness_sky.h"
+
 enum { MOST = 4000, MOST_MARKS = 20000 };
-static const double PI = 3.14159265358979323846, HERE_MM = 1e-7;
-
-typedef struct {
-    double x, y, z;
-} vector;
-
-static vector add(vector a, vector b, double by)
-{
-    return (vector){a.x + by * b.x, a.y + by * b.y, a.z + by * b.z};
-}
-
-static double dot(vector a, vector b)
-{
-    return a.x * b.x + a.y * b.y + a.z * b.z;
-}
-
-static vector cross(vector a, vector b)
-{
-    return (vector){a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
-}
-
-static vector times(vector a, double by)
-{
-    return (vector){by * a.x, by * a.y, by * a.z};
-}
-
-static vector unit(vector a)
-{
-    return times(a, 1 / sqrt(dot(a, a)));
-}
-
-static void across(vector n, vector *a, vector *b)
-{
-    const vector other = fabs(n.x) < 0.6 ? (vector){1, 0, 0} : (vector){0, 1, 0};
-    *a = unit(cross(n, other));
-    *b = cross(n, *a);
-}
+static const double HERE_MM = 1e-7;
 
 /* ---- what there is ---- */
 
@@ -63,8 +27,7 @@ enum source_kind { SKY, OVERCAST, SUN, PLATE, GLOBE, POINT, DISTANT };
 
 struct source {
     enum source_kind kind;
-    double a, b, c, d, e, off, scale, ground; /* of skies */
-    vector up, sun;
+    struct sky sky; /* of suns: its directions */
     vector at, u, v;
     double radius, value;
 };
@@ -112,20 +75,8 @@ static double left_of(vector way, double far)
             if (fabs(s) > 1 || fabs(t) > 1)
                 break;
             in_hole = true;
-            if (away > HERE_MM && away < far && body->index > 0) {
-                const vector n = unit(cross(body->u, body->v));
-                const double theta = acos(fmin(fabs(dot(n, way)), 1)), sine = sin(theta) / body->index;
-                const double within = asin(sine), a = pow(body->left, 1 / cos(within));
-                double both = 0;
-                for (int k = 0; k < 2; k++) {
-                    double r = (body->index - 1) / (body->index + 1);
-                    if (theta > 1e-6)
-                        r = k ? tan(theta - within) / tan(theta + within) : sin(theta - within) / sin(theta + within);
-                    r *= r;
-                    both += (1 - r) * (1 - r) * a / (1 - r * r * a * a) / 2;
-                }
-                left *= both;
-            }
+            if (away > HERE_MM && away < far && body->index > 0)
+                left *= pane(body->index, body->left, dot(unit(cross(body->u, body->v)), way));
             break;
         case TRI:
             away = meet_plane(body->c, body->u, body->v, way, &s, &t);
@@ -173,26 +124,13 @@ static double left_of(vector way, double far)
 
 /* ---- sources ---- */
 
-static double luminance(vector way)
-{
-    const double cosine = dot(way, source.up);
-    if (cosine <= 0)
-        return source.ground;
-    if (source.kind == OVERCAST)
-        return source.scale * (1 + 2 * cosine) / 3;
-    const vector side = cross(way, source.sun);
-    const double chi = atan2(sqrt(dot(side, side)), dot(way, source.sun)), near = cos(chi);
-    const double round = 1 + source.c * (exp(source.d * chi) - source.off) + source.e * near * near;
-    return source.scale * (1 + source.a * exp(source.b / cosine)) * round;
-}
-
 /* The radiance that comes by a way. */
 static double radiance(vector way)
 {
     double s, t, away;
     switch (source.kind) {
     case SKY:
-    case OVERCAST: return luminance(way) * left_of(way, HUGE_VAL);
+    case OVERCAST: return luminance(&source.sky, way) * left_of(way, HUGE_VAL);
     case SUN: return source.value * left_of(way, HUGE_VAL);
     case PLATE:
         away = meet_plane(source.at, source.u, source.v, way, &s, &t);

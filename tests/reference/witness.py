@@ -6,6 +6,9 @@ Converts what rooms of the campaigns are made of, and raises ValueError at anyth
 import math
 import subprocess
 
+import perez
+import sky_scenes
+
 
 def length(vector):
     return math.sqrt(sum(x * x for x in vector))
@@ -38,7 +41,7 @@ def frame(thing):
 
 
 def sides(thing):
-    """The six sides of a box that is turned around y, or of a room: outwards normals, center and half vectors."""
+    """The six sides of a box that is turned around y, or of a room: name, center and half vectors."""
     angle = math.radians(thing.get('rotate', [0, 0, 0])[1])
     if thing.get('rotate', [0, 0, 0])[0] or thing.get('rotate', [0, 0, 0])[2]:
         raise ValueError('turned around another axis')
@@ -46,6 +49,8 @@ def sides(thing):
     axes = [[c, 0, -s], [0, 1, 0], [s, 0, c]]
     half = [size / 2 for size in thing['size']]
     names = [['left', 'right'], ['floor', 'ceiling'], ['back', 'front']]
+    if thing.get('up') == 'z':
+        names = [['left', 'right'], ['front', 'back'], ['floor', 'ceiling']]
     for k in range(3):
         for i, sign in enumerate((-1, 1)):
             center = [a + sign * half[k] * b for a, b in zip(thing['center'], axes[k])]
@@ -53,11 +58,37 @@ def sides(thing):
             yield names[k][i], center, others
 
 
+def hole_line(opening, room, middle):
+    """An opening of a wall: to the right as seen from inside, and up."""
+    outwards = unit([a - b for a, b in zip(middle, room['center'])])
+    up = [0, 0, 1] if room.get('up') == 'z' else [0, 1, 0]
+    if opening['wall'] in ('floor', 'ceiling'):
+        up = [up[0], up[2], up[1]]
+    right = cross(outwards, up)
+    (x, y), (width, height), glass = opening['center'], opening['size'], opening.get('glass', {'n': 0})
+    return line('hole', [m + x * r + y * u for m, r, u in zip(middle, right, up)], [width / 2 * r for r in right],
+                [height / 2 * u for u in up], glass['n'], glass.get('transmittance', 1))
+
+
+def mesh_lines(name, reflectance):
+    """The triangles of an OBJ file."""
+    with open(name, encoding='ascii') as file:
+        rows = [text.split() for text in file]
+    corners = [[float(x) for x in row[1:]] for row in rows if row[0] == 'v']
+    return [line('tri', *(corners[int(i) - 1] for i in row[1:]), reflectance) for row in rows if row[0] == 'f']
+
+
 def surface_lines(thing):
     reflectance, kind = thing['material']['diffuse'], thing['type']
     if kind in ('room', 'box'):
-        return [line('quad', center, u, v, thing.get('materials', {}).get(name, thing['material'])['diffuse'])
-                for name, center, (u, v) in sides(thing)]
+        lines = []
+        for name, center, (u, v) in sides(thing):
+            lines.append(line('quad', center, u, v, thing.get('materials', {}).get(name, thing['material'])['diffuse']))
+            lines += [hole_line(opening, thing, center) for opening in thing.get('openings', ())
+                      if opening['wall'] == name]
+        return lines
+    if kind == 'mesh':
+        return mesh_lines(thing['file'], reflectance)
     if kind == 'rectangle':
         u, v = frame(thing)
         return [line('quad', thing['center'], u, v, reflectance)]
@@ -125,8 +156,35 @@ def copies(lamp, place):
     return [[p + a * u + b * v for p, u, v in zip(place, *axes)] for b in steps[1] for a in steps[0]]
 
 
+def along(altitude, azimuth, up=(0, 0, 1), north=(0, 1, 0)):
+    """The way to a place of the sky."""
+    a, b = math.radians(altitude), math.radians(azimuth)
+    return [math.cos(a) * (math.sin(b) * e + math.cos(b) * n) + math.sin(a) * u
+            for e, n, u in zip(cross(north, up), north, up)]
+
+
+def sky_line(sky):
+    altitude, azimuth = (sky.get('sun', {}).get(key, 0) for key in ('altitude', 'azimuth'))
+    up, north = sky.get('up', [0, 0, 1]), sky.get('north', [0, 1, 0])
+    by = next(key for key in ('zenith', 'horizontal', 'diffuse') if key in sky)
+    level = ' %s ' % ('zenith' if by == 'zenith' else 'horizontal') + line('', sky[by], sky.get('ground', 0)).strip()
+    if sky.get('kind') == sky_scenes.OVERCAST:
+        return line('overcast', up) + level
+    if 'kind' in sky:
+        shape = [*sky_scenes.coefficients(sky['kind'])]
+        shape.append(math.exp(shape[3] * math.pi / 2))
+    else:
+        shape = [*perez.coefficients(sky['direct'], sky['diffuse'], altitude, 127500), 0]
+    return line('sky', shape, up, along(altitude, azimuth, up, north)) + level
+
+
 def lamp_lines(lamp):
     kind = lamp['type']
+    if kind == 'sky':
+        return [sky_line(lamp)]
+    if kind == 'sun':
+        way = along(lamp['altitude'], lamp['azimuth'], lamp.get('up', [0, 0, 1]), lamp.get('north', [0, 1, 0]))
+        return [line('sun', way, math.radians(lamp['diameter']) / 2, lamp['irradiance'])]
     if kind == 'planar':
         shape = lamp['rectangle']
         u, v = frame(shape)
@@ -148,11 +206,11 @@ def lamp_lines(lamp):
     raise ValueError(kind)
 
 
-def listing(surfaces, lights, places, side=64, batches=16, seed=1):
+def listing(surfaces, lights, places, side=64, batches=16, seed=1, bounces=-1):
     lines = [text for thing in surfaces for text in surface_lines(thing)]
     lines += [text for lamp in lights for text in lamp_lines(lamp)]
     lines += [line('place', place, normal) for place, normal in places]
-    return '\n'.join(lines + [line('work', side, batches, seed)]) + '\n'
+    return '\n'.join(lines + [line('work', side, batches, seed, bounces)]) + '\n'
 
 
 def ask(program, surfaces, lights, places, **work):
