@@ -269,6 +269,12 @@ def probe(luxel, scene, reflections, error):
     return [(point['value'], point['error']) for point in json.loads(ended.stdout)['points']]
 
 
+def ask(program, scene, places, **work):
+    """What the witness says; even where all paths agree it is no better than its sum over the open sky."""
+    said = witness.ask(program, scene.surfaces, scene.lights, places, **work)
+    return [(value, max(spread, 1e-9 * abs(value))) for value, spread in said]
+
+
 def judge(luxel, program, seed, folder):
     """Errors as shares of their bounds, and whether all are honest."""
     scene, shares, honest, said = scene_of(seed, folder), [], True, {}
@@ -277,11 +283,10 @@ def judge(luxel, program, seed, folder):
         reflections, error, bounces = OPTIONS[name]
         found = probe(luxel, scene, reflections, error)
         if bounces not in said:
-            said[bounces] = witness.ask(program, scene.surfaces, scene.lights, scene.places, bounces=bounces, **PATHS)
+            said[bounces] = ask(program, scene, scene.places, bounces=bounces, **PATHS)
         for i, place in enumerate(scene.places):
             if not is_honest(found[i], said[bounces][i]):
-                said[bounces][i] = witness.ask(program, scene.surfaces, scene.lights, [place], seed=2, bounces=bounces,
-                                               **MORE_PATHS)[0]
+                said[bounces][i] = ask(program, scene, [place], seed=2, bounces=bounces, **MORE_PATHS)[0]
             (value, bound), (truth, spread) = found[i], said[bounces][i]
             if not is_honest(found[i], said[bounces][i]):
                 honest = False

@@ -92,7 +92,7 @@ def try_furnaces(tap, program):
     places = [([2500, 3000, 0], UP), ([1500, 1500, 50], [0, 0, -1]), ([2300, 3990, 1000], [1, 0, 0]),
               ([0, 1000, 2900], [1, 0, 0]), ([2000, 5000, 1000], [0, 1, 0])]
     for place, found in zip(places, witness.ask(program, [room, ball], [everywhere], places, side=64, batches=8)):
-        tap.ok(abs(found[0] - math.pi) <= FAR * found[1] + 3e-6, 'a furnace with openings, %s' % (place,),
+        tap.ok(abs(found[0] - math.pi) <= FAR * found[1] + 1e-8, 'a furnace with openings, %s' % (place,),
                '%s' % (found,))
     ground = {'type': 'disk', 'center': [0, 0, 0], 'radius': 3000, 'axis': UP, 'material': material(.4)}
     for bounces, truth in ((0, 0), (1, math.pi * .4 * .9), (-1, math.pi * .4 * .9)):

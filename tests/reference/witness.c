@@ -389,7 +389,7 @@ static void witness(vector place, vector normal, int side, int batches, int boun
         squares += mean * mean;
     }
     const double mean = sum / batches, spread = fmax(0, squares / batches - mean * mean);
-    printf("%.9g %.3g\n", mean, sqrt(spread / (batches - 1)));
+    printf("%.15g %.3g\n", mean, sqrt(spread / (batches - 1)));
     fflush(stdout);
 }
 
@@ -452,20 +452,24 @@ static void read_hole(void)
     hole->left = number();
 }
 
-/* The irradiance of a horizontal plane under the open sky: middles of small pieces, around the sun. */
+/* The irradiance of a horizontal plane under the open sky: by Simpson's rule on ways from the sun to the horizon. */
 static double open_horizontal(void)
 {
     double sum = 0;
     vector a, b;
     across(sky.sun, &a, &b);
-    for (int i = 0; i < SKY_STEPS; i++)
-        for (int j = 0; j < SKY_STEPS; j++) {
-            const double chi = (i + 0.5) * PI / SKY_STEPS, turn = (j + 0.5) * 2 * PI / SKY_STEPS;
-            const vector side = add(times(a, cos(turn)), b, sin(turn));
+    for (int i = 0; i < SKY_STEPS; i++) {
+        const double turn = (i + 0.5) * 2 * PI / SKY_STEPS;
+        const vector side = add(times(a, cos(turn)), b, sin(turn));
+        const double end = atan2(dot(sky.sun, sky.up), -dot(side, sky.up));
+        for (int j = 1; j < SKY_STEPS; j++) {
+            const double chi = j * end / SKY_STEPS;
             const vector way = add(times(sky.sun, cos(chi)), side, sin(chi));
-            sum += luminance(&sky, way) * fmax(0, dot(way, sky.up)) * sin(chi);
+            const double weight = (j % 2 ? 4.0 : 2.0) / 3 * end / SKY_STEPS;
+            sum += weight * luminance(&sky, way) * fmax(0, dot(way, sky.up)) * sin(chi);
         }
-    return sum * 2 * PI * PI / SKY_STEPS / SKY_STEPS;
+    }
+    return sum * 2 * PI / SKY_STEPS;
 }
 
 static void read_sky(bool is_overcast)
