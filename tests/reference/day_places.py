@@ -4,12 +4,13 @@
     day_places.py LUXEL WITNESS SCENES [FIRST]
 
 Rooms are those of reflected_places.py with openings, some of them glazed, and now and then a body of triangles; some
-have lamps besides.  Outdoors bodies and lamps of all kinds stand on a plane, or a small house with its windows.  The
-light is a sky of a kind of the CIE or of Perez, with the ground or without, and the sun.  Places are on and beside
-things, in corners, near windows and shadows, and free.  Each scene is asked without reflections, with some of them and
-with all, at several bounds.  The witness follows paths at random (witness.c).  A value is dishonest where it is further
-from what the witness says than its bound and four standard errors, by sixteen times as many paths, too.  Prints each
-scene with its errors as shares of the bounds, and ends with `N passed, N failed`.
+have lamps besides.  Outdoors bodies and lamps of all kinds stand on a plane, or a small house with an opening, which
+has no glass, as reflected light from outside may not come through any.  The light is a sky of a kind of the CIE or of
+Perez, with the ground or without, and the sun.  Places are on and beside things, in corners, near windows and shadows,
+and free.  Each scene is asked without reflections, with some of them and with all, at several bounds.  The witness
+follows paths at random (witness.c).  A value is dishonest where it is further from what the witness says than its bound
+and four standard errors, by sixteen times as many paths, too.  Prints each scene with its errors as shares of the
+bounds, and ends with `N passed, N failed`.
 """
 import json
 import math
@@ -93,6 +94,9 @@ class DayRoom:
                 self.places.append(([x + size + little(draw), 0, z], UP))
             return
         super().furnish()
+
+    def beside(self, thing):
+        return [] if thing['type'] == 'mesh' else super().beside(thing)
 
     def lamps(self):
         super().lamps()
@@ -228,7 +232,7 @@ class Outdoors(reflected_places.Room):
         else:
             opening = {'wall': draw.choice(['left', 'right', 'back', 'front', 'ceiling']), 'center': [0, 0],
                        'size': [draw.uniform(300, 1500), draw.uniform(300, 1500)]}
-            thing.update(type='room', center=[x, 1001, z], size=[2000, 2000, 2000], openings=[glaze(draw, opening)])
+            thing.update(type='room', center=[x, 1001, z], size=[2000, 2000, 2000], openings=[opening])
             self.places[-1:] = [([x + 300, 1, z + 200], UP), ([x - 999, 1500, z + 100], [1, 0, 0]),
                                 ([x + 1000 + little(draw), 0, z], UP), ([x + 1000, 300, z + 800], [1, 0, 0])]
             self.places = [place for place in self.places if opening['wall'] != 'right' or place[1] != [1, 0, 0]]

@@ -95,8 +95,9 @@ CIE_CASES = (
     ('5.11, 5.12', 'sky and ground through a facade opening, unglazed and glazed', 'yes',
      'printed numbers that are off; tests/reference/cie_daylight.py prints all'),
     ('5.13, 5.14', 'the same with horizontal and vertical masks', 'no',
-     'not said: what light the masks themselves send, which the printed numbers hold; others who tried them found table '
-     'B.22 wrong under overcast skies, A to D of B.25 and B.26 too high, and F under sky 12 printed as 1.02 for 6.76'),
+     'not said: what light the masks themselves send, which the printed numbers hold; others who tried them found '
+     'table B.22 wrong under overcast skies, A to D of B.25 and B.26 too high, and F under sky 12 printed as 1.02 for '
+     '6.76'),
 )
 
 
