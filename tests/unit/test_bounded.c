@@ -280,7 +280,7 @@ static void vectors(void **unused)
         assert_is_tight(&reach, 8, "length");
         assert_vector(lx_unit3(far), (const long double[]){f[0] / length, f[1] / length, f[2] / length}, "unit vector");
         assert_true(lx_unit3(far).x.error <= 8 * DBL_EPSILON);
-        const lx_bounded3 along = lx_unit3(lx_exact3((const double[]){0, -fabs(f[1]) - DBL_MIN, 0}));
+        const lx_bounded3 along = lx_unit3(lx_exact3((const double[]){0, -fabs(far.y.value) - DBL_MIN, 0}));
         assert_true(lx_is_zero(along.x) && lx_is_zero(along.z) && along.y.value == -1 && along.y.error == 0);
         struct trial dot = {lx_dot3(a, b), 0};
         for (int i = 0; i < MOVES; i++) {
