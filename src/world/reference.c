@@ -14,6 +14,7 @@
 #include "images.h"
 #include "integral/cubature.h"
 #include "mirrors.h"
+#include "open_domes.h"
 
 bool lx_element_seen(const struct lx_prepared *prepared, double x_mm, double y_mm, struct lx_element *element)
 {
@@ -407,12 +408,19 @@ static struct lx_lighting light_openly(const struct lx_prepared *prepared, const
     struct lx_open_patch *open = &remembered->patches[patch];
     struct lx_element there = *element;
     struct lx_dome_view view;
+    /* round surfaces have a normal for each element, which are too many to be kept */
+    struct lx_open_domes *domes = element->own && !lx_shape_is_flat(&element->own->shape) ? NULL : prepared->open_domes;
+    if (!open->is_known)
+        open->is_known = lx_open_domes_look(domes, remembered, prepared->tolerance, patch, &open->lighting);
     if (!open->is_known) {
         there.place_mm = lx_exact3(origin);
         lx_dome_see(dome, patch, origin, lx_beyond_all(prepared, origin), &view);
         *open = (struct lx_open_patch){true, light_around(prepared, &there, &view.emitter, NULL, 0)};
+        lx_open_domes_note(domes, remembered, prepared->tolerance, patch, &open->lighting);
     }
-    return open->lighting;
+    struct lx_lighting found = open->lighting;
+    found.parts = element->open_dome ? 0 : found.parts; /* of many elements nobody looked at them for this one */
+    return found;
 }
 
 /* Patch by patch; those that the element does not look to give nothing. */

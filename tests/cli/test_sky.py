@@ -411,6 +411,12 @@ def pictures(tap, tool):
     tool.write("wall.yaml", window)
     told = tool.run("stats", "wall.yaml", "--json").json()
     tap.equal((told["max"]["value"], told["min"]["value"]), (0, 0), "the wall of the window")
+    # with all that the room reflects: its outside, which has the whole sky, leaves effort for the inside
+    seen = window.replace("position: [3800, 3800, 1700], target: [1500, 500, 1000]",
+                          "position: [3600, 3600, 1700], target: [1500, 500, 1000]") + "reflections: all\n"
+    tool.write("seen.yaml", seen.replace("{model: lambert}", "{model: lambert, diffuse: .7, over_pi: true}"))
+    tap.equal(tool.run("render", "seen.yaml", "-o", "seen.npy", "--reflected-error", ".1").code, 0,
+              "the bound that is wanted of a picture of a room with a window")
 
 
 if __name__ == "__main__":
