@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "../base/memory.h"
+#include "../material/lobe.h"
 
 /* Scenes have few flat surfaces of one normal and one material each. */
 enum { MOST = 64 };

@@ -7,7 +7,32 @@
 #ifndef LX_WORLD_OPEN_DOMES_H
 #define LX_WORLD_OPEN_DOMES_H
 
-#include "reference.h"
+#include "../light/sky/dome.h"
+
+struct lx_lobe;
+
+/* What an emitter gives to an element. */
+struct lx_lighting {
+    bool on_element; /* the emitter lies on the element: there is no value */
+    lx_bounded irradiance, diffuse, specular;
+    size_t parts; /* points of an extended emitter that were looked at; 0: a closed form did */
+};
+
+/*
+ * What patches of a dome give where nothing stands before them, remembered from one element to the next: as a dome has
+ * no distance, that is the same for all elements of one normal, as those of a flat surface, and where they reflect by
+ * the view, of one view vector.
+ */
+struct lx_open_patch {
+    bool is_known;
+    struct lx_lighting lighting;
+};
+struct lx_open_dome {
+    const struct lx_dome *dome; /* NULL: nothing is known yet */
+    const struct lx_lobe *lobe;
+    lx_bounded3 normal, view;
+    struct lx_open_patch patches[LX_MOST_DOME_PATCHES];
+};
 
 struct lx_open_domes;
 

@@ -10,6 +10,7 @@
 
 #include "../light/sky/dome.h"
 #include "element.h"
+#include "open_domes.h"
 #include "prepared.h"
 
 struct lx_occlusion;
@@ -29,28 +30,6 @@ bool lx_is_by_normal(const struct lx_prepared *prepared, size_t surface);
 /* Farther from a place than all that may stand in its way, in mm: a power of two, for which directions stay what they
  * are. */
 double lx_beyond_all(const struct lx_prepared *prepared, const double place_mm[3]);
-
-struct lx_lighting {
-    bool on_element; /* the emitter lies on the element: there is no value */
-    lx_bounded irradiance, diffuse, specular;
-    size_t parts; /* points of an extended emitter that were looked at; 0: a closed form did */
-};
-
-/*
- * What patches of a dome give where nothing stands before them, remembered from one element to the next: as a dome has
- * no distance, that is the same for all elements of one normal, as those of a flat surface, and where they reflect by
- * the view, of one view vector.
- */
-struct lx_open_patch {
-    bool is_known;
-    struct lx_lighting lighting;
-};
-struct lx_open_dome {
-    const struct lx_dome *dome; /* NULL: nothing is known yet */
-    const struct lx_lobe *lobe;
-    lx_bounded3 normal, view;
-    struct lx_open_patch patches[LX_MOST_DOME_PATCHES];
-};
 
 /* 1 where the way from the element to a point or in a direction is free, 0 where a surface stands in it. */
 lx_bounded lx_openness_of(const struct lx_prepared *prepared, const struct lx_element *element,
