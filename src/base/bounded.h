@@ -255,18 +255,15 @@ static inline lx_bounded lx_length3(lx_bounded3 a)
     return lx_scale(lx_sqrt(lx_square3(lx_scale3(a, scale))), 1 / scale);
 }
 
-static inline lx_bounded lx_sign(double value)
-{
-    return lx_exact((value > 0) - (value < 0));
-}
-
 static inline lx_bounded3 lx_unit3(lx_bounded3 a)
 {
     a = lx_scale3(a, lx_scale_for3(a));
-    if (lx_is_zero(a.x) + lx_is_zero(a.y) + lx_is_zero(a.z) == 2 && a.x.error + a.y.error + a.z.error == 0)
-        return (lx_bounded3){lx_sign(a.x.value), lx_sign(a.y.value), lx_sign(a.z.value)}; /* along an axis: exact */
     lx_bounded length = lx_sqrt(lx_square3(a));
-    return (lx_bounded3){lx_div(a.x, length), lx_div(a.y, length), lx_div(a.z, length)};
+    lx_bounded3 unit = {lx_div(a.x, length), lx_div(a.y, length), lx_div(a.z, length)};
+    const int along = (fabs(a.x.value) > 0) + (fabs(a.y.value) > 0) + (fabs(a.z.value) > 0);
+    if (along == 1 && a.x.error + a.y.error + a.z.error == 0) /* an axis, and exact */
+        unit.x.error = unit.y.error = unit.z.error = 0;
+    return unit;
 }
 
 /* An unevaluated sum of two float64 numbers: twice the precision where cancellation would lose it. */
