@@ -232,7 +232,8 @@ LX_LANE struct bounded3 unit3(struct bounded3 a, struct bounded *length)
                                only_above(size_of(near.y.value), zero, one) +
                                only_above(size_of(near.z.value), zero, one);
     /* an axis, where that is exact, has no error */
-    const lanes_double is_one = only_above(along, all_double(0.5), where_above_double(along, all_double(1.5), zero, one));
+    const lanes_double is_one =
+        only_above(along, all_double(0.5), where_above_double(along, all_double(1.5), zero, one));
     const lanes_double share = where_above_double(doubt, zero, one, one - is_one);
     struct bounded3 unit = {over(near.x, measure), over(near.y, measure), over(near.z, measure)};
     unit.x.error *= share, unit.y.error *= share, unit.z.error *= share;
