@@ -110,24 +110,5 @@ def none_there(tap, tool):
     tap.ok(error and len(error.diagnostics) == 3 and "intensity" in str(error), "wrong keys, all at once", error)
 
 
-def time_of(function):
-    start = time.process_time()
-    function()
-    return time.process_time() - start
-
-
-def their_time(tap, tool):
-    """Each place is visited once, whatever the numbers."""
-    scene = luxel.Scene(DESK)
-    keys = KEYS + ["surfaces[0].material." + key for key in ("diffuse", "specular", "shininess")] + ["observer.z"] + [
-        "lights[*].position[0]", "lights[*].intensity"]
-    places = numpy.random.default_rng(5).uniform(-3000, 3000, (400000, 3)) * [1, 1, 0]
-    named = {"quantity": "brightness", "threads": 1}
-    values = min(time_of(lambda: scene.evaluate(places, [0, 0, 1], **named)) for _ in range(3))
-    found = min(time_of(lambda: scene.jacobian(keys, elements=(places, [0, 0, 1]), **named)) for _ in range(3))
-    tap.ok(found < 12 * values, "ten numbers take less than 12 times the values' time", found / values)
-    print("# " + json.dumps({"values": values, "derivatives of 10 numbers": found, "ratio": found / values}))
-
-
 if __name__ == "__main__":
-    run_tests(Tap(), elements, points_and_pixels, grids, none_there, their_time)
+    run_tests(Tap(), elements, points_and_pixels, grids, none_there)
