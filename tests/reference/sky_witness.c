@@ -448,7 +448,8 @@ static bool is_source(const char *word)
     bool good = true;
     if (!strcmp(word, "sky")) {
         good = numbers(n, 6) && vectors(v, 2);
-        source = (struct source){.kind = SKY, .sky = {false, n[0], n[1], n[2], n[3], n[4], n[5], 0, 0}};
+        source = (struct source){.kind = SKY,
+                                 .sky = {.a = n[0], .b = n[1], .c = n[2], .d = n[3], .e = n[4], .off = n[5]}};
         source.sky.up = v[0], source.sky.sun = v[1];
         read_level(word);
     } else if (!strcmp(word, "overcast")) {
