@@ -18,7 +18,7 @@ static gboolean remove_menu(gpointer popover)
     return G_SOURCE_REMOVE;
 }
 
-/* What was clicked is still to be done; it may have made another form, of which the menu is no part. */
+/* The action that was clicked is still to be done; it may make another form, of which the menu is no part. */
 static void menu_closed(GtkWidget *popover, gpointer data)
 {
     (void)data;

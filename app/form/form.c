@@ -191,7 +191,7 @@ static void edited(AppRow *row, const char *yaml, Entry *entry)
     app_edits_free(edits);
 }
 
-/* What a key is where it is not given; NULL: it must be. */
+/* The value of a key that is not given; NULL: it must be given. */
 static const char *default_of(const luxel_parameter *parameter)
 {
     return parameter->value_type == LUXEL_PARAMETER_GROUP ? _("none") : parameter->default_value;

@@ -132,7 +132,7 @@ static struct lx_radiosity *taken(struct lx_kept *kept, const struct lx_reflecte
     return found;
 }
 
-/* What the scene keeps, if it was made with the same; NULL: nothing. */
+/* The solution that the scene keeps, if it was made with the same; NULL: there is none. */
 static struct lx_radiosity *find_kept(struct lx_kept_slot *slot, const struct lx_reflected_key *key)
 {
     return taken(slot ? lx_kept_slot_look(slot) : NULL, key, false);

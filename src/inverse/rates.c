@@ -27,7 +27,7 @@ struct finding {
     struct lx_slopes *slopes;
 };
 
-/* What a key may change, by where it stands; false: that is not only what constants tell. */
+/* The things that a key may move, by its place in the scene; false: it changes more than constants tell. */
 static bool find_moving(const luxel_scene *scene, const struct lx_target *target, struct lx_moving *moving)
 {
     const struct lx_place place = {.source = "key", .text = target->path, .length = strlen(target->path)};

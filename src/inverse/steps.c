@@ -6,7 +6,7 @@
 
 enum { MOST_HALVINGS = 50 }; /* of the first step, until both of its ends are legal */
 
-/* What is so near, by the size of the number, counts as touching (a lamp in a ceiling): steps below tell
+/* Things so near each other, by the size of the number, count as touching (a lamp in a ceiling): steps below tell
  * nothing of the scene. */
 static const double LEAST_STEP = 1e-9;
 

@@ -71,7 +71,7 @@ static size_t limits_of_observer(const luxel_scene *scene, size_t i, luxel_limit
     return count;
 }
 
-/* What a rating is 8 times the logarithm of; without a background, the glare itself. */
+/* The number that a rating is 8 times the logarithm of; without a background, the glare itself. */
 static double dazzle(const luxel_glare *glare)
 {
     double sum = 0;

@@ -38,7 +38,7 @@ struct tuning {
     size_t numbers, cells;
     double *scale, *low, *high;
     double first_flux; /* of the scene as it is */
-    /* What is reflected, where the flux was that; of observers, by what it divides their glare. */
+    /* Reflected light where the flux was that; of observers, the factor of their glare. */
     double *correction, correct_flux;
     double *slopes, *fluxes; /* numbers x cells, numbers */
     double *rows, *table;
@@ -298,7 +298,7 @@ static void forget(struct tuning *tuning)
         tuning->correction[i] = i < tuning->cells - tuning->goals->observers ? 0 : 1;
 }
 
-/* What is reflected where a scene was computed: its values less those without; of observers, by those. */
+/* Reflected light of a scene that was computed: its values less those without; of observers, divided by those. */
 static luxel_status learn(struct tuning *tuning, const struct stand *at, double *room)
 {
     const double *values = tuning->arranging->values;
