@@ -282,17 +282,6 @@ void lx_look_again(const struct lx_plan *plan, const struct lx_planned_surface *
         look(plan, surface, planned, place, normal, &penumbra->occlusion);
 }
 
-/* Whether visible boundaries are as exact as the picture: the outline of a cylinder is put together of parts that touch
- * each other, which costs half of the digits. */
-static bool is_closed(const struct lx_plan *plan, const struct lx_emitter *emitter,
-                      const struct lx_occlusion *occlusion)
-{
-    bool has_cylinder = lx_emitter_kind(emitter)->has_side;
-    for (size_t i = 0; i < occlusion->obstacles.count; i++)
-        has_cylinder = has_cylinder || occlusion->obstacles.items[i].type == LX_OBSTACLE_TUBE;
-    return !has_cylinder || plan->precision != LUXEL_DOUBLE;
-}
-
 static struct lx_partial_highlight partial_of(const struct lx_plan *plan, const struct lx_planned_surface *surface,
                                               const struct lx_planned_area_light *planned,
                                               const struct lx_element *element, const struct lx_penumbra *penumbra)
@@ -315,9 +304,13 @@ static bool find_irradiance(const struct lx_plan *plan, const struct lx_planned_
 {
     const struct lx_emitter *emitter = planned->emitter;
     const double normal[3] = {element->normal.x.value, element->normal.y.value, element->normal.z.value};
-    if (emitter->attenuation == LX_INVERSE_SQUARE)
-        return is_closed(plan, emitter, penumbra->used) &&
-               lx_boundary_irradiance(emitter, normal, penumbra->used, irradiance);
+    if (emitter->attenuation == LX_INVERSE_SQUARE) {
+        lx_bounded seen;
+        if (!lx_boundary_irradiance(emitter, normal, penumbra->used, &seen))
+            return false;
+        *irradiance = seen.value;
+        return true;
+    }
     struct lx_partial_highlight partial = partial_of(plan, surface, planned, element, penumbra);
     partial.is_matte = true;
     return plan->precision != LUXEL_DOUBLE && lx_partial_highlight_sum(&partial, irradiance);

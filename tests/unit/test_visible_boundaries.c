@@ -12,6 +12,7 @@
 #include "scenes.h"
 #include "shadow_scenes.h"
 
+#include "../../src/light/solid/extended.h"
 #include "../../src/world/integral/cubature.h"
 #include "../../src/world/reference.h"
 #include "../../src/world/visibility/boundary.h"
@@ -61,17 +62,17 @@ static size_t compare(const char *text, struct dice *dice, size_t many)
                                    .normal = {0, 0, 1}};
         const struct lx_element element = lx_element_at(&prepared, &asked);
         struct lx_occlusion occlusion = {.place_mm = {0}};
-        double found;
+        lx_bounded found;
         assert_int_equal(lx_occlusion_make(&prepared, &element, emitter, true, &occlusion), 0);
         had += occlusion.obstacles.count >= many;
         if (!lx_boundary_irradiance(emitter, asked.normal, &occlusion, &found))
             fail_msg("%zu obstacles are too many:\n%s", occlusion.obstacles.count, text);
-        found *= emitter->radiance.value;
+        found = lx_mul(found, emitter->radiance);
         const lx_bounded seen =
             lx_integrate(emitter, &element, &occlusion, true, 0, prepared.tolerance, NULL).irradiance;
-        if (!(fabs(found - seen.value) <= seen.error + 1e-12))
-            fail_msg("%.17g by borders, %.17g +- %g by arcs, behind %zu obstacles:\n%s", found, seen.value, seen.error,
-                     occlusion.obstacles.count, text);
+        if (!(fabs(found.value - seen.value) <= seen.error + found.error))
+            fail_msg("%.17g +- %g by borders, %.17g +- %g by arcs, behind %zu obstacles:\n%s", found.value, found.error,
+                     seen.value, seen.error, occlusion.obstacles.count, text);
         lx_occlusion_clear(&occlusion);
     }
     lx_prepared_clear(&prepared);
@@ -94,9 +95,113 @@ static void dozens_of_obstacles(void **state)
     assert_true(had >= (size_t)rounds * LAMPS);
 }
 
+/* ---- what touches ---- */
+
+static const char *const grid_sources[] = {
+    "{type: planar, rectangle: {center: [%g, %g, 900], size: [200, 120], aim: [%g, %g, 0]}, radiance: 1}",
+    "{type: planar, disk: {center: [%g, %g, 900], radius: 100, aim: [%g, %g, 0]}, radiance: 1}",
+    "{type: volume, sphere: {center: [%g, %g, 900], radius: 100}, radiance: 1}",
+    "{type: volume, cylinder: {center: [%g, %g, 900], radius: 40, height: 200, axis: [1, 0, 0]}, radiance: 1}",
+    "{type: volume, box: {center: [%g, %g, 900], size: [200, 120, 40]}, radiance: 1}",
+};
+enum { GRID_LAMPS = 5 };
+
+/* Bodies and plates at places of a grid, as large as its meshes: they stand on each other, side by side, in one plane,
+ * and reach into each other. */
+static void write_grid(struct dice *dice, int source, char *text)
+{
+    static const char *const kinds[] = {
+        "  - {type: rectangle, center: [%g, %g, %g], size: [80, 40], axis: [0, 0, 1], up: [0, 1, 0]",
+        "  - {type: rectangle, center: [%g, %g, %g], size: [40, 80], axis: [0, 1, 0], up: [0, 0, 1]",
+        "  - {type: disk, center: [%g, %g, %g], radius: 40, axis: [0, 0, 1]",
+        "  - {type: disk, center: [%g, %g, %g], radius: 20, axis: [1, 0, 0]",
+        "  - {type: sphere, center: [%g, %g, %g], radius: 20",
+        "  - {type: sphere, center: [%g, %g, %g], radius: 40",
+        "  - {type: cylinder, center: [%g, %g, %g], radius: 20, height: 80, axis: [0, 0, 1]",
+        "  - {type: cylinder, center: [%g, %g, %g], radius: 20, height: 120, axis: [1, 0, 0]",
+        "  - {type: cylinder, center: [%g, %g, %g], radius: 40, height: 40, axis: [0, 0.6, 0.8]",
+    };
+    enum { KINDS_HERE = sizeof kinds / sizeof *kinds, MESH = 20 };
+    const int count = 1 + dice_pick(dice, 6);
+    char *end = text + snprintf(text, MOST_SIZE,
+                                "luxel: 1\nobserver: {z: 3000}\n"
+                                "screen: {width: 400, height: 400, resolution: [8, 8]}\nsurfaces:\n"
+                                "  - {type: rectangle, center: [0, 0, 0], size: [400, 400], axis: [0, 0, 1], "
+                                "up: [0, 1, 0], material: {model: lambert}}\n");
+    for (int i = 0; i < count; i++) {
+        const double x = MESH * (dice_pick(dice, 9) - 4), y = MESH * (dice_pick(dice, 9) - 4);
+        end += snprintf(end, (size_t)(text + MOST_SIZE - end), kinds[dice_pick(dice, KINDS_HERE)], x, y,
+                        300.0 + MESH * dice_pick(dice, 8));
+        end += snprintf(end, (size_t)(text + MOST_SIZE - end), ", material: {model: lambert}}\n");
+    }
+    const double at[2] = {MESH * (dice_pick(dice, 5) - 2), MESH * (dice_pick(dice, 5) - 2)};
+    const double aim[2] = {dice_pick(dice, 2) ? at[0] : 0, dice_pick(dice, 2) ? at[1] : 0};
+    end += snprintf(end, (size_t)(text + MOST_SIZE - end), "lights:\n  - ");
+    end += snprintf(end, (size_t)(text + MOST_SIZE - end), grid_sources[source], at[0], at[1], aim[0], aim[1]);
+    snprintf(end, (size_t)(text + MOST_SIZE - end), "\n");
+}
+
+/* How often it was known, of how many elements that were partly hidden. */
+struct tally {
+    size_t known, all;
+};
+
+static void compare_on_grid(const char *text, struct dice *dice, struct tally *tally)
+{
+    enum { ELEMENTS = 4, MESH = 20 };
+    luxel_scene *scene;
+    struct lx_prepared prepared;
+    if (load(text, NULL, &scene) != LUXEL_OK)
+        fail_msg("not a scene:\n%s", text);
+    assert_int_equal(lx_prepare(lx_scene_parameters(scene), NULL, NULL, &prepared), 0);
+    const struct lx_emitter *emitter = &prepared.emitters.items[0];
+    for (int i = 0; i < ELEMENTS; i++) {
+        const double on_grid = i < ELEMENTS / 2 ? 0 : 7;
+        luxel_place asked = {.position_mm = {MESH * (dice_pick(dice, 9) - 4) + dice_uniform(dice, -1, 1) * on_grid,
+                                             MESH * (dice_pick(dice, 9) - 4) + dice_uniform(dice, -1, 1) * on_grid, 0},
+                             .normal = {0, 0, 1}};
+        for (int k = 0; k < 2 && dice_pick(dice, 3) == 0; k++)
+            asked.normal[k] = dice_uniform(dice, -3, 3);
+        const struct lx_element element = lx_element_at(&prepared, &asked);
+        const double normal[3] = {element.normal.x.value, element.normal.y.value, element.normal.z.value};
+        struct lx_occlusion occlusion = {.place_mm = {0}};
+        lx_bounded found;
+        assert_int_equal(lx_occlusion_make(&prepared, &element, emitter, true, &occlusion), 0);
+        if (!lx_extended_touches(emitter, element.place_mm) && lx_is_occluded(&occlusion)) {
+            const bool is_known = lx_boundary_irradiance(emitter, normal, &occlusion, &found);
+            tally->all++;
+            tally->known += is_known;
+            const lx_bounded seen = lx_integrate(emitter, &element, &occlusion, true, 0, 1e-10, NULL).irradiance;
+            if (is_known && !(fabs(found.value - seen.value) <= seen.error + found.error))
+                fail_msg("%.17g +- %g by borders, %.17g +- %g by arcs, at (%.17g, %.17g), normal %g %g:\n%s",
+                         found.value, found.error, seen.value, seen.error, asked.position_mm[0], asked.position_mm[1],
+                         normal[0], normal[1], text);
+        }
+        lx_occlusion_clear(&occlusion);
+    }
+    lx_prepared_clear(&prepared);
+    luxel_scene_free(scene);
+}
+
+static void obstacles_on_a_grid(void **state)
+{
+    (void)state;
+    enum { ROUNDS = 400 };
+    const int rounds = scenes_to_try(ROUNDS);
+    struct dice dice = {77};
+    struct tally tally = {0};
+    char text[MOST_SIZE];
+    for (int i = 0; i < rounds; i++) {
+        write_grid(&dice, i % GRID_LAMPS, text);
+        compare_on_grid(text, &dice, &tally);
+    }
+    assert_true(tally.known * 5 > tally.all * 4);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
+        cmocka_unit_test(obstacles_on_a_grid),
         cmocka_unit_test(dozens_of_obstacles),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

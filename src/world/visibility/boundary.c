@@ -3,6 +3,7 @@
  * The pieces of curves that bound what is seen: each curve is walked between the places where it crosses any other, and
  * each piece is tried at its middle.
  */
+#include <float.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -10,14 +11,25 @@
 #include "../../base/larger.h"
 #include "../../base/vector.h"
 #include "../../light/solid/extended.h"
-#include "boundary.h"
+#include "boundary_ends.h"
 
 enum { MOST_CROSSINGS = 4 * (LX_BOUNDARY_SIDES + LX_BOUNDARY_OBSTACLE_SIDES) };
 
 /* Directions that are nearer than this to a curve lie on it. */
 static const double ON = 1e-12;
 
+/* Curves that come no nearer to each other's inside than this touch each other, as the parts of a cylinder do. */
+static const double TOUCHING = 4e-15;
+
 /* ---- crossings ---- */
+
+void lx_boundary_place(const struct lx_boundary_side *side, double t, double u[3])
+{
+    const double c = side->is_circle ? cos(t) : 0, s = side->is_circle ? sin(t) : 0;
+    for (int k = 0; k < 3; k++)
+        u[k] = side->is_circle ? side->limit * side->g[k] + side->sine * (c * side->p[k] + s * side->q[k])
+                               : side->from[k] + t * (side->to[k] - side->from[k]);
+}
 
 enum { MOST_OF_TWO = 4 };
 
@@ -136,18 +148,43 @@ static unsigned find_shares(double a, double b, double c, double *at)
     return count;
 }
 
-/* Where a piece of a great circle crosses the outline of a disk. */
+/* Where on a circle, or on the outline of a disk, that of a plane or of a circle is; none where they touch only. */
+static unsigned find_angles(const struct lx_boundary_side *side, const struct lx_boundary_side *other, double *at)
+{
+    /* limit' = g'.u(phi) = a + b cos(phi) + c sin(phi) */
+    const double a = side->limit * lx_dot(side->g, other->g) - other->limit;
+    const double b = side->sine * lx_dot(side->p, other->g), c = side->sine * lx_dot(side->q, other->g);
+    const double reach = hypot(b, c);
+    unsigned count = 0;
+    if (!(fabs(a) < reach - TOUCHING))
+        return 0;
+    const double middle = atan2(c, b), half = acos(-a / reach);
+    for (int sign = -1; sign <= 1; sign += 2) {
+        const double phi = middle + sign * half;
+        at[count++] = phi < 0 ? phi + 2 * M_PI : phi >= 2 * M_PI ? phi - 2 * M_PI : phi;
+    }
+    return count;
+}
+
+/* Where a piece of a great circle crosses the outline of a disk: at the same places as that crosses it. */
 static unsigned cross_cone(const struct lx_boundary_side *side, const struct lx_boundary_side *cone, double *at)
 {
-    double a = 0, b = 0, c = 0;
-    for (int i = 0; i < 3; i++) {
-        const double from = lx_dot(cone->rows[i], side->from), way = lx_dot(cone->rows[i], side->to) - from;
-        const double weight = i == 0 ? 1 : -1;
-        a += weight * way * way;
-        b += weight * from * way;
-        c += weight * from * from;
+    double angles[2], turned[3];
+    unsigned count = 0;
+    const unsigned found = find_angles(cone, side, angles);
+    lx_cross(side->from, side->to, turned);
+    const double sign = lx_dot(turned, side->g) < 0 ? -1 : 1;
+    for (unsigned i = 0; i < found; i++) {
+        double u[3];
+        lx_boundary_place(cone, angles[i], u);
+        lx_cross(side->from, u, turned);
+        const double behind = sign * lx_dot(turned, side->g);
+        lx_cross(u, side->to, turned);
+        const double before = sign * lx_dot(turned, side->g);
+        if (behind > 0 && before > 0)
+            at[count++] = behind / (behind + before);
     }
-    return find_shares(a, b, c, at);
+    return count;
 }
 
 /* Where a side's curve crosses that of another. */
@@ -156,20 +193,8 @@ static unsigned find_crossings(const struct lx_boundary_side *side, const struct
     unsigned count = 0;
     if (side->is_circle && (other->is_cone || (side->is_cone && other->limit != 0)))
         return cross_curves(side, other, at);
-    if (side->is_circle) {
-        /* limit' = g'.u(phi) = a + b cos(phi) + c sin(phi) */
-        const double a = side->limit * lx_dot(side->g, other->g) - other->limit;
-        const double b = side->sine * lx_dot(side->p, other->g), c = side->sine * lx_dot(side->q, other->g);
-        const double reach = hypot(b, c);
-        if (!(fabs(a) < reach))
-            return 0;
-        const double middle = atan2(c, b), half = acos(-a / reach);
-        for (int sign = -1; sign <= 1; sign += 2) {
-            const double phi = middle + sign * half;
-            at[count++] = phi < 0 ? phi + 2 * M_PI : phi >= 2 * M_PI ? phi - 2 * M_PI : phi;
-        }
-        return count;
-    }
+    if (side->is_circle)
+        return find_angles(side, other, at);
     if (other->is_cone)
         return cross_cone(side, other, at);
     const double from = lx_dot(other->g, side->from), to = lx_dot(other->g, side->to), change = to - from;
@@ -188,14 +213,6 @@ static unsigned find_crossings(const struct lx_boundary_side *side, const struct
 }
 
 /* ---- walking ---- */
-
-void lx_boundary_place(const struct lx_boundary_side *side, double t, double u[3])
-{
-    const double c = side->is_circle ? cos(t) : 0, s = side->is_circle ? sin(t) : 0;
-    for (int k = 0; k < 3; k++)
-        u[k] = side->is_circle ? side->limit * side->g[k] + side->sine * (c * side->p[k] + s * side->q[k])
-                               : side->from[k] + t * (side->to[k] - side->from[k]);
-}
 
 /* How far inside of a side's curve a direction of unit length is. */
 static double depth_of(const struct lx_boundary_side *side, const double u[3])
@@ -239,45 +256,71 @@ static bool are_to_cross(const struct lx_boundary_side *side, const struct lx_bo
 
 /*
  * Whether a piece of a side of body b is a border of what is seen, told by a direction on it.  Where it lies on a side
- * of another body, too: next to an obstacle that begins where the source ends nothing is seen; of obstacles that end
- * there the first one counts; between two that meet there is nothing.
+ * of another body, too, which *is_on tells: next to an obstacle that begins where the source ends nothing is seen; of
+ * obstacles that end there the first one counts; between two that meet there is nothing.
  */
-static bool is_border(const struct lx_boundary *boundary, unsigned b, const struct lx_boundary_side *side,
-                      const double u[3])
+static bool is_border_at(const struct lx_boundary *boundary, unsigned b, const struct lx_boundary_side *side,
+                         const double u[3], bool *is_on)
 {
     const struct lx_boundary_side *nearest = NULL;
+    bool is_border = true;
+    *is_on = false;
     for (unsigned i = 0; i < boundary->bodies[b].count; i++) {
         const struct lx_boundary_side *own = &boundary->bodies[b].sides[i];
         if (are_to_cross(side, own) && !(depth_of(own, u) > 0))
             return false;
     }
-    if (b > 0 && !(depth_in(&boundary->bodies[0], u, &nearest) > ON))
-        return false;
-    for (unsigned i = 1; i < boundary->count; i++) {
+    for (unsigned i = 0; i < boundary->count; i++) {
         if (i == b || boundary->bodies[i].count == 0)
             continue;
         const double depth = depth_in(&boundary->bodies[i], u, &nearest);
-        if (depth < -ON)
-            continue;
-        if (depth > ON)
+        if (i == 0 ? depth < -ON : depth > ON)
             return false;
+        if (fabs(depth) > ON)
+            continue;
         double way[3], other[3];
         find_way_in(side, u, way);
         find_way_in(nearest, u, other);
         const bool agrees = lx_dot(way, other) > 0;
-        if (b == 0 ? agrees : !agrees || i < b)
-            return false;
+        *is_on = true;
+        is_border = is_border && i > 0 && (b == 0 ? !agrees : agrees && i > b);
     }
-    return true;
+    return is_border;
 }
 
-static void walk(const struct lx_boundary *boundary, unsigned b, const struct lx_boundary_side *side,
-                 lx_take_border *take, void *data)
+/* Whether a piece is one, told in its middle, and elsewhere, too, where it only touches another curve there. */
+static bool is_border(const struct lx_boundary *boundary, unsigned b, const struct lx_boundary_side *side, double from,
+                      double to)
 {
+    static const double shares[] = {0.5, 0.3125};
+    bool is_one = false, is_on = true;
+    for (int i = 0; i < 2 && is_on; i++) {
+        double u[3];
+        lx_boundary_place(side, from + (to - from) * shares[i], u);
+        if (!side->is_circle || side->is_cone)
+            lx_normalize(u);
+        is_one = is_border_at(boundary, b, side, u, &is_on);
+    }
+    return is_one;
+}
+
+/* A walk along all curves. */
+struct walking {
+    const struct lx_boundary *boundary;
+    lx_take_border *take;
+    void *data;
+    struct lx_boundary_ends ends;
+};
+
+static void walk(struct walking *walking, unsigned b, const struct lx_boundary_side *side)
+{
+    const struct lx_boundary *boundary = walking->boundary;
     double at[MOST_CROSSINGS + 2];
     unsigned count = 0;
     at[count++] = 0;
     at[count++] = side->is_circle ? 2 * M_PI : 1;
+    if (b == 0)
+        lx_boundary_ends_overlook(&walking->ends, side, at[1]);
     for (unsigned i = 0; i < boundary->count; i++)
         for (unsigned k = 0; k < boundary->bodies[i].count; k++)
             if (i != b || are_to_cross(side, &boundary->bodies[i].sides[k]))
@@ -285,44 +328,55 @@ static void walk(const struct lx_boundary *boundary, unsigned b, const struct lx
     if (count > 2)
         qsort(at, count, sizeof *at, lx_by_value);
     for (unsigned i = 0; i + 1 < count; i++) {
-        double u[3];
-        if (!(at[i + 1] > at[i]))
+        const int sign = b == 0 ? 1 : -1;
+        if (!(at[i + 1] > at[i]) || !is_border(boundary, b, side, at[i], at[i + 1]))
             continue;
-        lx_boundary_place(side, at[i] + (at[i + 1] - at[i]) / 2, u);
-        if (!side->is_circle || side->is_cone)
-            lx_normalize(u);
-        if (is_border(boundary, b, side, u))
-            take(data, side, at[i], at[i + 1], b == 0 ? 1 : -1);
+        walking->take(walking->data, side, at[i], at[i + 1], sign);
+        lx_boundary_ends_add(&walking->ends, side, at[i], at[i + 1], sign, boundary->error_mm);
     }
 }
 
-static void walk_all(const struct lx_boundary *boundary, lx_take_border *take, void *data)
+static void walk_all(struct walking *walking)
 {
-    for (unsigned b = 0; b < boundary->count; b++)
-        for (unsigned i = 0; i < boundary->bodies[b].count; i++)
-            walk(boundary, b, &boundary->bodies[b].sides[i], take, data);
+    for (unsigned b = 0; b < walking->boundary->count; b++)
+        for (unsigned i = 0; i < walking->boundary->bodies[b].count; i++)
+            walk(walking, b, &walking->boundary->bodies[b].sides[i]);
 }
 
-bool lx_boundary_walk(struct lx_boundary *boundary, lx_take_border *take, void *data)
+/* Walks around what is seen through a pipe. */
+static void walk_hole(struct walking *walking, struct lx_boundary *boundary)
 {
     struct lx_boundary_body *source = &boundary->bodies[0];
     unsigned sides[LX_BOUNDARY_BODIES];
-    walk_all(boundary, take, data);
-    if (!boundary->has_hole)
-        return true;
-    if (source->count + 2 > LX_BOUNDARY_SIDES)
-        return false;
     memcpy(&source->sides[source->count], boundary->hole, sizeof boundary->hole);
     source->count += 2;
     for (unsigned b = 0; b < boundary->count; b++) {
         sides[b] = boundary->bodies[b].count;
         boundary->bodies[b].count = boundary->bodies[b].is_pipe ? 0 : sides[b];
     }
-    walk_all(boundary, take, data);
+    walk_all(walking);
     for (unsigned b = 0; b < boundary->count; b++)
         boundary->bodies[b].count = sides[b];
     source->count -= 2;
-    return true;
+}
+
+bool lx_boundary_walk(struct lx_boundary *boundary, lx_take_border *take, void *data)
+{
+    struct walking walking; /* large: what is not needed stays as it is */
+    walking.boundary = boundary;
+    walking.take = take;
+    walking.data = data;
+    walking.ends.count = 0;
+    walking.ends.is_full = false;
+    walking.ends.unsure = 0;
+    if (boundary->has_hole && boundary->bodies[0].count + 2 > LX_BOUNDARY_SIDES)
+        return false;
+    walk_all(&walking);
+    if (boundary->has_hole)
+        walk_hole(&walking, boundary);
+    const bool is_closed = lx_boundary_ends_meet(&walking.ends);
+    boundary->unsure += walking.ends.unsure;
+    return is_closed;
 }
 
 /* ---- irradiance ---- */
@@ -395,6 +449,16 @@ static void add_irradiance(void *data, const struct lx_boundary_side *side, doub
     *(sign > 0 ? &sum->of_source : &sum->of_obstacles) += irradiance_of(side, from, to, sum->normal);
 }
 
+/* How far roundings move a source, and the turn of an uncertain axis. */
+static double source_error(const struct lx_emitter *emitter, const double place_mm[3])
+{
+    const double *center = lx_emitter_center(emitter);
+    double away = lx_emitter_radius(emitter);
+    for (int k = 0; k < 3; k++)
+        away += fabs(center[k] - place_mm[k]);
+    return away * (4 * DBL_EPSILON + emitter->axis.x.error + emitter->axis.y.error + emitter->axis.z.error);
+}
+
 /* The part of a ball above the horizon; false: it has no outline. */
 static bool make_ball(const struct lx_emitter *ball, const struct lx_occlusion *occlusion, const double normal[3],
                       struct lx_boundary_body *body)
@@ -429,15 +493,15 @@ static bool add_shape(const struct lx_boundary_shape *shape, struct lx_boundary 
 }
 
 bool lx_boundary_irradiance(const struct lx_emitter *emitter, const double normal[3],
-                            const struct lx_occlusion *occlusion, double *irradiance)
+                            const struct lx_occlusion *occlusion, lx_bounded *irradiance)
 {
     struct lx_boundary boundary;
     struct lx_boundary_shapes shapes;
     struct sum sum = {.normal = normal};
-    *irradiance = 0;
     if (emitter->attenuation != LX_INVERSE_SQUARE || !lx_boundary_begin(occlusion, &boundary) ||
         !lx_boundary_is_before(occlusion, emitter))
         return false;
+    boundary.error_mm += source_error(emitter, occlusion->place_mm);
     const bool is_ball = !lx_has_axis(emitter);
     if (is_ball) {
         if (!make_ball(emitter, occlusion, normal, &boundary.bodies[0]) ||
@@ -450,6 +514,6 @@ bool lx_boundary_irradiance(const struct lx_emitter *emitter, const double norma
         if (!add_shape(&shapes.items[i], &boundary, &sum) ||
             (i + 1 < shapes.count && !lx_boundary_put_aside(&shapes.items[i], &boundary)))
             return false;
-    *irradiance = sum.of_source - sum.of_obstacles;
+    *irradiance = (lx_bounded){sum.of_source - sum.of_obstacles, boundary.unsure + (is_ball ? 0 : shapes.unsure)};
     return true;
 }

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * Visible boundaries: what obstacles leave of a source, by its borders, in float64 without a bound, for pictures.
+ * Visible boundaries: what obstacles leave of a source, by its borders, in float64.
  *
  * Bodies are the source, and the obstacles, each a convex cone of directions with the element at its tip: u is in it
  * where g.u > limit for all of its sides, u and g of unit length.  A side is bounded by its curve, a great circle, the
@@ -22,6 +22,8 @@ struct lx_boundary_side {
     bool is_circle;          /* or the outline of a disk; */
     double sine, p[3], q[3]; /* it is walked along limit g + sine (cos t p + sin t q), counter-clockwise about what is
                                 inside; of a circle the sine of its angle, and two directions across g */
+    double longest;          /* how long that is for each radian of t, at most, */
+    double nearest_mm;       /* and how near to the element what is round comes there */
     bool is_cone;            /* of a disk: */
     double rows[3][3];       /* inside is what rows[0].u is more than the length of rows[1].u and rows[2].u */
 };
@@ -39,6 +41,8 @@ struct lx_boundary {
     struct lx_boundary_side sides[LX_BOUNDARY_SIDES + LX_BOUNDARY_OBSTACLE_SIDES]; /* body behind body */
     bool has_hole; /* the sides of what is seen through a pipe, */
     struct lx_boundary_side hole[2];
+    double error_mm; /* how far all of it may be off, */
+    double unsure;   /* and for how much of the solid angle it is not known whether it is seen */
 };
 
 /* A convex polygon as an element sees it: the directions of its corners, of any length. */
@@ -63,6 +67,7 @@ struct lx_boundary_shape {
 struct lx_boundary_shapes {
     struct lx_boundary_shape items[3];
     unsigned count;
+    double unsure; /* the solid angle of what is left out, as it is seen edge-on */
 };
 
 /* The shapes that together are all of a source, none where the element sees nothing of it; false: not known. */
@@ -91,13 +96,14 @@ void lx_boundary_add_circle(const double axis[3], double cosine, double sine, st
 void lx_boundary_place(const struct lx_boundary_side *side, double t, double u[3]);
 
 /* Takes a piece of a border of what is seen; `sign`: 1 where what is seen is on the inner side of the curve, -1 where
- * it is on the other.  False: the source has too many sides. */
+ * it is on the other.  What is unsure is added to.  False: there are too many sides or pieces, or a piece is missing or
+ * counts twice, as the ends of all do not meet. */
 typedef void lx_take_border(void *data, const struct lx_boundary_side *side, double from, double to, int sign);
 bool lx_boundary_walk(struct lx_boundary *boundary, lx_take_border *take, void *data);
 
-/* For a radiance of 1.  False: it is not known, as there are other laws, sources or obstacles, or too many, or one
- * is not wholly before the source. */
+/* For a radiance of 1, with a bound of its error.  False: it is not known, as there are other laws, sources or
+ * obstacles, or too many, or one is not wholly before the source, or borders that touch cannot be told apart. */
 bool lx_boundary_irradiance(const struct lx_emitter *emitter, const double normal[3],
-                            const struct lx_occlusion *occlusion, double *irradiance);
+                            const struct lx_occlusion *occlusion, lx_bounded *irradiance);
 
 #endif

@@ -51,7 +51,8 @@ void lx_boundary_add_circle(const double axis[3], double cosine, double sine, st
     struct lx_boundary_side *side = &body->sides[body->count++];
     const int least = fabs(axis[0]) <= fabs(axis[1]) ? (fabs(axis[0]) <= fabs(axis[2]) ? 0 : 2)
                                                      : (fabs(axis[1]) <= fabs(axis[2]) ? 1 : 2);
-    *side = (struct lx_boundary_side){.limit = cosine, .is_circle = true, .sine = sine};
+    *side = (struct lx_boundary_side){
+        .limit = cosine, .is_circle = true, .sine = sine, .longest = sine, .nearest_mm = HUGE_VAL};
     memcpy(side->g, axis, sizeof side->g);
     for (int k = 0; k < 3; k++)
         side->p[k] = (k == least) - axis[least] * axis[k];
@@ -62,10 +63,11 @@ void lx_boundary_add_circle(const double axis[3], double cosine, double sine, st
 bool lx_boundary_add_ball(const double center[3], double radius, struct lx_boundary_body *body)
 {
     double axis[3] = {center[0], center[1], center[2]};
-    const double sine = radius / lx_normalize(axis);
+    const double away = lx_normalize(axis), sine = radius / away, cosine = sqrt((1 - sine) * (1 + sine));
     if (!(sine < 1) || body->count == LX_BOUNDARY_SIDES)
         return false;
-    lx_boundary_add_circle(axis, sqrt((1 - sine) * (1 + sine)), sine, body);
+    lx_boundary_add_circle(axis, cosine, sine, body);
+    body->sides[body->count - 1].nearest_mm = away * cosine;
     return true;
 }
 
@@ -90,7 +92,8 @@ void lx_boundary_cut(struct lx_boundary_polygon *polygon, const double normal[3]
 
 /* With c the centre over its distance and p, q the radii across each other over the same, u is inside where
  * u = x c + y p + z q has x more than the length of y and z. */
-bool lx_boundary_disk(const double center[3], const double axis[3], double radius, struct lx_boundary_side *side)
+bool lx_boundary_disk(const double center[3], const double axis[3], double radius, struct lx_boundary_side *side,
+                      double *unsure)
 {
     const double EDGE_ON = 1e-9;
     struct lx_boundary_body circle = {.sides = side};
@@ -100,9 +103,13 @@ bool lx_boundary_disk(const double center[3], const double axis[3], double radiu
         normal[k] = height < 0 ? -axis[k] : axis[k];
     lx_boundary_add_circle(normal, 1, radius, &circle);
     memcpy(side->g, center, sizeof side->g);
-    const double away = lx_normalize(side->g);
-    if (!(fabs(height) > EDGE_ON * away))
+    const double away = lx_normalize(side->g), aside = sqrt(fmax(away * away - height * height, 0));
+    side->nearest_mm = hypot(height, aside - radius);
+    if (!(fabs(height) > EDGE_ON * away)) {
+        *unsure += M_PI * radius * radius * fabs(height) / (side->nearest_mm * side->nearest_mm * side->nearest_mm);
         return false;
+    }
+    side->longest = radius / side->nearest_mm;
     side->is_cone = true;
     side->sine = 1;
     for (int k = 0; k < 3; k++) {
@@ -201,7 +208,7 @@ static bool append_pipe(struct lx_boundary *boundary, const struct lx_obstacle *
                         : !(tube.away > tube.radius + pipe->touch_mm))
         return false;
     for (int i = 0; i < 2; i++)
-        is_seen[i] = lx_boundary_disk(tube.ends[i], tube.axis, tube.radius, &ends[i]);
+        is_seen[i] = lx_boundary_disk(tube.ends[i], tube.axis, tube.radius, &ends[i], &boundary->unsure);
     for (int i = 0; i < 2; i++)
         if (is_seen[i] && !append_outline(boundary, &ends[i]))
             return false;
@@ -230,7 +237,7 @@ static bool append_obstacle(struct lx_boundary *boundary, const struct lx_obstac
         body = append(boundary, obstacle->corner_count);
         return body && make_cone(obstacle->corners_mm, obstacle->corner_count, body);
     case LX_OBSTACLE_DISK:
-        return lx_boundary_disk(obstacle->center_mm, obstacle->axis, obstacle->radius_mm, &side) &&
+        return lx_boundary_disk(obstacle->center_mm, obstacle->axis, obstacle->radius_mm, &side, &boundary->unsure) &&
                append_outline(boundary, &side);
     case LX_OBSTACLE_TUBE: return append_pipe(boundary, obstacle);
     default: return false;
@@ -242,6 +249,8 @@ bool lx_boundary_begin(const struct lx_occlusion *occlusion, struct lx_boundary 
     boundary->count = 1;
     boundary->bodies[0].sides = boundary->sides;
     boundary->has_hole = boundary->bodies[0].is_pipe = false;
+    boundary->error_mm = occlusion->error_mm;
+    boundary->unsure = 0;
     if (occlusion->has_outline || occlusion->is_dark)
         return false;
     for (size_t i = 0; i < occlusion->obstacles.count; i++)

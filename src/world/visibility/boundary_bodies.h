@@ -5,8 +5,10 @@
 
 #include "boundary.h"
 
-/* The outline of a disk as a side; false: it is seen edge-on. */
-bool lx_boundary_disk(const double center[3], const double axis[3], double radius, struct lx_boundary_side *side);
+/* The outline of a disk as a side; false: it is seen edge-on, and no more than *unsure of the solid angle, which is
+ * added to. */
+bool lx_boundary_disk(const double center[3], const double axis[3], double radius, struct lx_boundary_side *side,
+                      double *unsure);
 
 /* A cylinder as an element sees it: of the outline of all of it. */
 struct lx_boundary_tube {

@@ -234,7 +234,7 @@ static void make_square(const double center[3], const double p[3], const double 
 static void add_disk(const double center[3], const double axis[3], double radius, struct lx_boundary_shapes *shapes)
 {
     struct lx_boundary_shape *shape = &shapes->items[shapes->count];
-    if (!lx_boundary_disk(center, axis, radius, &shape->curve))
+    if (!lx_boundary_disk(center, axis, radius, &shape->curve, &shapes->unsure))
         return;
     shape->has_curve = true;
     make_square(shape->curve.g, shape->curve.p, shape->curve.q, 1, &shape->polygon);
@@ -274,6 +274,7 @@ bool lx_boundary_shape(const struct lx_occlusion *occlusion, const struct lx_emi
     double center[3];
     const double axis[3] = {emitter->axis.x.value, emitter->axis.y.value, emitter->axis.z.value};
     shapes->count = 0;
+    shapes->unsure = 0;
     for (int k = 0; k < 3; k++)
         center[k] = emitter->center_mm[k] - occlusion->place_mm[k];
     if (emitter->facets) {
