@@ -341,6 +341,9 @@ static bool add_shape(struct work *work, const struct lx_boundary_shape *shape)
     struct lx_boundary_polygon *part = &work->pending[0];
     *part = shape->polygon;
     work->curve = shape->has_curve ? &shape->curve : NULL;
+    if (part->count + 1 + work->boundary.cut_count > LX_BOUNDARY_SIDES)
+        return false;
+    lx_boundary_cut_all(&work->boundary, part);
     if (work->asked->is_matte || LX_ENDS_AT_HORIZON(work->asked->lobe->highlight))
         lx_boundary_cut(part, work->asked->normal);
     work->pending_count = part->count > 0;
@@ -391,7 +394,7 @@ bool lx_partial_highlight_sum(const struct lx_partial_highlight *partial, double
 {
     const struct lx_emitter *emitter = partial->source->emitter;
     struct work work; /* large: what is not needed stays as it is */
-    if (!lx_boundary_begin(partial->occlusion, &work.boundary) || !lx_boundary_is_before(partial->occlusion, emitter))
+    if (!lx_boundary_begin(partial->occlusion, emitter, &work.boundary))
         return false;
     work.asked = partial;
     work.emitter = emitter;

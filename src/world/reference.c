@@ -15,6 +15,7 @@
 #include "integral/cubature.h"
 #include "mirrors.h"
 #include "open_domes.h"
+#include "visibility/boundary.h"
 
 bool lx_element_seen(const struct lx_prepared *prepared, double x_mm, double y_mm, struct lx_element *element)
 {
@@ -125,15 +126,42 @@ static void light_rough(const struct lx_prepared *prepared, const struct lx_elem
     lighting->parts += integral.parts;
 }
 
+/* From this tolerance on what is in umbrae need not be told from nothing. */
+static const double SAMPLE = 1e-6;
+
+/* What obstacles leave of a uniform source, by its borders, where these are known to the tolerance. */
+static bool find_by_borders(const struct lx_prepared *prepared, const struct lx_element *element,
+                            const struct lx_emitter *emitter, const struct lx_occlusion *occlusion, double before,
+                            lx_bounded *irradiance)
+{
+    double normal[3];
+    lx_bounded seen;
+    lx_values3(element->normal, normal);
+    if (!lx_has_closed_form(emitter) || !lx_boundary_irradiance(emitter, normal, occlusion, &seen))
+        return false;
+    seen.error += 2 * M_PI * (element->normal.x.error + element->normal.y.error + element->normal.z.error);
+    seen.value = fmax(seen.value, 0);
+    *irradiance = lx_mul(emitter->radiance, seen);
+    if (irradiance->error <= prepared->tolerance * (before + irradiance->value))
+        return true;
+    return prepared->tolerance >= SAMPLE &&
+           irradiance->error <=
+               prepared->tolerance * lx_extended_irradiance(emitter, element->place_mm, element->normal).value;
+}
+
 /* In closed form where there is one, else to the tolerance; behind obstacles to the tolerance.  `before`: irradiance of
  * other parts of the same source, relative to which the tolerance is, too. */
 static struct lx_lighting light_around(const struct lx_prepared *prepared, const struct lx_element *element,
                                        const struct lx_emitter *emitter, struct lx_occlusion *occlusion, double before)
 {
     const struct lx_lobe *lobe = element->lobe;
-    bool closed = lx_has_closed_form(emitter) && !lx_is_occluded(occlusion);
+    const bool is_occluded = lx_is_occluded(occlusion);
     struct lx_lighting lighting = {.irradiance = lx_exact(0), .specular = lx_exact(0)};
-    if (closed)
+    const bool by_borders =
+        is_occluded && find_by_borders(prepared, element, emitter, occlusion, before, &lighting.irradiance);
+    const bool closed = by_borders || (lx_has_closed_form(emitter) && !is_occluded);
+    lighting.parts = by_borders;
+    if (closed && !by_borders)
         lighting.irradiance = lx_extended_irradiance(emitter, element->place_mm, element->normal);
     if (!closed || lx_lobe_shines(lobe)) {
         double known = lobe->diffuse.value * (before + lighting.irradiance.value);
@@ -142,7 +170,7 @@ static struct lx_lighting light_around(const struct lx_prepared *prepared, const
         if (!closed)
             lighting.irradiance = integral.irradiance;
         lighting.specular = integral.specular;
-        lighting.parts = integral.parts;
+        lighting.parts += integral.parts;
     }
     if (lx_lobe_is_rough(lobe))
         light_rough(prepared, element, emitter, occlusion, &lighting);

@@ -157,9 +157,12 @@ static void compare_on_grid(const char *text, struct dice *dice, struct tally *t
     const struct lx_emitter *emitter = &prepared.emitters.items[0];
     for (int i = 0; i < ELEMENTS; i++) {
         const double on_grid = i < ELEMENTS / 2 ? 0 : 7;
+        const bool is_among = dice_pick(dice, 3) == 0;
         luxel_place asked = {.position_mm = {MESH * (dice_pick(dice, 9) - 4) + dice_uniform(dice, -1, 1) * on_grid,
                                              MESH * (dice_pick(dice, 9) - 4) + dice_uniform(dice, -1, 1) * on_grid, 0},
                              .normal = {0, 0, 1}};
+        for (int k = 0; k < 3 && is_among; k++) /* the bodies, or in one */
+            asked.position_mm[k] = (k == 2 ? 300 : -80) + dice_uniform(dice, 0, 8 * MESH);
         for (int k = 0; k < 2 && dice_pick(dice, 3) == 0; k++)
             asked.normal[k] = dice_uniform(dice, -3, 3);
         const struct lx_element element = lx_element_at(&prepared, &asked);

@@ -343,7 +343,20 @@ static void walk_all(struct walking *walking)
             walk(walking, b, &walking->boundary->bodies[b].sides[i]);
 }
 
-/* Walks around what is seen through a pipe. */
+/* Walks around what is seen, of that through each end of a pipe around the element; the source has room for a side. */
+static void walk_from_inside(struct walking *walking, struct lx_boundary *boundary)
+{
+    struct lx_boundary_body *source = &boundary->bodies[0];
+    if (boundary->end_count == 0)
+        walk_all(walking);
+    for (unsigned i = 0; i < boundary->end_count; i++) {
+        source->sides[source->count++] = boundary->ends[i];
+        walk_all(walking);
+        source->count--;
+    }
+}
+
+/* Walks around what is seen through a pipe; the source has room for three sides. */
 static void walk_hole(struct walking *walking, struct lx_boundary *boundary)
 {
     struct lx_boundary_body *source = &boundary->bodies[0];
@@ -354,7 +367,7 @@ static void walk_hole(struct walking *walking, struct lx_boundary *boundary)
         sides[b] = boundary->bodies[b].count;
         boundary->bodies[b].count = boundary->bodies[b].is_pipe ? 0 : sides[b];
     }
-    walk_all(walking);
+    walk_from_inside(walking, boundary);
     for (unsigned b = 0; b < boundary->count; b++)
         boundary->bodies[b].count = sides[b];
     source->count -= 2;
@@ -369,9 +382,9 @@ bool lx_boundary_walk(struct lx_boundary *boundary, lx_take_border *take, void *
     walking.ends.count = 0;
     walking.ends.is_full = false;
     walking.ends.unsure = 0;
-    if (boundary->has_hole && boundary->bodies[0].count + 2 > LX_BOUNDARY_SIDES)
+    if (boundary->bodies[0].count + (boundary->has_hole ? 2 : 0) + (boundary->end_count > 0) > LX_BOUNDARY_SIDES)
         return false;
-    walk_all(&walking);
+    walk_from_inside(&walking, boundary);
     if (boundary->has_hole)
         walk_hole(&walking, boundary);
     const bool is_closed = lx_boundary_ends_meet(&walking.ends);
@@ -459,21 +472,30 @@ static double source_error(const struct lx_emitter *emitter, const double place_
     return away * (4 * DBL_EPSILON + emitter->axis.x.error + emitter->axis.y.error + emitter->axis.z.error);
 }
 
-/* The part of a ball above the horizon; false: it has no outline. */
-static bool make_ball(const struct lx_emitter *ball, const struct lx_occlusion *occlusion, const double normal[3],
-                      struct lx_boundary_body *body)
+/* Cuts a ball off at a horizon. */
+static void cut_ball(const double center[3], double radius, const double normal[3], struct lx_boundary_body *body)
 {
+    const double rise = lx_dot(center, normal);
+    if (rise <= -radius)
+        body->count = 0;
+    else if (rise < radius && body->count > 0)
+        lx_boundary_add_circle(normal, 0, 1, body);
+}
+
+/* The part of a ball above the horizons; false: it has no outline. */
+static bool make_ball(const struct lx_emitter *ball, const struct lx_occlusion *occlusion, const double normal[3],
+                      struct lx_boundary *boundary)
+{
+    struct lx_boundary_body *body = &boundary->bodies[0];
     double center[3];
     for (int k = 0; k < 3; k++)
         center[k] = ball->center_mm[k] - occlusion->place_mm[k];
-    const double rise = lx_dot(center, normal);
     body->count = 0;
     if (!lx_boundary_add_ball(center, ball->radius_mm, body))
         return false;
-    if (rise <= -ball->radius_mm)
-        body->count = 0;
-    else if (rise < ball->radius_mm)
-        lx_boundary_add_circle(normal, 0, 1, body);
+    cut_ball(center, ball->radius_mm, normal, body);
+    for (unsigned i = 0; i < boundary->cut_count; i++)
+        cut_ball(center, ball->radius_mm, boundary->cuts[i], body);
     return true;
 }
 
@@ -482,7 +504,10 @@ static bool add_shape(const struct lx_boundary_shape *shape, struct lx_boundary 
 {
     struct lx_boundary_polygon part = shape->polygon;
     struct lx_boundary_body *body = &boundary->bodies[0];
+    if (part.count + 1 + boundary->cut_count > LX_BOUNDARY_SIDES)
+        return false;
     lx_boundary_cut(&part, sum->normal);
+    lx_boundary_cut_all(boundary, &part);
     if (part.count == 0)
         return true;
     if (!lx_boundary_add_polygon(&part, body) || body->count + shape->has_curve > LX_BOUNDARY_SIDES)
@@ -498,13 +523,12 @@ bool lx_boundary_irradiance(const struct lx_emitter *emitter, const double norma
     struct lx_boundary boundary;
     struct lx_boundary_shapes shapes;
     struct sum sum = {.normal = normal};
-    if (emitter->attenuation != LX_INVERSE_SQUARE || !lx_boundary_begin(occlusion, &boundary) ||
-        !lx_boundary_is_before(occlusion, emitter))
+    if (emitter->attenuation != LX_INVERSE_SQUARE || !lx_boundary_begin(occlusion, emitter, &boundary))
         return false;
     boundary.error_mm += source_error(emitter, occlusion->place_mm);
     const bool is_ball = !lx_has_axis(emitter);
     if (is_ball) {
-        if (!make_ball(emitter, occlusion, normal, &boundary.bodies[0]) ||
+        if (!make_ball(emitter, occlusion, normal, &boundary) ||
             (boundary.bodies[0].count > 0 && !lx_boundary_walk(&boundary, add_irradiance, &sum)))
             return false;
     } else if (!lx_boundary_shape(occlusion, emitter, &shapes)) {

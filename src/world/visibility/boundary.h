@@ -41,6 +41,10 @@ struct lx_boundary {
     struct lx_boundary_side sides[LX_BOUNDARY_SIDES + LX_BOUNDARY_OBSTACLE_SIDES]; /* body behind body */
     bool has_hole; /* the sides of what is seen through a pipe, */
     struct lx_boundary_side hole[2];
+    struct lx_boundary_side ends[2]; /* the outlines of both ends of a pipe that the element is in, */
+    unsigned end_count;              /* which are all that it sees: 2, or 0 */
+    double cuts[LX_MOST_HORIZONS][3]; /* only what has cut.u > 0 for all of these is seen */
+    unsigned cut_count;
     double error_mm; /* how far all of it may be off, */
     double unsure;   /* and for how much of the solid angle it is not known whether it is seen */
 };
@@ -51,11 +55,10 @@ struct lx_boundary_polygon {
     unsigned count;
 };
 
-/* Makes the bodies of all obstacles; false: there are other ones, or too many. */
-bool lx_boundary_begin(const struct lx_occlusion *occlusion, struct lx_boundary *boundary);
-
-/* Whether each obstacle is before the source wherever both are to be seen, as far as can be told. */
-bool lx_boundary_is_before(const struct lx_occlusion *occlusion, const struct lx_emitter *emitter);
+/* Makes the bodies of all obstacles before the source; false: there are other ones, or too many, or one of which it
+ * cannot be told whether it is before the source wherever both are to be seen. */
+bool lx_boundary_begin(const struct lx_occlusion *occlusion, const struct lx_emitter *emitter,
+                       struct lx_boundary *boundary);
 
 /* A convex part of a source as the element sees it: a polygon, or what of it is inside a curve. */
 struct lx_boundary_shape {
@@ -80,6 +83,9 @@ bool lx_boundary_put_aside(const struct lx_boundary_shape *shape, struct lx_boun
 /* The outline of one face; *away: its normal, away from the element if that sees it. */
 bool lx_boundary_face(const struct lx_occlusion *occlusion, const struct lx_facets *facets, size_t face,
                       struct lx_boundary_polygon *outline, double away[3]);
+
+/* Keeps the part of a convex polygon that the cuts leave; the polygon must have room for as many corners more. */
+void lx_boundary_cut_all(const struct lx_boundary *boundary, struct lx_boundary_polygon *polygon);
 
 /* Keeps the part of a convex polygon with normal.u > 0, if any; the polygon must have room for a corner more. */
 void lx_boundary_cut(struct lx_boundary_polygon *polygon, const double normal[3]);

@@ -192,6 +192,33 @@ static bool look_through(struct lx_boundary *boundary, const struct lx_boundary_
     return boundary->has_hole = true;
 }
 
+/* The inner side of a cylinder around the element, which sees what is beyond it through its ends alone. */
+static bool look_from_inside(const struct lx_boundary_tube *tube, struct lx_boundary *boundary)
+{
+    if (boundary->end_count > 0)
+        return false;
+    for (int i = 0; i < 2; i++)
+        if (!lx_boundary_disk(tube->ends[i], tube->axis, tube->radius, &boundary->ends[i], &boundary->unsure))
+            return false;
+    boundary->end_count = 2;
+    return true;
+}
+
+/* A space is no body: what is in it is cut off. */
+static bool append_cut(struct lx_boundary *boundary, const double axis[3])
+{
+    if (boundary->cut_count == LX_MOST_HORIZONS)
+        return false;
+    memcpy(boundary->cuts[boundary->cut_count++], axis, sizeof boundary->cuts[0]);
+    return true;
+}
+
+void lx_boundary_cut_all(const struct lx_boundary *boundary, struct lx_boundary_polygon *polygon)
+{
+    for (unsigned i = 0; i < boundary->cut_count && polygon->count > 0; i++)
+        lx_boundary_cut(polygon, boundary->cuts[i]);
+}
+
 /*
  * The side of a cylinder with open ends.  Seen from outside all of the cylinder is the disks at its ends and the
  * rectangle between; seen from above an end only that end; through the pipe what is in both ends.
@@ -204,6 +231,8 @@ static bool append_pipe(struct lx_boundary *boundary, const struct lx_obstacle *
     const bool had_hole = boundary->has_hole;
     struct lx_boundary_side ends[2];
     bool is_seen[2];
+    if (pipe->is_around && fabs(tube.height) < tube.half - pipe->touch_mm)
+        return look_from_inside(&tube, boundary);
     if (pipe->is_around ? !(fabs(tube.height) > tube.half + pipe->touch_mm)
                         : !(tube.away > tube.radius + pipe->touch_mm))
         return false;
@@ -240,22 +269,32 @@ static bool append_obstacle(struct lx_boundary *boundary, const struct lx_obstac
         return lx_boundary_disk(obstacle->center_mm, obstacle->axis, obstacle->radius_mm, &side, &boundary->unsure) &&
                append_outline(boundary, &side);
     case LX_OBSTACLE_TUBE: return append_pipe(boundary, obstacle);
+    case LX_OBSTACLE_SPACE: return append_cut(boundary, obstacle->axis);
     default: return false;
     }
 }
 
-bool lx_boundary_begin(const struct lx_occlusion *occlusion, struct lx_boundary *boundary)
+bool lx_boundary_begin(const struct lx_occlusion *occlusion, const struct lx_emitter *emitter,
+                       struct lx_boundary *boundary)
 {
     boundary->count = 1;
     boundary->bodies[0].sides = boundary->sides;
     boundary->has_hole = boundary->bodies[0].is_pipe = false;
+    boundary->end_count = boundary->cut_count = 0;
     boundary->error_mm = occlusion->error_mm;
     boundary->unsure = 0;
     if (occlusion->has_outline || occlusion->is_dark)
         return false;
-    for (size_t i = 0; i < occlusion->obstacles.count; i++)
-        if (!append_obstacle(boundary, &occlusion->obstacles.items[i]))
+    for (size_t i = 0; i < occlusion->obstacles.count; i++) {
+        const struct lx_obstacle *obstacle = &occlusion->obstacles.items[i];
+        enum lx_boundary_stand stand = LX_BOUNDARY_BEFORE;
+        double beyond_mm = 0;
+        if (obstacle->type != LX_OBSTACLE_SPACE)
+            stand = lx_boundary_stand(occlusion, emitter, obstacle, &beyond_mm);
+        if (stand == LX_BOUNDARY_UNKNOWN || (stand == LX_BOUNDARY_BEFORE && !append_obstacle(boundary, obstacle)))
             return false;
+        boundary->error_mm = fmax(boundary->error_mm, occlusion->error_mm + beyond_mm);
+    }
     return true;
 }
 

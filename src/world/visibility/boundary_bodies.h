@@ -22,4 +22,10 @@ struct lx_boundary_tube lx_boundary_tube_of(const double center[3], const double
 /* The rectangle between the two generators that are the outline of the side. */
 struct lx_boundary_polygon lx_boundary_side_of_tube(const struct lx_boundary_tube *tube);
 
+/* Where an obstacle stands, as far as can be told, but for what is *beyond_mm: BEYOND, it hides nothing, as rays to the
+ * source do not reach it. */
+enum lx_boundary_stand { LX_BOUNDARY_BEFORE, LX_BOUNDARY_BEYOND, LX_BOUNDARY_UNKNOWN };
+enum lx_boundary_stand lx_boundary_stand(const struct lx_occlusion *occlusion, const struct lx_emitter *emitter,
+                                         const struct lx_obstacle *obstacle, double *beyond_mm);
+
 #endif

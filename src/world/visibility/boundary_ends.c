@@ -10,7 +10,7 @@
 static const double GAP = 1e-9;
 
 /* Borders are told apart to this angle, and integrals along them are known to it. */
-static const double WIDTH = 4e-12;
+static const double WIDTH = 2e-12;
 
 /* The angle of a piece, or more, and how near to the element its curve comes. */
 static double length_of(const struct lx_boundary_side *side, double from, double to, double *nearest_mm)

@@ -26,12 +26,6 @@ static double extent_of(const struct lx_obstacle *obstacle, const double directi
            (obstacle->type == LX_OBSTACLE_TUBE ? obstacle->half_mm * along : 0);
 }
 
-/* Whether an obstacle is on the front side of a plane, normal.x = height from the place. */
-static bool is_in_front(const struct lx_obstacle *obstacle, const double normal[3], double height)
-{
-    return extent_of(obstacle, (const double[]){-normal[0], -normal[1], -normal[2]}) < -height;
-}
-
 static void corner_from(const struct lx_occlusion *occlusion, const struct lx_facets *facets, unsigned i,
                         double corner[3])
 {
@@ -51,99 +45,136 @@ static double plane_of(const struct lx_occlusion *occlusion, const struct lx_fac
     return lx_dot(normal, corner);
 }
 
-/* Whether a face that looks to the element has an obstacle before its plane. */
-static bool is_before_face(const struct lx_occlusion *occlusion, const struct lx_facets *facets,
-                           const struct lx_obstacle *obstacle)
+/* A source and an obstacle, between which a plane is looked for. */
+struct pair {
+    const struct lx_occlusion *occlusion;
+    const struct lx_emitter *emitter;
+    const struct lx_obstacle *obstacle;
+    enum lx_boundary_stand stand;
+    double beyond_mm; /* how far the obstacle may reach over the plane */
+};
+
+/*
+ * Tries planes across a direction, of any length.  If one has the obstacle on this side and the source on the other,
+ * rays from the element on this side meet the obstacle first; those from the other side meet it after the source, or
+ * never.  What is on the plane is on either side.
+ */
+static bool is_parted(struct pair *pair, const double direction[3])
 {
+    double n[3] = {direction[0], direction[1], direction[2]}, nearest;
+    if (!(lx_normalize(n) > 0))
+        return false;
+    lx_emitter_extent(pair->emitter, pair->occlusion->place_mm, n, &nearest);
+    pair->beyond_mm = fmax(extent_of(pair->obstacle, n) - nearest, 0);
+    if (!(pair->beyond_mm <= pair->obstacle->touch_mm))
+        return false;
+    pair->stand = nearest >= 0 ? LX_BOUNDARY_BEFORE : LX_BOUNDARY_BEYOND;
+    return true;
+}
+
+static bool is_parted_along(struct pair *pair, const double axis[3])
+{
+    return is_parted(pair, axis) || is_parted(pair, (const double[]){-axis[0], -axis[1], -axis[2]});
+}
+
+/* By the faces that look to the element. */
+static bool is_parted_by_faces(struct pair *pair)
+{
+    const struct lx_facets *facets = pair->emitter->facets;
     for (size_t f = 0; f < facets->face_count; f++) {
         double normal[3];
-        const double height = plane_of(occlusion, facets, f, normal);
-        if (height < 0 && is_in_front(obstacle, normal, height))
+        if (plane_of(pair->occlusion, facets, f, normal) < 0 &&
+            is_parted(pair, (const double[]){-normal[0], -normal[1], -normal[2]}))
             return true;
     }
     return false;
 }
 
-/* The plane of what is round: the one that touches a ball, or a side, where that is nearest, or one of an end. */
-static bool is_before_round(const struct lx_occlusion *occlusion, const struct lx_emitter *emitter,
-                            const struct lx_obstacle *obstacle)
+/* By planes that touch a round source, or are its ends. */
+static bool is_parted_by_round(struct pair *pair)
 {
-    double center[3], back[3];
-    for (int k = 0; k < 3; k++) {
-        center[k] = emitter->center_mm[k] - occlusion->place_mm[k];
-        back[k] = -center[k];
-    }
-    if (!lx_has_axis(emitter)) {
-        const double away = lx_normalize(back);
-        return is_in_front(obstacle, back, emitter->radius_mm - away);
-    }
+    const struct lx_emitter *emitter = pair->emitter;
+    double center[3];
+    for (int k = 0; k < 3; k++)
+        center[k] = emitter->center_mm[k] - pair->occlusion->place_mm[k];
+    if (!lx_has_axis(emitter))
+        return is_parted(pair, center);
     const double axis[3] = {emitter->axis.x.value, emitter->axis.y.value, emitter->axis.z.value};
-    const double half = lx_half_height(emitter);
-    const struct lx_boundary_tube tube = lx_boundary_tube_of(center, axis, emitter->radius_mm, half);
-    const double opposite[3] = {-axis[0], -axis[1], -axis[2]};
-    return (lx_emitter_kind(emitter)->has_side && tube.away > tube.radius &&
-            is_in_front(obstacle, tube.out, tube.radius - tube.away)) ||
-           (tube.height > half && is_in_front(obstacle, axis, half - tube.height)) ||
-           (tube.height < -half && is_in_front(obstacle, opposite, half + tube.height));
+    const struct lx_boundary_tube tube =
+        lx_boundary_tube_of(center, axis, emitter->radius_mm, lx_half_height(emitter));
+    return is_parted_along(pair, axis) || (lx_emitter_kind(emitter)->has_side &&
+                                           is_parted(pair, (const double[]){-tube.out[0], -tube.out[1], -tube.out[2]}));
 }
 
-/*
- * Whether the source is beyond a plane which all rays to it that meet the obstacle have met it before: of what is flat
- * its own, of a ball the one through its centre that looks to the element, of a pipe those that touch it on its other
- * side.
- */
-static bool is_beyond_obstacle(const struct lx_occlusion *occlusion, const struct lx_emitter *emitter,
-                               const struct lx_obstacle *obstacle)
+/* By planes of a flat obstacle, or that touch a pipe, or are its ends, on the way from the element. */
+static bool is_parted_by_obstacle(struct pair *pair)
 {
-    double axes[3][3], nearest;
-    unsigned count = 1;
-    memcpy(axes[0], obstacle->axis, sizeof axes[0]);
-    if (obstacle->type == LX_OBSTACLE_BALL) {
-        memcpy(axes[0], obstacle->center_mm, sizeof axes[0]);
-        const double away = lx_normalize(axes[0]);
-        lx_emitter_extent(emitter, occlusion->place_mm, axes[0], &nearest);
-        return nearest > away + obstacle->touch_mm;
-    }
+    const struct lx_obstacle *obstacle = pair->obstacle;
+    double axis[3], first[3], second[3];
+    if (obstacle->type == LX_OBSTACLE_BALL)
+        return false;
+    memcpy(axis, obstacle->axis, sizeof axis);
     if (obstacle->type == LX_OBSTACLE_POLYGON) {
-        double first[3], second[3];
         for (int k = 0; k < 3; k++) {
             first[k] = obstacle->corners_mm[1][k] - obstacle->corners_mm[0][k];
             second[k] = obstacle->corners_mm[2][k] - obstacle->corners_mm[0][k];
         }
-        lx_cross(first, second, axes[0]);
-        lx_normalize(axes[0]);
-    } else if (obstacle->type == LX_OBSTACLE_TUBE) {
-        const struct lx_boundary_tube tube =
-            lx_boundary_tube_of(obstacle->center_mm, obstacle->axis, obstacle->radius_mm, obstacle->half_mm);
-        for (int k = 0; k < 3; k++) {
-            axes[1][k] = -tube.out[k];
-            axes[2][k] = obstacle->center_mm[k];
-        }
-        lx_normalize(axes[2]);
-        count = 3;
+        lx_cross(first, second, axis);
     }
-    const double *at = obstacle->type == LX_OBSTACLE_POLYGON ? obstacle->corners_mm[0] : obstacle->center_mm;
-    const double side = lx_dot(axes[0], at);
-    for (int k = 0; k < 3 && side < 0; k++)
-        axes[0][k] = -axes[0][k];
-    for (unsigned i = 0; i < count; i++) {
-        lx_emitter_extent(emitter, occlusion->place_mm, axes[i], &nearest);
-        if (nearest > fmax(extent_of(obstacle, axes[i]), 0) + obstacle->touch_mm)
-            return true;
-    }
-    return false;
+    if (is_parted_along(pair, axis))
+        return true;
+    const struct lx_boundary_tube tube =
+        lx_boundary_tube_of(obstacle->center_mm, obstacle->axis, obstacle->radius_mm, obstacle->half_mm);
+    return obstacle->type == LX_OBSTACLE_TUBE &&
+           is_parted(pair, (const double[]){-tube.out[0], -tube.out[1], -tube.out[2]});
 }
 
-bool lx_boundary_is_before(const struct lx_occlusion *occlusion, const struct lx_emitter *emitter)
+/* Across the way from the obstacle to the source: from where its axis is nearest to that, and from its middle. */
+static bool is_parted_between(struct pair *pair)
 {
-    for (size_t i = 0; i < occlusion->obstacles.count; i++) {
-        const struct lx_obstacle *obstacle = &occlusion->obstacles.items[i];
-        const bool is_before = emitter->facets ? is_before_face(occlusion, emitter->facets, obstacle)
-                                               : is_before_round(occlusion, emitter, obstacle);
-        if (!is_before && !is_beyond_obstacle(occlusion, emitter, obstacle))
-            return false;
+    const struct lx_obstacle *obstacle = pair->obstacle;
+    const double *center = lx_emitter_center(pair->emitter);
+    double way[3];
+    for (int k = 0; k < 3; k++) {
+        way[k] = center[k] - pair->occlusion->place_mm[k] - obstacle->center_mm[k];
+        for (unsigned i = 0; i < obstacle->corner_count; i++)
+            way[k] -= obstacle->corners_mm[i][k] / obstacle->corner_count;
     }
-    return true;
+    if (is_parted(pair, way))
+        return true;
+    if (obstacle->type != LX_OBSTACLE_TUBE)
+        return false;
+    const double along = lx_dot(way, obstacle->axis), nearest = fmax(fmin(along, obstacle->half_mm), -obstacle->half_mm);
+    double aside[3];
+    for (int k = 0; k < 3; k++) {
+        aside[k] = way[k] - along * obstacle->axis[k];
+        way[k] -= nearest * obstacle->axis[k];
+    }
+    return is_parted(pair, way) || is_parted(pair, aside);
+}
+
+/* Whether the source is beyond the middle of a ball, where all rays that meet it have met it before. */
+static bool is_behind_ball(const struct pair *pair)
+{
+    const struct lx_obstacle *ball = pair->obstacle;
+    double axis[3], nearest;
+    if (ball->type != LX_OBSTACLE_BALL)
+        return false;
+    memcpy(axis, ball->center_mm, sizeof axis);
+    const double away = lx_normalize(axis);
+    lx_emitter_extent(pair->emitter, pair->occlusion->place_mm, axis, &nearest);
+    return nearest > away + ball->touch_mm;
+}
+
+enum lx_boundary_stand lx_boundary_stand(const struct lx_occlusion *occlusion, const struct lx_emitter *emitter,
+                                         const struct lx_obstacle *obstacle, double *beyond_mm)
+{
+    struct pair pair = {occlusion, emitter, obstacle, LX_BOUNDARY_BEFORE, 0};
+    const bool is_known = is_behind_ball(&pair) ||
+                          (emitter->facets ? is_parted_by_faces(&pair) : is_parted_by_round(&pair)) ||
+                          is_parted_by_obstacle(&pair) || is_parted_between(&pair);
+    *beyond_mm = pair.beyond_mm;
+    return is_known ? pair.stand : LX_BOUNDARY_UNKNOWN;
 }
 
 /* ---- the source ---- */
