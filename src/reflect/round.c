@@ -185,7 +185,165 @@ static bool is_between_ends(const struct lx_occluder_cones *cones, const struct 
            lx_face_reach(face, back, tube->center_mm) <= most;
 }
 
-/* Between its ends a tube is as good as one without end: two planes touch it. */
+/* Where a tube stands: what is before it is seen, what is behind it is hidden; BESIDE, it hides nothing. */
+enum stand { BEFORE_FACE, BESIDE, ACROSS };
+
+/* By a plane across a unit direction, which has the tube on this side and the face on the other, if there is one. */
+static bool is_parted(const struct lx_occluder_cones *cones, const struct lx_smooth_sheet *tube,
+                      const struct lx_matte_face *face, const double n[3], enum stand *stand)
+{
+    const double back[3] = {-n[0], -n[1], -n[2]}, along = fmin(fabs(lx_dot(n, tube->axis)), 1);
+    const double nearest = -lx_face_reach(face, back, tube->center_mm);
+    const double reach = tube->half_mm[1] * along + tube->half_mm[0] * sqrt(1 - along * along);
+    if (!(reach <= nearest + cones->touch_mm))
+        return false;
+    *stand = lx_occluder_cones_height(cones, n, tube->center_mm) <= nearest ? BEFORE_FACE : BESIDE;
+    return true;
+}
+
+static enum stand stand_of(const struct lx_occluder_cones *cones, const struct lx_smooth_sheet *tube,
+                           const struct lx_matte_face *face)
+{
+    const double *middle = face->is_flat ? face->sheet.center_mm : face->center_mm;
+    double ways[6][3];
+    enum stand stand;
+    sub(middle, tube->center_mm, ways[0]);
+    sub(tube->center_mm, cones->place_mm, ways[1]);
+    const double aside[2] = {lx_dot(ways[0], tube->axis), lx_dot(ways[1], tube->axis)};
+    for (int i = 0; i < 3; i++) {
+        for (int k = 0; k < 2; k++) /* across the axis */
+            ways[k][i] -= aside[k] * tube->axis[i];
+        for (int k = 0; k < 2; k++) {
+            ways[2 + k][i] = k ? -tube->axis[i] : tube->axis[i];
+            ways[4 + k][i] = (k ? -1 : 1) * (face->is_flat ? face->sheet.axis[i] : tube->axis[i]);
+        }
+    }
+    for (int k = 5; k >= 0; k--)
+        if (lx_normalize(ways[k]) > 0 && is_parted(cones, tube, face, ways[k], &stand))
+            return stand;
+    return ACROSS;
+}
+
+/* The outline of a tube that is seen from outside: corners, in their order. */
+struct tube_outline {
+    double corners[2 * (MOST_ROUND + 2)][3];
+    int count;
+};
+
+/*
+ * Adds the end of a tube from one generator that is seen edge-on to the other, at angles from the direction to the
+ * place; corners between them lie so far out that the sector is as large as that of the circle.
+ */
+static void add_end(struct tube_outline *outline, const double center_mm[3], const double out[3],
+                    const double aside[3], double radius, double from, double to, int count)
+{
+    const double step = (to - from) / count, s = sin(fabs(step));
+    const double beyond = fabs(to - from) / (s + sqrt(s * s + (count - 2) * s * fabs(to - from)));
+    for (int k = 0; k <= count; k++) {
+        const double t = from + k * step, reach = radius * (k == 0 || k == count ? 1 : beyond);
+        for (int i = 0; i < 3; i++)
+            outline->corners[outline->count][i] = center_mm[i] + reach * (cos(t) * out[i] + sin(t) * aside[i]);
+        outline->count++;
+    }
+}
+
+/* The cone behind a tube whose outline is convex as the place sees it, which is outside of it: of a face that is all
+ * behind it.  False: something is seen through it. */
+static bool add_outline(struct lx_occluder_cones *cones, const struct lx_smooth_sheet *tube, const double out[3],
+                        double away, double height)
+{
+    const double radius = tube->half_mm[0], half = tube->half_mm[1];
+    const double near = fabs(height) - half, share = near / (fabs(height) + half), seen = acos(radius / away);
+    struct tube_outline outline = {.count = 0};
+    double aside[3], from[3], to[3], middle[3], edge[3];
+    if (near > 0 && away * (1 - share) < radius * (1 + share))
+        return false;
+    lx_cross(tube->axis, out, aside);
+    sub(tube->center_mm, cones->place_mm, middle);
+    const int corners = round_corners(fmin(radius / hypot(away, fmax(near, 0)), 1));
+    for (int sign = 1; sign >= -1; sign -= 2) {
+        const double below = half - sign * height; /* of the place, under the plane of this end */
+        const double to_angle = below > 0 ? -seen : 2 * M_PI - seen, turn = fabs(to_angle - seen);
+        const bool is_edge_on = fabs(below) <= 1e-9 * radius;
+        double end[3];
+        for (int i = 0; i < 3; i++)
+            end[i] = tube->center_mm[i] + sign * half * tube->axis[i];
+        add_end(&outline, end, out, aside, radius, sign * seen, sign * to_angle,
+                is_edge_on ? 1 : (int)fmax(ceil(corners * turn / (2 * M_PI)), 2));
+    }
+    lx_occluder_cones_begin(cones);
+    for (int k = 0; k < outline.count; k++) {
+        sub(outline.corners[k], cones->place_mm, from);
+        sub(outline.corners[(k + 1) % outline.count], cones->place_mm, to);
+        lx_cross(from, to, edge);
+        const double sign = lx_dot(edge, middle) < 0 ? -1 : 1;
+        for (int i = 0; i < 3; i++)
+            edge[i] *= sign;
+        lx_occluder_cones_plane(cones, edge, cones->place_mm);
+    }
+    return true;
+}
+
+/* Half-spaces beyond the edges of a polygon that stands for the end of a tube: nothing is seen but through that. */
+static void look_through(struct lx_occluder_cones *cones, const struct lx_smooth_sheet *tube, int sign)
+{
+    double end[3], from[3], to[3], middle[3], beyond[3], corners[MOST_ROUND][3];
+    for (int i = 0; i < 3; i++)
+        end[i] = tube->center_mm[i] + sign * tube->half_mm[1] * tube->axis[i];
+    sub(end, cones->place_mm, middle);
+    const double radius = tube->half_mm[0];
+    const int count = round_corners(radius / hypot(radius, sqrt(lx_dot(middle, middle))));
+    const double step = 2 * M_PI / count;
+    corners_around(end, tube->across, tube->upward, radius * sqrt(step / sin(step)), count, corners);
+    for (int k = 0; k < count; k++) {
+        sub(corners[k], cones->place_mm, from);
+        sub(corners[(k + 1) % count], cones->place_mm, to);
+        lx_cross(from, to, beyond);
+        const double inwards = lx_dot(beyond, middle) < 0 ? 1 : -1;
+        for (int i = 0; i < 3; i++)
+            beyond[i] *= inwards;
+        lx_occluder_cones_begin(cones);
+        lx_occluder_cones_plane(cones, beyond, cones->place_mm);
+    }
+}
+
+/* Whether a face is the inner side of a tube. */
+static bool is_inside_of(const struct lx_matte_face *face, const struct lx_smooth_sheet *tube)
+{
+    const struct lx_smooth_sheet *sheet = &face->sheet;
+    return sheet->type->has_ends && sheet->turn < 0 &&
+           memcmp(sheet->center_mm, tube->center_mm, sizeof sheet->center_mm) == 0 &&
+           memcmp(sheet->axis, tube->axis, sizeof sheet->axis) == 0 &&
+           memcmp(sheet->half_mm, tube->half_mm, sizeof sheet->half_mm) == 0;
+}
+
+/* The inner side of a tube, of which a place outside sees what is behind the nearer end; false: nothing. */
+static bool look_inside(struct lx_occluder_cones *cones, const struct lx_smooth_sheet *tube, double away, double height)
+{
+    if (fabs(height) > tube->half_mm[1] + cones->touch_mm)
+        look_through(cones, tube, height > 0 ? 1 : -1);
+    else
+        return away < tube->half_mm[0];
+    return true;
+}
+
+/* From inside of a tube a face that is outside is seen through an end; *seen: at all.  False: by both ends, perhaps. */
+static bool look_outside(struct lx_occluder_cones *cones, const struct lx_smooth_sheet *tube,
+                         const struct lx_matte_face *face, bool *seen)
+{
+    const double back[3] = {-tube->axis[0], -tube->axis[1], -tube->axis[2]}, half = tube->half_mm[1];
+    const double highest = lx_face_reach(face, tube->axis, tube->center_mm);
+    const double lowest = -lx_face_reach(face, back, tube->center_mm);
+    const double height = lx_occluder_cones_height(cones, tube->axis, tube->center_mm);
+    if (!(fabs(height) < half - cones->touch_mm) || (highest > half && lowest < -half))
+        return false;
+    *seen = highest > half || lowest < -half;
+    if (*seen)
+        look_through(cones, tube, highest > half ? 1 : -1);
+    return true;
+}
+
+/* Between its ends a tube is as good as one without end: two planes touch it.  Before a face it is its outline. */
 bool lx_occluder_cones_tube(struct lx_occluder_cones *cones, const struct lx_shape *shape,
                             const struct lx_smooth_sheet *tube, const struct lx_matte_face *face)
 {
@@ -194,6 +352,20 @@ bool lx_occluder_cones_tube(struct lx_occluder_cones *cones, const struct lx_sha
     sub(cones->place_mm, tube->center_mm, from);
     const double x = lx_dot(from, tube->across), y = lx_dot(from, tube->upward), away = hypot(x, y);
     const bool is_outside = away > radius * (1 + 1e-9);
+    if (is_inside_of(face, tube))
+        return look_inside(cones, tube, away, lx_dot(from, tube->axis));
+    const enum stand stand = stand_of(cones, tube, face);
+    bool seen;
+    if (stand == BESIDE)
+        return true;
+    if (stand == BEFORE_FACE && !is_outside && look_outside(cones, tube, face, &seen))
+        return seen;
+    for (int i = 0; i < 3; i++)
+        inwards[i] = -(x * tube->across[i] + y * tube->upward[i]) / away;
+    const double out[3] = {-inwards[0], -inwards[1], -inwards[2]};
+    if (stand == BEFORE_FACE && is_outside && !is_between_ends(cones, tube, face) &&
+        add_outline(cones, tube, out, away, lx_dot(from, tube->axis)))
+        return true;
     const bool is_entered = distance_of_axis(face, tube) < radius * (1 - 1e-9);
     if (!is_between_ends(cones, tube, face) || (is_entered && !(is_outside && face->is_flat))) {
         lx_occluder_cones_shape(cones, shape);
@@ -202,10 +374,8 @@ bool lx_occluder_cones_tube(struct lx_occluder_cones *cones, const struct lx_sha
     if (!is_outside)
         return false;
     const double sine = radius / away, cosine = sqrt(1 - sine * sine);
-    for (int i = 0; i < 3; i++) {
-        inwards[i] = -(x * tube->across[i] + y * tube->upward[i]) / away;
+    for (int i = 0; i < 3; i++)
         chord[i] = tube->center_mm[i] - radius * sine * inwards[i];
-    }
     lx_cross(tube->axis, inwards, aside);
     lx_occluder_cones_begin(cones);
     lx_occluder_cones_plane(cones, inwards, chord);

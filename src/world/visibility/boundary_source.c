@@ -54,6 +54,20 @@ struct pair {
     double beyond_mm; /* how far the obstacle may reach over the plane */
 };
 
+/* Whether what is flat is almost parallel to a plane: what lies on the source hides nothing of it. */
+static bool may_lie_on(const struct lx_obstacle *obstacle, const double n[3])
+{
+    static const double STEEP = 0.1;
+    double size = 2 * obstacle->radius_mm;
+    if (obstacle->type != LX_OBSTACLE_POLYGON && obstacle->type != LX_OBSTACLE_DISK)
+        return false;
+    for (unsigned i = 1; i < obstacle->corner_count; i++)
+        for (int k = 0; k < 3; k++)
+            size = fmax(size, fabs(obstacle->corners_mm[i][k] - obstacle->corners_mm[0][k]));
+    const double back[3] = {-n[0], -n[1], -n[2]};
+    return extent_of(obstacle, n) + extent_of(obstacle, back) < STEEP * size;
+}
+
 /*
  * Tries planes across a direction, of any length.  If one has the obstacle on this side and the source on the other,
  * rays from the element on this side meet the obstacle first; those from the other side meet it after the source, or
@@ -69,7 +83,8 @@ static bool is_parted(struct pair *pair, const double direction[3])
     if (!(pair->beyond_mm <= pair->obstacle->touch_mm))
         return false;
     pair->stand = nearest >= 0 ? LX_BOUNDARY_BEFORE : LX_BOUNDARY_BEYOND;
-    return true;
+    return pair->stand == LX_BOUNDARY_BEYOND || !may_lie_on(pair->obstacle, n) ||
+           extent_of(pair->obstacle, n) < nearest - pair->obstacle->touch_mm;
 }
 
 static bool is_parted_along(struct pair *pair, const double axis[3])
