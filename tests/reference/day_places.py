@@ -37,7 +37,8 @@ def sky(draw):
     sun = {'altitude': altitude, 'azimuth': azimuth}
     direct, diffuse = draw.uniform(0, 60000), draw.uniform(3000, 30000)
     if draw.random() < 0.25 and perez.coefficients(direct, diffuse, altitude, 127500):
-        made = {'type': 'sky', 'model': 'perez', 'direct': direct, 'diffuse': diffuse, 'sun': sun, **stand}
+        made = {'type': 'sky', 'model': 'perez', 'direct': direct, 'diffuse': diffuse,
+                'extraterrestrial': 127500, 'sun': sun, **stand}
     else:
         kind = draw.choice([1, 5, 12, 16, 16, draw.randint(1, 16)])
         made = {'type': 'sky', 'kind': kind, draw.choice(['zenith', 'horizontal']): 5000, 'sun': sun, **stand}

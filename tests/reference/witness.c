@@ -33,7 +33,7 @@
 #include "witness_sky.h"
 
 enum { MOST = 400, MOST_BOUNCES = 400, EVEN = 16, SKY_STEPS = 800 };
-static const double OFF_MM = 1e-5, CLOSE_MM = 600, LEAST_SHARE = 0.02;
+static const double OFF_MM = 1e-7, CLOSE_MM = 600, LEAST_SHARE = 0.02;
 
 static uint64_t state;
 /* The first numbers of a path spread evenly over all paths of a batch: multiples of powers of the root of
