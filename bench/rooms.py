@@ -83,6 +83,23 @@ def corridor():
     return [hull(*size)], [panel(1500 + 3000 * i, 2550, 900, 600, 150) for i in range(4)], ends(*size)
 
 
+COLUMN = {'type': 'cylinder', 'center': [2000, 1400, 1300], 'radius': 200, 'height': 2790, 'axis': [0, 1, 0],
+          'material': matte(0.5)}
+
+
+def day(things=(), sun=False):
+    """By a window with glass in the left wall, under a clear sky."""
+    surfaces, _, places = office(things)
+    surfaces[0]['openings'] = [{'wall': 'left', 'center': [0, 100], 'size': [2000, 1400],
+                                'glass': {'n': 1.52, 'transmittance': 0.96}}]
+    stand = {'up': [0, 1, 0], 'north': [0, 0, -1]}
+    lights = [{'type': 'sky', 'kind': 12, 'horizontal': 12000, 'ground': 0.2,
+               'sun': {'altitude': 40, 'azimuth': 290}, **stand}]
+    if sun:
+        lights.append({'type': 'sun', 'altitude': 40, 'azimuth': 290, 'irradiance': 60000, **stand})
+    return surfaces, lights, places
+
+
 def sphere_with_port():
     """Any wall above the port has 1000 lm / (4 pi R^2) / (1 - rho (1 - f)) = 4613.19 lx."""
     things = [{'type': 'sphere', 'center': [0, 0, 0], 'radius': 500, 'inside': True, 'material': matte(0.95)},
@@ -95,8 +112,7 @@ ROOMS = {
     'empty': office,
     'four desks': lambda: office(desks()),
     'eight turned boxes': lambda: office(boxes()),
-    'round column': lambda: office([{'type': 'cylinder', 'center': [2000, 1400, 1300], 'radius': 200, 'height': 2790,
-                                     'axis': [0, 1, 0], 'material': matte(0.5)}]),
+    'round column': lambda: office([COLUMN]),
     'ball': lambda: office([{'type': 'sphere', 'center': [2000, 700, 1300], 'radius': 300, 'material': matte(0.5)}]),
     'shelves': lambda: office(shelves()),
     'blinds of 12 slats': lambda: office(blinds()),
@@ -104,6 +120,9 @@ ROOMS = {
     '12 luminaires': twelve,
     '12 luminaires with openings': lambda: twelve(opening='file'),
     'sphere with port': sphere_with_port,
+    'window, clear sky': day,
+    'window, sky and sun, four desks': lambda: day(desks(), sun=True),
+    'window, sky and sun, round column': lambda: day([COLUMN], sun=True),
 }
 
 

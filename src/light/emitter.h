@@ -43,6 +43,7 @@ struct lx_asking;
 struct lx_dome;
 struct lx_sky;
 struct lx_glass_pane;
+struct lx_sky_potential;
 
 /* The attenuation laws a(r): 1/r^2, 1/(k + r), 1, 1/(kc + kl r + kq r^2). */
 enum lx_attenuation { LX_INVERSE_SQUARE, LX_PRACTICAL, LX_NO_ATTENUATION, LX_POLYNOMIAL };
@@ -69,6 +70,7 @@ struct lx_emitter {
     double radii_mm[3]; /* all 0 but of one that is not round (elliptic.h) */
     lx_bounded3 axis;   /* unit: the way a disk shines; along a cylinder */
     const struct lx_sky *sky; /* of a patch of it: its radiance is that times the sky's luminance by direction */
+    const struct lx_sky_potential *potential; /* of that, and of the glass before it (world/potentials.h); NULL: none */
     struct lx_dome *dome;     /* a dome; the list is one of its users */
     const struct lx_glass_pane *panes; /* of glass, that its light may come through */
     size_t pane_count;

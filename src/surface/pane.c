@@ -20,6 +20,23 @@ struct lx_glass_pane lx_pane_carried(const struct lx_glass_pane *pane, const str
     return carried;
 }
 
+void lx_pane_edges(const struct lx_glass_pane *pane, const double place_mm[3], double inwards[LX_RIM][3])
+{
+    double corners[LX_RIM][3], middle[3];
+    for (int k = 0; k < 3; k++)
+        middle[k] = pane->center_mm[k] - place_mm[k];
+    for (int i = 0; i < LX_RIM; i++)
+        for (int k = 0; k < 3; k++)
+            corners[i][k] = middle[k] + (i == 0 || i == 3 ? 1 : -1) * pane->half_mm[0] * pane->across[k] +
+                            (i < 2 ? 1 : -1) * pane->half_mm[1] * pane->upward[k];
+    for (int i = 0; i < LX_RIM; i++) {
+        lx_cross(corners[i], corners[(i + 1) % LX_RIM], inwards[i]);
+        lx_normalize(inwards[i]);
+        for (int k = 0, is_turned = lx_dot(inwards[i], middle) < 0; k < 3 && is_turned; k++)
+            inwards[i][k] = -inwards[i][k];
+    }
+}
+
 /* What of one polarization comes through two faces that reflect so much each. */
 static double through(double reflected, double left)
 {

@@ -28,6 +28,10 @@ struct lx_glass_pane {
 /* A pane as a frame has it. */
 struct lx_glass_pane lx_pane_carried(const struct lx_glass_pane *pane, const struct lx_frame *frame);
 
+/* The planes through a place before an opening and its edges: unit normals to the side of the opening. */
+enum { LX_RIM = 4 };
+void lx_pane_edges(const struct lx_glass_pane *pane, const double place_mm[3], double inwards[LX_RIM][3]);
+
 /* tau by the cosine of theta, >= 0; good to LX_PANE_ROUNDING, absolutely. */
 double lx_pane_transmittance(const struct lx_glass_pane *pane, double cosine);
 #define LX_PANE_ROUNDING 1e-14

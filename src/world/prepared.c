@@ -14,6 +14,7 @@
 #include "among.h"
 #include "mirrors.h"
 #include "open_domes.h"
+#include "potentials.h"
 #include "prepared.h"
 
 /* How many a scene may have without asking how much memory there is. */
@@ -175,6 +176,7 @@ static int prepare(const struct lx_scene_parameters *scene, const luxel_settings
     int failed = prepare_lights(scene, prepared->on, &prepared->emitters);
     prepared->emitters.asking = NULL;
     prepared->open_domes = lx_has_dome(&prepared->emitters) ? lx_open_domes_new() : NULL;
+    prepared->potentials = prepared->open_domes ? lx_potentials_new() : NULL;
     return failed;
 }
 
@@ -216,6 +218,7 @@ int lx_prepared_carry(const struct lx_prepared *prepared, const struct lx_asking
     carried->on = lx_new_array(prepared->scene->lights.count, sizeof *carried->on);
     carried->emitters = (struct lx_emitters){0};
     carried->open_domes = prepared->open_domes ? lx_open_domes_new() : NULL;
+    carried->potentials = prepared->potentials ? lx_potentials_new() : NULL;
     if (!carried->surfaces || !carried->authored || !carried->on || (prepared->pane_count > 0 && !carried->panes))
         return -1;
     for (size_t i = 0; i < prepared->pane_count; i++)
@@ -264,6 +267,7 @@ void lx_prepared_clear(struct lx_prepared *prepared)
     lx_emitters_clear(&prepared->emitters);
     lx_mirrors_clear(&prepared->mirrors);
     lx_open_domes_free(prepared->open_domes);
+    lx_potentials_free(prepared->potentials);
     *prepared = (struct lx_prepared){0};
 }
 

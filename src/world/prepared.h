@@ -40,6 +40,7 @@ struct lx_authored_surface {
 
 struct lx_mirror_way;
 struct lx_open_domes;
+struct lx_potentials;
 
 /* The mirrors among the surfaces, and the ways of light over them (mirrors.h). */
 struct lx_mirrors {
@@ -84,6 +85,7 @@ struct lx_prepared {
     struct lx_emitters emitters; /* of those, in their order */
     struct lx_mirrors mirrors;
     struct lx_open_domes *open_domes; /* where there is a dome (open_domes.h) */
+    struct lx_potentials *potentials; /* there, too (potentials.h) */
     double tolerance;      /* of integrals, relative to the value that they are a part of */
     bool shadows;          /* whether surfaces take light from each other */
     bool shadows_extended; /* whether extended sources are hidden, too, as far as they are */

@@ -11,10 +11,10 @@
 #include "../surface/beside.h"
 #include "among.h"
 #include "camera.h"
+#include "domes.h"
 #include "images.h"
 #include "integral/cubature.h"
 #include "mirrors.h"
-#include "open_domes.h"
 #include "visibility/boundary.h"
 
 bool lx_element_seen(const struct lx_prepared *prepared, double x_mm, double y_mm, struct lx_element *element)
@@ -129,40 +129,45 @@ static void light_rough(const struct lx_prepared *prepared, const struct lx_elem
 /* From this tolerance on what is in umbrae need not be told from nothing. */
 static const double SAMPLE = 1e-6;
 
-/* What obstacles leave of a uniform source, by its borders, where these are known to the tolerance. */
-static bool find_by_borders(const struct lx_prepared *prepared, const struct lx_element *element,
-                            const struct lx_emitter *emitter, const struct lx_occlusion *occlusion, double before,
-                            lx_bounded *irradiance)
+/* What obstacles (NULL: nothing) leave of a source, by its borders, where these are known to the tolerance. */
+bool lx_light_by_borders(const struct lx_prepared *prepared, const struct lx_element *element,
+                         const struct lx_emitter *emitter, const struct lx_occlusion *occlusion, double before,
+                         struct lx_lighting *lighting)
 {
+    struct lx_occlusion nothing = {.place_mm = {0}};
+    const struct lx_occlusion *hiding = occlusion ? occlusion : &nothing;
     double normal[3];
     lx_bounded seen;
     lx_values3(element->normal, normal);
-    if (!lx_has_closed_form(emitter) || !lx_boundary_irradiance(emitter, normal, occlusion, &seen))
+    lx_values3(element->place_mm, nothing.place_mm);
+    if (emitter->potential ? !lx_boundary_sky(emitter, normal, hiding, prepared->tolerance,
+                                              before / emitter->radiance.value, &seen, &lighting->parts)
+                           : !lx_has_closed_form(emitter) || !lx_boundary_irradiance(emitter, normal, hiding, &seen))
         return false;
-    seen.error += 2 * M_PI * (element->normal.x.error + element->normal.y.error + element->normal.z.error);
+    const double greatest = emitter->sky ? lx_sky_greatest(emitter->sky) : 1;
+    seen.error += 2 * M_PI * greatest * (element->normal.x.error + element->normal.y.error + element->normal.z.error);
     seen.value = fmax(seen.value, 0);
-    *irradiance = lx_mul(emitter->radiance, seen);
-    if (irradiance->error <= prepared->tolerance * (before + irradiance->value))
+    lighting->irradiance = lx_mul(emitter->radiance, seen);
+    lighting->parts++;
+    if (emitter->potential || lighting->irradiance.error <= prepared->tolerance * (before + lighting->irradiance.value))
         return true;
     return prepared->tolerance >= SAMPLE &&
-           irradiance->error <=
+           lighting->irradiance.error <=
                prepared->tolerance * lx_extended_irradiance(emitter, element->place_mm, element->normal).value;
 }
 
 /* In closed form where there is one, else to the tolerance; behind obstacles to the tolerance.  `before`: irradiance of
  * other parts of the same source, relative to which the tolerance is, too. */
-static struct lx_lighting light_around(const struct lx_prepared *prepared, const struct lx_element *element,
-                                       const struct lx_emitter *emitter, struct lx_occlusion *occlusion, double before)
+struct lx_lighting lx_light_around(const struct lx_prepared *prepared, const struct lx_element *element,
+                                   const struct lx_emitter *emitter, struct lx_occlusion *occlusion, double before)
 {
     const struct lx_lobe *lobe = element->lobe;
-    const bool is_occluded = lx_is_occluded(occlusion);
     struct lx_lighting lighting = {.irradiance = lx_exact(0), .specular = lx_exact(0)};
-    const bool by_borders =
-        is_occluded && find_by_borders(prepared, element, emitter, occlusion, before, &lighting.irradiance);
-    const bool closed = by_borders || (lx_has_closed_form(emitter) && !is_occluded);
-    lighting.parts = by_borders;
-    if (closed && !by_borders)
+    bool closed = lx_has_closed_form(emitter) && !lx_is_occluded(occlusion);
+    if (closed)
         lighting.irradiance = lx_extended_irradiance(emitter, element->place_mm, element->normal);
+    else
+        closed = lx_light_by_borders(prepared, element, emitter, occlusion, before, &lighting);
     if (!closed || lx_lobe_shines(lobe)) {
         double known = lobe->diffuse.value * (before + lighting.irradiance.value);
         struct lx_cubature integral =
@@ -193,14 +198,14 @@ static lx_bounded within(lx_bounded found, lx_bounded most)
 struct lx_lighting lx_light_behind(const struct lx_prepared *prepared, const struct lx_element *element,
                                    const struct lx_emitter *emitter, struct lx_occlusion *occlusion, double before)
 {
-    struct lx_lighting seen = light_around(prepared, element, emitter, occlusion, before);
+    struct lx_lighting seen = lx_light_around(prepared, element, emitter, occlusion, before);
     const double wanted = prepared->tolerance;
     const bool is_rough = lx_lobe_is_rough(element->lobe);
     if (!lx_is_occluded(occlusion) || (seen.irradiance.error <= wanted * (before + seen.irradiance.value) &&
                                        (!is_rough || seen.diffuse.error <= wanted * seen.diffuse.value) &&
                                        seen.specular.error <= wanted * seen.specular.value))
         return seen;
-    const struct lx_lighting all = light_around(prepared, element, emitter, NULL, before);
+    const struct lx_lighting all = lx_light_around(prepared, element, emitter, NULL, before);
     seen.irradiance = within(seen.irradiance, all.irradiance);
     seen.diffuse = is_rough ? within(seen.diffuse, all.diffuse) : lx_mul(element->lobe->diffuse, seen.irradiance);
     seen.specular = within(seen.specular, all.specular);
@@ -209,8 +214,8 @@ struct lx_lighting lx_light_behind(const struct lx_prepared *prepared, const str
 
 /* `is_open`: not NULL where somebody knows what the source gives if nothing stands before it; that is then told, and
  * nothing else. */
-static struct lx_lighting light_by_extended(const struct lx_prepared *prepared, const struct lx_element *element,
-                                            const struct lx_emitter *emitter, double before, bool *is_open)
+struct lx_lighting lx_light_by_extended(const struct lx_prepared *prepared, const struct lx_element *element,
+                                        const struct lx_emitter *emitter, double before, bool *is_open)
 {
     if (lx_extended_touches(emitter, element->place_mm))
         return (struct lx_lighting){.on_element = true};
@@ -218,7 +223,7 @@ static struct lx_lighting light_by_extended(const struct lx_prepared *prepared, 
         if (is_open)
             *is_open = true;
         return is_open ? (struct lx_lighting){.irradiance = lx_exact(0)}
-                       : light_around(prepared, element, emitter, NULL, before);
+                       : lx_light_around(prepared, element, emitter, NULL, before);
     }
     const bool above = !lx_lobe_reaches_below(element->lobe);
     struct lx_occlusion occlusion = {.place_mm = {0}};
@@ -234,7 +239,7 @@ static struct lx_lighting light_by_extended(const struct lx_prepared *prepared, 
 }
 
 /* The panes that its light may come through, where what stands in the way counts; of a room that is left out, none. */
-static void set_panes(const struct lx_prepared *prepared, struct lx_emitter *emitter)
+void lx_set_panes(const struct lx_prepared *prepared, struct lx_emitter *emitter)
 {
     bool counts = false;
     for (size_t i = 0; i < prepared->pane_count && !counts && prepared->is_glazed; i++)
@@ -252,249 +257,16 @@ double lx_beyond_all(const struct lx_prepared *prepared, const double place_mm[3
     return ldexp(1, ilogb(TIMES * reach) + 1);
 }
 
-/* The sine of the greatest height of a polygon's corners over the element's horizon; 1 of what has none. */
-static double highest_of(const struct lx_dome_view *view, const double place_mm[3], const double normal[3])
-{
-    double highest = -1;
-    if (!view->emitter.facets)
-        return 1;
-    for (size_t i = 0; i < view->facets.corner_count; i++) {
-        double way[3];
-        for (int k = 0; k < 3; k++)
-            way[k] = (&view->corners_mm[i].x)[k].high - place_mm[k];
-        highest = fmax(highest, lx_dot(normal, way) / sqrt(lx_dot(way, way)));
-    }
-    return highest;
-}
-
-/* A polygon no higher than that, as far as can be told, is on the horizon or below: where it is on it, as an opening is
- * for places of its own wall, an integral to a share of next to nothing would take long. */
-static const double ON_HORIZON = 1e-9;
-
-/* Adds what a polygon on the horizon may give at most; false: it may be higher. */
-static bool add_horizon(const struct lx_dome_view *view, const struct lx_element *element, double highest,
-                        struct lx_lighting *sum)
-{
-    const struct lx_emitter *emitter = &view->emitter;
-    if (highest > ON_HORIZON || lx_lobe_shines(element->lobe) || lx_lobe_is_rough(element->lobe))
-        return highest < -ON_HORIZON;
-    if (highest < -ON_HORIZON)
-        return true;
-    const double unsure = 1e-14 + element->normal.x.error + element->normal.y.error + element->normal.z.error;
-    const double greatest = emitter->radiance.value * (emitter->sky ? lx_sky_greatest(emitter->sky) : 1);
-    const lx_bounded most = {0, 2 * M_PI * greatest * (fmax(highest, 0) + unsure)};
-    sum->irradiance = lx_add(sum->irradiance, most);
-    sum->diffuse = lx_add(sum->diffuse, lx_mul(element->lobe->diffuse, most));
-    return true;
-}
-
-/* What is nearer to a wall, of a room's size, may be on it. */
-static const double ON_WALL = 1e-6;
-
-/* The way to a place from the middle of an opening's room, along the room's axes. */
-static void find_in_room(const struct lx_glass_pane *opening, const double place_mm[3], double away_mm[3])
-{
-    double from[3];
-    for (int k = 0; k < 3; k++)
-        from[k] = place_mm[k] - opening->room_center_mm[k];
-    for (int k = 0; k < 3; k++)
-        away_mm[k] = lx_dot(from, opening->room_axes[k]);
-}
-
-/* Whether a place is in the room of an opening, or on a wall of it and looks inwards. */
-static bool is_in_room(const struct lx_glass_pane *opening, const double place_mm[3], const double normal[3])
-{
-    double away[3];
-    find_in_room(opening, place_mm, away);
-    for (int k = 0; k < 3; k++) {
-        const double half = opening->room_half_mm[k];
-        const double outwards = copysign(1, away[k]) * lx_dot(normal, opening->room_axes[k]);
-        if (!(fabs(away[k]) <= half * (1 + 1e-9)) || (fabs(away[k]) > half * (1 - ON_WALL) && outwards > 1e-9))
-            return false;
-    }
-    return true;
-}
-
-/* The room on whose outside a place lies and looks away, so that none of its walls stands before it; SIZE_MAX: there is
- * none. */
-static size_t find_room_behind(const struct lx_prepared *prepared, const double place_mm[3], const double normal[3])
-{
-    for (size_t i = 0; i < prepared->pane_count; i++) {
-        const struct lx_glass_pane *opening = &prepared->panes[i];
-        double away[3];
-        find_in_room(opening, place_mm, away);
-        for (int k = 0; k < 3; k++)
-            if (fabs(away[k]) >= opening->room_half_mm[k] * (1 - 1e-12) &&
-                copysign(1, away[k]) * lx_dot(normal, opening->room_axes[k]) > 1 - 1e-12)
-                return opening->surface;
-    }
-    return SIZE_MAX;
-}
-
-/* Whether a place is in an opening, and looks outside as well. */
-static bool looks_out(const struct lx_glass_pane *opening, const double place_mm[3], const double normal[3])
-{
-    const double *size = opening->room_half_mm, near = ON_WALL * fmax(size[0], fmax(size[1], size[2]));
-    double from[3];
-    for (int k = 0; k < 3; k++)
-        from[k] = place_mm[k] - opening->center_mm[k];
-    return fabs(lx_dot(from, opening->axis)) <= near &&
-           fabs(lx_dot(from, opening->across)) <= opening->half_mm[0] + near &&
-           fabs(lx_dot(from, opening->upward)) <= opening->half_mm[1] + near &&
-           lx_dot(normal, opening->axis) < 1 - 1e-12;
-}
-
-/* The room around a place, whose walls hide from it all but what is seen through its openings; SIZE_MAX: there is
- * none. */
-static size_t find_room(const struct lx_prepared *prepared, const double place_mm[3], const double normal[3])
-{
-    size_t room = SIZE_MAX;
-    for (size_t i = 0; i < prepared->pane_count; i++)
-        room = is_in_room(&prepared->panes[i], place_mm, normal) ? prepared->panes[i].surface : room;
-    for (size_t i = 0; i < prepared->pane_count && room < SIZE_MAX; i++)
-        if (prepared->panes[i].surface == room && looks_out(&prepared->panes[i], place_mm, normal))
-            return SIZE_MAX;
-    return room;
-}
-
-/* The corners of an opening from a place. */
-static void find_rim(const struct lx_glass_pane *opening, const double place_mm[3], lx_wide3 rim[4])
-{
-    const lx_wide3 middle = lx_wide3_sub(lx_wide3_of(opening->center_mm), lx_wide3_of(place_mm));
-    for (int i = 0; i < 4; i++) {
-        const lx_wide right = lx_wide_of(i == 0 || i == 3 ? opening->half_mm[0] : -opening->half_mm[0]);
-        const lx_wide up = lx_wide_of(i < 2 ? opening->half_mm[1] : -opening->half_mm[1]);
-        rim[i] = lx_wide3_add(middle, lx_wide3_add(lx_wide3_mul(lx_wide3_of(opening->across), right),
-                                                   lx_wide3_mul(lx_wide3_of(opening->upward), up)));
-    }
-}
-
-static void add_lighting(struct lx_lighting *sum, const struct lx_lighting *part)
-{
-    sum->irradiance = lx_add(sum->irradiance, part->irradiance);
-    sum->diffuse = lx_add(sum->diffuse, part->diffuse);
-    sum->specular = lx_add(sum->specular, part->specular);
-    sum->parts += part->parts;
-}
-
-/* What is seen through the openings of the room around the element, whose walls hide all else. */
-static struct lx_lighting light_through(const struct lx_prepared *prepared, const struct lx_element *element,
-                                        const struct lx_dome *dome, size_t room, double away_mm)
-{
-    struct lx_lighting sum = {.irradiance = lx_exact(0), .diffuse = lx_exact(0), .specular = lx_exact(0)};
-    struct lx_prepared without = *prepared;
-    double place[3], normal[3];
-    lx_values3(element->place_mm, place);
-    lx_values3(element->normal, normal);
-    without.left_out = room + 1;
-    for (size_t i = 0; i < prepared->pane_count; i++) {
-        const struct lx_glass_pane *opening = &prepared->panes[i];
-        const lx_wide3 outwards = lx_wide3_mul(lx_wide3_of(opening->axis), lx_wide_of(-1));
-        struct lx_dome_view views[LX_MOST_DOME_VIEWS];
-        lx_wide3 rim[4];
-        if (opening->surface != room)
-            continue;
-        find_rim(opening, place, rim);
-        const size_t count = lx_dome_see_through(dome, rim, outwards, place, away_mm, views);
-        for (size_t k = 0; k < count; k++) {
-            if (add_horizon(&views[k], element, highest_of(&views[k], place, normal), &sum))
-                continue;
-            set_panes(prepared, &views[k].emitter);
-            views[k].emitter.through = opening;
-            const struct lx_lighting part =
-                light_by_extended(&without, element, &views[k].emitter, sum.irradiance.value, NULL);
-            add_lighting(&sum, &part);
-        }
-    }
-    return sum;
-}
-
-/* What is remembered of a dome for elements like this one, in memory of its own where it has none; NULL: nothing is, as
- * it depends on the place of who looks, or the view vector is another one for each element. */
-static struct lx_open_dome *remember(const struct lx_prepared *prepared, const struct lx_element *element,
-                                     const struct lx_dome *dome, struct lx_open_dome *own)
-{
-    struct lx_open_dome *open = element->open_dome ? element->open_dome : own;
-    lx_bounded3 view = {.x = lx_exact(0)};
-    if (lx_lobe_shines(element->lobe) || lx_lobe_is_rough(element->lobe)) {
-        if (!prepared->camera.is_parallel || !element->own || !lx_shape_is_flat(&element->own->shape))
-            return NULL;
-        view = element->view;
-    }
-    if (open->dome != dome || open->lobe != element->lobe ||
-        memcmp(&open->normal, &element->normal, sizeof open->normal) != 0 ||
-        memcmp(&open->view, &view, sizeof open->view) != 0)
-        *open = (struct lx_open_dome){.dome = dome, .lobe = element->lobe, .normal = element->normal, .view = view};
-    return open;
-}
-
-/* What a patch gives that nothing hides: the same at the origin, so that it is the same number for whoever asks. */
-static struct lx_lighting light_openly(const struct lx_prepared *prepared, const struct lx_element *element,
-                                       const struct lx_dome *dome, size_t patch, struct lx_open_dome *remembered)
-{
-    const double origin[3] = {0, 0, 0};
-    struct lx_open_patch *open = &remembered->patches[patch];
-    struct lx_element there = *element;
-    struct lx_dome_view view;
-    /* round surfaces have a normal for each element, which are too many to be kept */
-    struct lx_open_domes *domes = element->own && !lx_shape_is_flat(&element->own->shape) ? NULL : prepared->open_domes;
-    if (!open->is_known)
-        open->is_known = lx_open_domes_look(domes, remembered, prepared->tolerance, patch, &open->lighting);
-    if (!open->is_known) {
-        there.place_mm = lx_exact3(origin);
-        lx_dome_see(dome, patch, origin, lx_beyond_all(prepared, origin), &view);
-        *open = (struct lx_open_patch){true, light_around(prepared, &there, &view.emitter, NULL, 0)};
-        lx_open_domes_note(domes, remembered, prepared->tolerance, patch, &open->lighting);
-    }
-    struct lx_lighting found = open->lighting;
-    found.parts = element->open_dome ? 0 : found.parts; /* of many elements nobody looked at them for this one */
-    return found;
-}
-
-/* Patch by patch; those that the element does not look to give nothing. */
-static struct lx_lighting light_by_dome(const struct lx_prepared *prepared, const struct lx_element *element,
-                                        const struct lx_dome *dome)
-{
-    struct lx_lighting sum = {.irradiance = lx_exact(0), .diffuse = lx_exact(0), .specular = lx_exact(0)};
-    enum { SHARES = 4 }; /* of the tolerance, which patches are to keep together */
-    const bool looks_below = lx_lobe_reaches_below(element->lobe);
-    double place[3], normal[3];
-    lx_values3(element->place_mm, place);
-    lx_values3(element->normal, normal);
-    const double away_mm = lx_beyond_all(prepared, place);
-    struct lx_prepared shared = *prepared;
-    shared.tolerance /= SHARES;
-    const size_t room = prepared->shadows_extended && !looks_below ? find_room(prepared, place, normal) : SIZE_MAX;
-    if (room < SIZE_MAX && !lx_is_sun(dome))
-        return light_through(&shared, element, dome, room, away_mm);
-    struct lx_open_dome own = {.dome = NULL}, *remembered = remember(prepared, element, dome, &own);
-    if (!looks_below)
-        shared.left_out = find_room_behind(prepared, place, normal) + 1;
-    for (size_t i = 0; i < dome->patch_count; i++) {
-        struct lx_dome_view view;
-        lx_dome_see(dome, i, place, away_mm, &view);
-        if (!looks_below && add_horizon(&view, element, highest_of(&view, place, normal), &sum))
-            continue;
-        set_panes(&shared, &view.emitter);
-        bool is_open = false, *asks = remembered && view.emitter.pane_count == 0 ? &is_open : NULL;
-        struct lx_lighting part = light_by_extended(&shared, element, &view.emitter, sum.irradiance.value, asks);
-        if (is_open)
-            part = light_openly(&shared, element, dome, i, remembered);
-        add_lighting(&sum, &part);
-    }
-    return sum;
-}
-
 struct lx_lighting lx_light_directly(const struct lx_prepared *prepared, const struct lx_element *element,
                                      const struct lx_emitter *emitter)
 {
     if (lx_is_extended(emitter)) {
         struct lx_emitter beyond_glass = *emitter;
-        set_panes(prepared, &beyond_glass);
-        return light_by_extended(prepared, element, &beyond_glass, 0, NULL);
+        lx_set_panes(prepared, &beyond_glass);
+        return lx_light_by_extended(prepared, element, &beyond_glass, 0, NULL);
     }
     if (lx_is_dome(emitter))
-        return light_by_dome(prepared, element, emitter->dome);
+        return lx_light_by_dome(prepared, element, emitter->dome);
     struct lx_sample sample = lx_emitter_sample(emitter, element->place_mm);
     if (sample.on_element)
         return (struct lx_lighting){.on_element = true};

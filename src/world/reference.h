@@ -43,6 +43,24 @@ lx_bounded lx_hidden_by(const struct lx_prepared_surface *surface, const struct 
 lx_bounded lx_blocked_by(const struct lx_shape *shape, bool is_own, const struct lx_element *element, lx_bounded3 way,
                          bool endless);
 
+/* The panes that its light may come through, where what stands in the way counts; of a room that is left out, none. */
+void lx_set_panes(const struct lx_prepared *prepared, struct lx_emitter *emitter);
+
+/* What obstacles (NULL: nothing) leave of an extended emitter, by its borders; false: these are not known to the
+ * tolerance.  `before`: irradiance of other parts of the same emitter, relative to which the tolerance is, too. */
+bool lx_light_by_borders(const struct lx_prepared *prepared, const struct lx_element *element,
+                         const struct lx_emitter *emitter, const struct lx_occlusion *occlusion, double before,
+                         struct lx_lighting *lighting);
+
+/* All that an extended emitter gives: in closed form or by borders, else by integrals, to the tolerance. */
+struct lx_lighting lx_light_around(const struct lx_prepared *prepared, const struct lx_element *element,
+                                   const struct lx_emitter *emitter, struct lx_occlusion *occlusion, double before);
+
+/* And with what stands before it.  `is_open`: not NULL where somebody knows what it gives if nothing does; that is then
+ * told, and nothing else. */
+struct lx_lighting lx_light_by_extended(const struct lx_prepared *prepared, const struct lx_element *element,
+                                        const struct lx_emitter *emitter, double before, bool *is_open);
+
 /* What an extended emitter gives behind obstacles, beside the irradiance that came before it; where that is not known
  * to the tolerance, between what there can be. */
 struct lx_lighting lx_light_behind(const struct lx_prepared *prepared, const struct lx_element *element,

@@ -293,7 +293,8 @@ static bool leads_through(const lx_wide3 *corners, size_t count, lx_wide3 toward
 }
 
 size_t lx_dome_see_through(const struct lx_dome *dome, const lx_wide3 rim[4], lx_wide3 outwards,
-                           const double place_mm[3], double away_mm, struct lx_dome_view views[LX_MOST_DOME_VIEWS])
+                           const double place_mm[3], double away_mm, bool is_cut,
+                           struct lx_dome_view views[LX_MOST_DOME_VIEWS])
 {
     enum { RIM = 4 };
     const lx_wide height = lx_wide3_dot(outwards, rim[0]);
@@ -314,7 +315,7 @@ size_t lx_dome_see_through(const struct lx_dome *dome, const lx_wide3 rim[4], lx
         size = fmax(size, fabs(corner->x.high) + fabs(corner->y.high) + fabs(corner->z.high));
     }
     const size_t above_count = cut_polygon(above, RIM, &up), below_count = cut_polygon(below, RIM, &down);
-    const bool has_sun = lx_sky_has_sun(dome->sky.kind) && leads_through(above, above_count, sun);
+    const bool has_sun = is_cut && lx_sky_has_sun(dome->sky.kind) && leads_through(above, above_count, sun);
     if (dome->ground.value > 0)
         seen += set_view(below, below_count, inwards, dome->ground, NULL, place_mm, &views[seen]);
     for (size_t i = 0; i < above_count && has_sun; i++) {

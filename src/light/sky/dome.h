@@ -66,10 +66,11 @@ void lx_dome_see(const struct lx_dome *dome, size_t patch, const double place_mm
                  struct lx_dome_view *view);
 
 /* What is seen of a sky and its ground through a rectangle whose corners are so far from a place, in their order, as
- * convex polygons in a plane along it: the sky whole or, where the sun is in it, as triangles that have it in a corner.
- * The unit normal of the rectangle leads away from the place.  Returns how many views were set. */
+ * convex polygons in a plane along it: the sky whole or, where the sun is in it and `is_cut`, as triangles that have it
+ * in a corner.  The unit normal of the rectangle leads away from the place.  Returns how many views were set. */
 size_t lx_dome_see_through(const struct lx_dome *dome, const lx_wide3 rim[4], lx_wide3 outwards,
-                           const double place_mm[3], double away_mm, struct lx_dome_view views[LX_MOST_DOME_VIEWS]);
+                           const double place_mm[3], double away_mm, bool is_cut,
+                           struct lx_dome_view views[LX_MOST_DOME_VIEWS]);
 
 /* The sky with the radiance of its zenith, and the ground below with one of its own; NULL: memory ran out. */
 struct lx_dome *lx_dome_of_sky(const struct lx_sky *sky, lx_bounded zenith, lx_bounded ground);

@@ -133,21 +133,6 @@ static unsigned cross_curves(const struct lx_boundary_side *side, const struct l
     return fabs(waves.a0) > swing * (1 + 1e-12) ? 0 : find_zeros(&waves, at);
 }
 
-/* Both roots between 0 and 1 of a t^2 + 2 b t + c. */
-static unsigned find_shares(double a, double b, double c, double *at)
-{
-    const double below = b * b - a * c;
-    unsigned count = 0;
-    if (!(below > 0))
-        return 0;
-    const double root = sqrt(below), larger = b > 0 ? -b - root : -b + root;
-    const double shares[2] = {larger / a, c / larger};
-    for (int i = 0; i < 2; i++)
-        if (shares[i] > 0 && shares[i] < 1)
-            at[count++] = shares[i];
-    return count;
-}
-
 /* Where on a circle, or on the outline of a disk, that of a plane or of a circle is; none where they touch only. */
 static unsigned find_angles(const struct lx_boundary_side *side, const struct lx_boundary_side *other, double *at)
 {
@@ -166,17 +151,17 @@ static unsigned find_angles(const struct lx_boundary_side *side, const struct lx
     return count;
 }
 
-/* Where a piece of a great circle crosses the outline of a disk: at the same places as that crosses it. */
-static unsigned cross_cone(const struct lx_boundary_side *side, const struct lx_boundary_side *cone, double *at)
+/* Where a piece of a great circle crosses a circle or the outline of a disk: at the same places as that crosses it. */
+static unsigned cross_closed(const struct lx_boundary_side *side, const struct lx_boundary_side *closed, double *at)
 {
     double angles[2], turned[3];
     unsigned count = 0;
-    const unsigned found = find_angles(cone, side, angles);
+    const unsigned found = find_angles(closed, side, angles);
     lx_cross(side->from, side->to, turned);
     const double sign = lx_dot(turned, side->g) < 0 ? -1 : 1;
     for (unsigned i = 0; i < found; i++) {
         double u[3];
-        lx_boundary_place(cone, angles[i], u);
+        lx_boundary_place(closed, angles[i], u);
         lx_cross(side->from, u, turned);
         const double behind = sign * lx_dot(turned, side->g);
         lx_cross(u, side->to, turned);
@@ -190,26 +175,15 @@ static unsigned cross_cone(const struct lx_boundary_side *side, const struct lx_
 /* Where a side's curve crosses that of another. */
 static unsigned find_crossings(const struct lx_boundary_side *side, const struct lx_boundary_side *other, double *at)
 {
-    unsigned count = 0;
     if (side->is_circle && (other->is_cone || (side->is_cone && other->limit != 0)))
         return cross_curves(side, other, at);
     if (side->is_circle)
         return find_angles(side, other, at);
-    if (other->is_cone)
-        return cross_cone(side, other, at);
-    const double from = lx_dot(other->g, side->from), to = lx_dot(other->g, side->to), change = to - from;
-    if (other->limit == 0) {
-        if ((from > 0) != (to > 0))
-            at[count++] = from / (from - to);
-        return count;
-    }
-    /* (g'.u)^2 = limit'^2 u^2 of u = from + t way */
-    double way[3];
-    for (int k = 0; k < 3; k++)
-        way[k] = side->to[k] - side->from[k];
-    const double square = other->limit * other->limit;
-    return find_shares(change * change - square * lx_dot(way, way), from * change - square * lx_dot(side->from, way),
-                       from * from - square * lx_dot(side->from, side->from), at);
+    if (other->is_cone || other->limit != 0)
+        return cross_closed(side, other, at);
+    const double from = lx_dot(other->g, side->from), to = lx_dot(other->g, side->to);
+    at[0] = from / (from - to);
+    return (from > 0) != (to > 0);
 }
 
 /* ---- walking ---- */
@@ -499,14 +473,15 @@ static bool make_ball(const struct lx_emitter *ball, const struct lx_occlusion *
     return true;
 }
 
-/* Adds what is seen of a part of the source; false: it is not known. */
-static bool add_shape(const struct lx_boundary_shape *shape, struct lx_boundary *boundary, struct sum *sum)
+/* Walks around what is seen of a part of the source; false: it is not known. */
+static bool walk_shape(const struct lx_boundary_shape *shape, const double normal[3], struct lx_boundary *boundary,
+                       lx_take_border *take, void *data)
 {
     struct lx_boundary_polygon part = shape->polygon;
     struct lx_boundary_body *body = &boundary->bodies[0];
     if (part.count + 1 + boundary->cut_count > LX_BOUNDARY_SIDES)
         return false;
-    lx_boundary_cut(&part, sum->normal);
+    lx_boundary_cut(&part, normal);
     lx_boundary_cut_all(boundary, &part);
     if (part.count == 0)
         return true;
@@ -514,30 +489,41 @@ static bool add_shape(const struct lx_boundary_shape *shape, struct lx_boundary 
         return false;
     if (shape->has_curve)
         body->sides[body->count++] = shape->curve;
-    return lx_boundary_walk(boundary, add_irradiance, sum);
+    return lx_boundary_walk(boundary, take, data);
 }
 
-bool lx_boundary_irradiance(const struct lx_emitter *emitter, const double normal[3],
-                            const struct lx_occlusion *occlusion, lx_bounded *irradiance)
+bool lx_boundary_walk_source(const struct lx_emitter *emitter, const double normal[3],
+                             const struct lx_occlusion *occlusion, lx_take_border *take, void *data, double *unsure)
 {
     struct lx_boundary boundary;
     struct lx_boundary_shapes shapes;
-    struct sum sum = {.normal = normal};
-    if (emitter->attenuation != LX_INVERSE_SQUARE || !lx_boundary_begin(occlusion, emitter, &boundary))
+    if (!lx_boundary_begin(occlusion, emitter, &boundary))
         return false;
     boundary.error_mm += source_error(emitter, occlusion->place_mm);
     const bool is_ball = !lx_has_axis(emitter);
     if (is_ball) {
         if (!make_ball(emitter, occlusion, normal, &boundary) ||
-            (boundary.bodies[0].count > 0 && !lx_boundary_walk(&boundary, add_irradiance, &sum)))
+            (boundary.bodies[0].count > 0 && !lx_boundary_walk(&boundary, take, data)))
             return false;
     } else if (!lx_boundary_shape(occlusion, emitter, &shapes)) {
         return false;
     }
     for (unsigned i = 0; i < shapes.count && !is_ball; i++)
-        if (!add_shape(&shapes.items[i], &boundary, &sum) ||
+        if (!walk_shape(&shapes.items[i], normal, &boundary, take, data) ||
             (i + 1 < shapes.count && !lx_boundary_put_aside(&shapes.items[i], &boundary)))
             return false;
-    *irradiance = (lx_bounded){sum.of_source - sum.of_obstacles, boundary.unsure + (is_ball ? 0 : shapes.unsure)};
+    *unsure = boundary.unsure + (is_ball ? 0 : shapes.unsure);
+    return true;
+}
+
+bool lx_boundary_irradiance(const struct lx_emitter *emitter, const double normal[3],
+                            const struct lx_occlusion *occlusion, lx_bounded *irradiance)
+{
+    struct sum sum = {.normal = normal};
+    double unsure;
+    if (emitter->attenuation != LX_INVERSE_SQUARE ||
+        !lx_boundary_walk_source(emitter, normal, occlusion, add_irradiance, &sum, &unsure))
+        return false;
+    *irradiance = (lx_bounded){sum.of_source - sum.of_obstacles, unsure};
     return true;
 }

@@ -106,10 +106,21 @@ void lx_boundary_place(const struct lx_boundary_side *side, double t, double u[3
  * counts twice, as the ends of all do not meet. */
 typedef void lx_take_border(void *data, const struct lx_boundary_side *side, double from, double to, int sign);
 bool lx_boundary_walk(struct lx_boundary *boundary, lx_take_border *take, void *data);
+/* Walks around what is seen of a source over the element's horizon; *unsure: for how much of the solid angle that is
+ * not known. */
+bool lx_boundary_walk_source(const struct lx_emitter *emitter, const double normal[3],
+                             const struct lx_occlusion *occlusion, lx_take_border *take, void *data, double *unsure);
 
 /* For a radiance of 1, with a bound of its error.  False: it is not known, as there are other laws, sources or
  * obstacles, or too many, or one is not wholly before the source, or borders that touch cannot be told apart. */
 bool lx_boundary_irradiance(const struct lx_emitter *emitter, const double normal[3],
                             const struct lx_occlusion *occlusion, lx_bounded *irradiance);
+
+/* The irradiance by a view of a dome (light/sky/dome.h) that has a potential, for a radiance of 1 or, of a sky, in its
+ * zenith, to a tolerance relative to the sum with what is known or to a small share of the whole sky, with its bound;
+ * adds how many places of borders were looked at to *parts.  False: there are other obstacles, or too many, or that was
+ * not reached. */
+bool lx_boundary_sky(const struct lx_emitter *emitter, const double normal[3], const struct lx_occlusion *occlusion,
+                     double tolerance, double known, lx_bounded *irradiance, size_t *parts);
 
 #endif

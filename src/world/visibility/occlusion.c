@@ -374,6 +374,20 @@ int lx_occlusion_gather(const struct lx_shape *shape, bool is_own, bool is_turne
     return is_beside ? lx_shape_gather_beside(shape, normal, &occlusion->shaft, &occlusion->obstacles) : 0;
 }
 
+/* What hides the sun beside an opening that it is seen through: all beyond the planes of its edges. */
+static int append_rim(const struct lx_glass_pane *opening, const double place_mm[3], struct lx_obstacles *obstacles)
+{
+    double inwards[LX_RIM][3];
+    int failed = 0;
+    lx_pane_edges(opening, place_mm, inwards);
+    for (int i = 0; i < LX_RIM && !failed; i++) {
+        struct lx_obstacle beside = {.type = LX_OBSTACLE_SPACE};
+        memcpy(beside.axis, inwards[i], sizeof beside.axis);
+        failed = lx_obstacles_append(obstacles, &beside);
+    }
+    return failed;
+}
+
 int lx_occlusion_make(const struct lx_prepared *prepared, const struct lx_element *element,
                       const struct lx_emitter *emitter, bool above, struct lx_occlusion *occlusion)
 {
@@ -381,6 +395,8 @@ int lx_occlusion_make(const struct lx_prepared *prepared, const struct lx_elemen
     const double normal[3] = {element->normal.x.value, element->normal.y.value, element->normal.z.value};
     double beyond_mm = 0;
     lx_occlusion_begin(place, above ? normal : NULL, emitter, occlusion);
+    if (emitter->through && lx_is_disk(emitter) && append_rim(emitter->through, place, &occlusion->obstacles))
+        return -1;
     struct lx_found found;
     const bool is_found = lx_among_shaft(prepared, &occlusion->shaft, &found);
     const size_t count = lx_found_count(&found, is_found, prepared->surface_count);

@@ -27,8 +27,9 @@ struct lx_hidden {
 
 struct lx_sheet_outline;
 
-/* Planes through the element behind which nothing is looked at: its horizon, and that of the face it lies on. */
-enum { LX_MOST_HORIZONS = 2 };
+/* Planes through the element behind which nothing is looked at: its horizon, that of the face it lies on, and those of
+ * the edges of an opening. */
+enum { LX_MOST_HORIZONS = 6 };
 
 struct lx_occlusion {
     struct lx_obstacles obstacles; /* their places are offsets from the element, but those of shapes */
