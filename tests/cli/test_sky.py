@@ -183,6 +183,13 @@ def windows(tap, tool):
             open_, = light(tool, source, [at], ROOM % wide % "")
             glass, = light(tool, source, [at], ROOM % wide % ", glass: {}")
             tap.ok(open_[0] > 0 and abs(glass[0] / open_[0] - passes) < 1e-6, "glass at %d" % angle, open_, glass)
+    # of lamps before it glass takes nothing
+    for shape, name in (("planar, disk: {center: [2000, 2000, 1000], radius: 300, axis: [0, 0, -1]}", "disk"),
+                        ("volume, sphere: {center: [2000, 2000, 1000], radius: 300}", "ball")):
+        lamp = "{type: %s, radiance: 1}" % shape
+        open_, glass = (light(tool, lamp, [(2300, 2000, 0, 0, 0, 1)], ROOM % wide % pane)[0]
+                        for pane in ("", ", glass: {}"))
+        tap.ok(open_[0] > 0 and abs(glass[0] - open_[0]) <= open_[1] + glass[1], "a %s before glass" % name, open_, glass)
     for wall, place, inwards in (("left", (0, 1200, 2100), (1, 0, 0)), ("right", (4000, 1200, 2100), (-1, 0, 0)),
                                  ("back", (1300, 4000, 2100), (0, -1, 0)), ("front", (1300, 0, 2100), (0, 1, 0))):
         # a beam through the middle of a window, and past its edges, falls on an element within

@@ -75,8 +75,8 @@ static struct lx_point_value value_at(struct lx_problem *problem, double tau)
     }
     if (problem->emitter->pane_count > 0) {
         const struct lx_emitter *emitter = problem->emitter;
-        weight *=
-            lx_panes_pass(emitter->panes, emitter->pane_count, emitter->through, problem->place_mm, towards, true);
+        const double way[3] = {distance * towards[0], distance * towards[1], distance * towards[2]};
+        weight *= lx_panes_pass(emitter->panes, emitter->pane_count, emitter->through, problem->place_mm, way, false);
         error += LX_PANE_ROUNDING;
     }
     double opening = 1, opening_error = 0;
