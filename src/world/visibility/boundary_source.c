@@ -115,8 +115,7 @@ static bool is_parted_by_round(struct pair *pair)
     if (!lx_has_axis(emitter))
         return is_parted(pair, center);
     const double axis[3] = {emitter->axis.x.value, emitter->axis.y.value, emitter->axis.z.value};
-    const struct lx_boundary_tube tube =
-        lx_boundary_tube_of(center, axis, emitter->radius_mm, lx_half_height(emitter));
+    const struct lx_boundary_tube tube = lx_boundary_tube_of(center, axis, emitter->radius_mm, lx_half_height(emitter));
     return is_parted_along(pair, axis) || (lx_emitter_kind(emitter)->has_side &&
                                            is_parted(pair, (const double[]){-tube.out[0], -tube.out[1], -tube.out[2]}));
 }
@@ -159,7 +158,8 @@ static bool is_parted_between(struct pair *pair)
         return true;
     if (obstacle->type != LX_OBSTACLE_TUBE)
         return false;
-    const double along = lx_dot(way, obstacle->axis), nearest = fmax(fmin(along, obstacle->half_mm), -obstacle->half_mm);
+    const double along = lx_dot(way, obstacle->axis);
+    const double nearest = fmax(fmin(along, obstacle->half_mm), -obstacle->half_mm);
     double aside[3];
     for (int k = 0; k < 3; k++) {
         aside[k] = way[k] - along * obstacle->axis[k];
