@@ -234,8 +234,8 @@ struct tube_outline {
  * Adds the end of a tube from one generator that is seen edge-on to the other, at angles from the direction to the
  * place; corners between them lie so far out that the sector is as large as that of the circle.
  */
-static void add_end(struct tube_outline *outline, const double center_mm[3], const double out[3],
-                    const double aside[3], double radius, double from, double to, int count)
+static void add_end(struct tube_outline *outline, const double center_mm[3], const double out[3], const double aside[3],
+                    double radius, double from, double to, int count)
 {
     const double step = (to - from) / count, s = sin(fabs(step));
     const double beyond = fabs(to - from) / (s + sqrt(s * s + (count - 2) * s * fabs(to - from)));

@@ -41,8 +41,8 @@ struct lx_boundary {
     struct lx_boundary_side sides[LX_BOUNDARY_SIDES + LX_BOUNDARY_OBSTACLE_SIDES]; /* body behind body */
     bool has_hole; /* the sides of what is seen through a pipe, */
     struct lx_boundary_side hole[2];
-    struct lx_boundary_side ends[2]; /* the outlines of both ends of a pipe that the element is in, */
-    unsigned end_count;              /* which are all that it sees: 2, or 0 */
+    struct lx_boundary_side ends[2];  /* the outlines of both ends of a pipe that the element is in, */
+    unsigned end_count;               /* which are all that it sees: 2, or 0 */
     double cuts[LX_MOST_HORIZONS][3]; /* only what has cut.u > 0 for all of these is seen */
     unsigned cut_count;
     double error_mm; /* how far all of it may be off, */

@@ -158,8 +158,8 @@ static bool is_parted_between(struct pair *pair)
         return true;
     if (obstacle->type != LX_OBSTACLE_TUBE)
         return false;
-    const double along = lx_dot(way, obstacle->axis),
-                 nearest = fmax(fmin(along, obstacle->half_mm), -obstacle->half_mm);
+    const double along = lx_dot(way, obstacle->axis);
+    const double nearest = fmax(fmin(along, obstacle->half_mm), -obstacle->half_mm);
     double aside[3];
     for (int k = 0; k < 3; k++) {
         aside[k] = way[k] - along * obstacle->axis[k];
