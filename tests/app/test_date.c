@@ -37,7 +37,7 @@ static void test_times(void **state)
         assert_string_equal(moved, cases[i].moved);
         g_free(moved);
     }
-    static const char *const none[] = {"", "2026-03-21", "2026-03-21+01:00", "noon", "21.3.2026 12:00", "2026-03-21T12"};
+    static const char *const none[] = {"", "2026-03-21", "2026-03-21+01:00", "noon", "21.3.2026 12:00", "2026-03-21T"};
     for (gsize i = 0; i < G_N_ELEMENTS(none); i++)
         assert_true(app_date_minutes(none[i]) < 0);
 }
