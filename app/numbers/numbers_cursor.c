@@ -14,7 +14,6 @@ enum {
     PLOT_HEIGHT = 230,
     WORD_LINES = 2,
     SHARE_DIGITS = 5,
-    PLACE_DIGITS = 10,
     PAGE = 10 /* steps of Page Up and Down */
 };
 static const double DOT = 3.5;
