@@ -12,7 +12,7 @@
 #include "row_private.h"
 #include "touch.h"
 
-enum { FIELD_WIDTH = 124 /* dots: the fields of a form have one left edge, and one right edge */ };
+enum { FIELD_WIDTH = 120 /* dots: the fields of a form have one left edge, and one right edge */ };
 enum { EDITED, RESET, MENU, BROWSE, SIGNALS };
 static guint signals[SIGNALS];
 
