@@ -102,12 +102,23 @@ void app_number_set_mark(char mark)
     decimal_mark = mark;
 }
 
-const char *app_number_mark(char *text)
+static const char minus[] = "\u2212";
+
+static const char *set_mark(char *text)
 {
     char *point = strchr(text, '.');
     if (point)
         *point = decimal_mark;
     return text;
+}
+
+const char *app_number_mark(char *text)
+{
+    if (*text == '-') {
+        memmove(text + strlen(minus), text + 1, strlen(text)); /* with the end */
+        memcpy(text, minus, strlen(minus));
+    }
+    return set_mark(text);
 }
 
 const char *app_number_show(double value, int digits, char text[APP_NUMBER_SIZE])
@@ -125,7 +136,7 @@ const char *app_bound_show(double error, int digits, char text[APP_NUMBER_SIZE])
 const char *app_number_show_all(double value, char text[APP_NUMBER_SIZE])
 {
     app_number_write(value, text);
-    return app_number_mark(text);
+    return set_mark(text);
 }
 
 const char *app_number_separator(void)
@@ -144,11 +155,14 @@ char *app_text_show(const char *text)
     int depth = 0; /* of brackets */
     for (const char *at = text; *at; at++) {
         const gboolean after_digit = at > text && g_ascii_isdigit(at[-1]);
+        const gboolean after_word = at > text && g_ascii_isalnum(at[-1]);
         depth += *at == '(' ? 1 : *at == ')' ? -1 : 0;
         if (*at == '.' && after_digit && g_ascii_isdigit(at[1]))
             g_string_append_c(shown, decimal_mark);
         else if (*at == ',' && decimal_mark == ',' && depth > 0 && after_digit && at[1] == ' ' && begins_number(at + 2))
             g_string_append_c(shown, ';');
+        else if (*at == '-' && !after_word && g_ascii_isdigit(at[1]))
+            g_string_append(shown, minus);
         else
             g_string_append_c(shown, *at);
     }

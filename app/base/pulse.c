@@ -18,8 +18,9 @@ typedef struct Count {
     guint64 bins[BINS];
     guint64 turns;
     gint64 longest;
-    guint64 pictures;
+    guint64 pictures, frames;
     gint64 since;
+    double loop_seconds, all_seconds; /* that the main loop and the whole program had worked by then */
 } Count;
 
 /* There is one main loop. */
@@ -41,11 +42,20 @@ static void add(Count *count, gint64 away)
     count->longest = MAX(count->longest, away);
 }
 
+static double seconds_of(clockid_t clock)
+{
+    struct timespec work = {.tv_sec = 0};
+    clock_gettime(clock, &work);
+    return (double)work.tv_sec + 1e-9 * (double)work.tv_nsec;
+}
+
 /* Building the window is over; what counts from here on is how it answers. */
 static void settle(void)
 {
     pulse.is_settled = TRUE;
-    pulse.all = (Count){.since = g_get_monotonic_time()};
+    pulse.all = (Count){.since = g_get_monotonic_time(),
+                        .loop_seconds = seconds_of(CLOCK_THREAD_CPUTIME_ID),
+                        .all_seconds = seconds_of(CLOCK_PROCESS_CPUTIME_ID)};
     pulse.recent = (Count){.since = pulse.all.since};
 }
 
@@ -80,13 +90,27 @@ gboolean app_pulse_is_on(void)
 void app_pulse_picture(void)
 {
     if (!pulse.first) {
-        struct timespec work = {.tv_sec = 0};
-        clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &work);
-        pulse.first_seconds = (double)work.tv_sec + 1e-9 * (double)work.tv_nsec;
+        pulse.first_seconds = seconds_of(CLOCK_PROCESS_CPUTIME_ID);
         pulse.first = g_get_monotonic_time();
     }
     pulse.all.pictures++;
     pulse.recent.pictures++;
+}
+
+static void painted(void)
+{
+    pulse.all.frames++;
+}
+
+static void watch_clock(GtkWidget *window)
+{
+    g_signal_connect(gtk_widget_get_frame_clock(window), "after-paint", G_CALLBACK(painted), NULL);
+}
+
+void app_pulse_watch(GtkWidget *window)
+{
+    if (pulse.is_on)
+        g_signal_connect(window, "realize", G_CALLBACK(watch_clock), NULL);
 }
 
 /* The time in ms that so great a share of the turns stayed below. */
@@ -113,16 +137,22 @@ char *app_pulse_recent(void)
 
 void app_pulse_print(void)
 {
-    char numbers[7][24];
+    enum { NUMBERS = 9 };
+    char numbers[NUMBERS][24];
+    const double loop = seconds_of(CLOCK_THREAD_CPUTIME_ID) - pulse.all.loop_seconds;
+    const double others = seconds_of(CLOCK_PROCESS_CPUTIME_ID) - pulse.all.all_seconds - loop;
+    const double frame = 1000 / (double)MAX(pulse.all.frames, 1);
     const double seconds = (double)(g_get_monotonic_time() - pulse.all.since) / G_USEC_PER_SEC;
-    const double values[7] = {seconds,
+    const double values[NUMBERS] = {seconds,
                               quantile(&pulse.all, 0.5),
                               quantile(&pulse.all, 0.99),
                               quantile(&pulse.all, 0.999),
                               (double)pulse.all.longest / 1000,
                               (double)(pulse.first - pulse.begun) / 1000,
-                              1000 * pulse.first_seconds};
-    for (int i = 0; i < 7; i++)
+                              1000 * pulse.first_seconds,
+                              loop * frame,
+                              others * frame};
+    for (int i = 0; i < NUMBERS; i++)
         g_ascii_formatd(numbers[i], sizeof numbers[i], "%.2f", values[i]);
     if (!pulse.first)
         return;
@@ -130,4 +160,6 @@ void app_pulse_print(void)
     printf(_("then pictures: %llu in %s s\n"), (unsigned long long)pulse.all.pictures, numbers[0]);
     printf(_("main loop busy, ms: median %s, 99 %% %s, 99.9 %% %s, longest %s\n"), numbers[1], numbers[2], numbers[3],
            numbers[4]);
+    printf(_("processor time for each of %llu frames, ms: main loop %s, other threads %s\n"),
+           (unsigned long long)pulse.all.frames, numbers[7], numbers[8]);
 }

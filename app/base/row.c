@@ -7,11 +7,12 @@
 
 #include "../../front/words.h"
 #include "choice.h"
+#include "letters.h"
 #include "number.h"
 #include "row_private.h"
 #include "touch.h"
 
-enum { FIELD_WIDTH = 124 /* dots: the fields of a form have one left edge, and one right edge */ };
+enum { FIELD_WIDTH = 120 /* dots: the fields of a form have one left edge, and one right edge */ };
 enum { EDITED, RESET, MENU, BROWSE, SIGNALS };
 static guint signals[SIGNALS];
 
@@ -79,6 +80,7 @@ GtkWidget *app_row_words(AppRow *self)
 void app_row_set_unit(AppRow *self, const char *unit)
 {
     gtk_label_set_text(GTK_LABEL(self->unit), unit);
+    gtk_widget_set_visible(self->unit, unit && *unit);
 }
 
 /* The name by which screen readers know the control. */
@@ -129,14 +131,14 @@ static void choice_refused(AppChoice *choice, const char *reason, AppRow *self)
 }
 
 /* Where it was not changed, nothing is done. */
-static void entered(AppRow *self)
+void app_row_enter(AppRow *self)
 {
     const char *typed = gtk_editable_get_text(GTK_EDITABLE(self->control));
     const char *shown = g_object_get_data(G_OBJECT(self->control), "shown");
     if (self->is_updating || g_strcmp0(typed, shown ? shown : "") == 0)
         return;
     self->is_wrong = FALSE;
-    char *yaml = self->kind == APP_ROW_TEXT ? app_yaml_quote(typed) : g_strdup(typed);
+    char *yaml = self->kind == APP_ROW_YAML ? g_strdup(typed) : app_yaml_quote(typed);
     g_signal_emit(self, signals[EDITED], 0, yaml);
     g_free(yaml);
 }
@@ -156,7 +158,7 @@ static gboolean is_typed_in(AppRow *self)
 
 static void show_text(AppRow *self, const char *yaml)
 {
-    char *text = !yaml ? g_strdup("") : self->kind == APP_ROW_TEXT ? app_yaml_unquote(yaml) : g_strdup(yaml);
+    char *text = !yaml ? g_strdup("") : self->kind == APP_ROW_YAML ? g_strdup(yaml) : app_yaml_unquote(yaml);
     const char *shown = g_object_get_data(G_OBJECT(self->control), "shown");
     if (g_strcmp0(text, shown) != 0 || !is_typed_in(self))
         gtk_editable_set_text(GTK_EDITABLE(self->control), text);
@@ -189,6 +191,7 @@ gboolean app_row_restore(AppRow *self)
         app_row_say_state(self);
         return restored;
     case APP_ROW_TEXT:
+    case APP_ROW_DATE:
     case APP_ROW_YAML:
         shown = g_object_get_data(G_OBJECT(self->control), "shown");
         return restore_text(self, shown ? shown : "");
@@ -198,8 +201,7 @@ gboolean app_row_restore(AppRow *self)
     }
 }
 
-/* What cannot be taken does not stay behind as if it were the value; why it was not taken does. */
-static void field_left(AppRow *self)
+void app_row_leave(AppRow *self)
 {
     if (!self->is_wrong)
         return;
@@ -212,8 +214,8 @@ static void field_left(AppRow *self)
 /* What is wrong with it is found out first, then it goes. */
 static void text_left(AppRow *self)
 {
-    entered(self);
-    field_left(self);
+    app_row_enter(self);
+    app_row_leave(self);
 }
 
 static void add_text(AppRow *self, const char *hint)
@@ -224,7 +226,7 @@ static void add_text(AppRow *self, const char *hint)
     gtk_editable_set_width_chars(GTK_EDITABLE(self->control), 6);
     gtk_editable_set_max_width_chars(GTK_EDITABLE(self->control), 6);
     gtk_entry_set_placeholder_text(GTK_ENTRY(self->control), hint);
-    g_signal_connect_swapped(self->control, "activate", G_CALLBACK(entered), self);
+    g_signal_connect_swapped(self->control, "activate", G_CALLBACK(app_row_enter), self);
     g_signal_connect_swapped(focus, "leave", G_CALLBACK(text_left), self);
     gtk_widget_add_controller(self->control, focus);
 }
@@ -245,7 +247,7 @@ static void add_browsing(AppRow *self, GtkWidget *line)
 
 static gboolean settle(gpointer row)
 {
-    field_left(row);
+    app_row_leave(row);
     return G_SOURCE_REMOVE;
 }
 
@@ -305,6 +307,7 @@ void app_row_set(AppRow *self, const char *yaml)
     case APP_ROW_RANGE:
     case APP_ROW_CHOICE_OR_WHOLE: app_choice_set(APP_CHOICE(self->control), yaml); break;
     case APP_ROW_TEXT:
+    case APP_ROW_DATE:
     case APP_ROW_YAML: show_text(self, yaml); break;
     }
     self->is_updating = FALSE;
@@ -400,7 +403,9 @@ static void add_what_surrounds(AppRow *self, GtkWidget *line)
 {
     gtk_widget_add_css_class(self->unit, "dim-label");
     gtk_box_insert_child_after(GTK_BOX(line), self->unit, self->name);
-    gtk_widget_set_size_request(self->control, self->kind == APP_ROW_SWITCH ? -1 : FIELD_WIDTH, -1);
+    /* half of it is room for larger letters */
+    const int width = (int)(FIELD_WIDTH * (1 + app_letters_scale(self->control)) / 2);
+    gtk_widget_set_size_request(self->control, self->kind == APP_ROW_SWITCH ? -1 : width, -1);
     gtk_box_append(GTK_BOX(self), self->note);
 }
 
@@ -408,6 +413,7 @@ GtkWidget *app_row_new(const AppRowSpec *spec)
 {
     AppRow *self = g_object_new(APP_TYPE_ROW, NULL);
     GtkWidget *line = gtk_box_new(GTK_ORIENTATION_HORIZONTAL, 4);
+    const gboolean is_long = spec->kind == APP_ROW_YAML || spec->kind == APP_ROW_DATE;
     self->kind = spec->kind;
     self->legal = spec->legal;
     self->advised = spec->advised;
@@ -415,7 +421,8 @@ GtkWidget *app_row_new(const AppRowSpec *spec)
     self->advised_words = g_strdup(spec->advised_words);
     self->is_part = spec->part != NULL;
     self->note = g_object_ref_sink(gtk_label_new(NULL));
-    self->unit = gtk_label_new(spec->unit);
+    self->unit = gtk_label_new(NULL);
+    app_row_set_unit(self, spec->unit ? spec->unit : "");
     add_label(self, line, spec->part, spec->meaning);
     if (spec->kind == APP_ROW_NUMBER || spec->kind == APP_ROW_WHOLE) {
         app_row_add_number(self, line, spec->missing);
@@ -427,16 +434,18 @@ GtkWidget *app_row_new(const AppRowSpec *spec)
         add_choice(self, spec->choices);
     else
         add_text(self, spec->hint);
+    if (spec->kind == APP_ROW_DATE)
+        app_row_make_date(self);
     if (spec->is_file)
         add_browsing(self, line);
-    if (!gtk_widget_get_parent(self->control) && !spec->is_long)
+    if (!gtk_widget_get_parent(self->control) && !is_long)
         gtk_box_append(GTK_BOX(line), self->control);
     gtk_label_set_xalign(GTK_LABEL(self->note), 0);
     gtk_label_set_wrap(GTK_LABEL(self->note), TRUE);
     gtk_widget_set_visible(self->note, FALSE);
     gtk_widget_add_css_class(self->note, "note");
     gtk_box_append(GTK_BOX(self), line);
-    if (spec->is_long)
+    if (is_long)
         gtk_box_append(GTK_BOX(self), self->control);
     if (!spec->part)
         add_what_surrounds(self, line);

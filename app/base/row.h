@@ -29,7 +29,8 @@ typedef enum AppRowKind {
     APP_ROW_RANGE,           /* one of the choices, or [low, high] */
     APP_ROW_CHOICE_OR_WHOLE, /* one of the choices, or a whole number */
     APP_ROW_TEXT,
-    APP_ROW_YAML
+    APP_ROW_DATE, /* a text whose label is dragged through the hours of the day; its field stands below the label, */
+    APP_ROW_YAML  /* as that of others does that take their room */
 } AppRowKind;
 
 /* The purpose of a row; the texts are copied. */
@@ -43,7 +44,6 @@ typedef struct AppRowSpec {
     const char *hint;                     /* of a text: what is expected */
     const char *missing;                  /* of a number: what holds where none is given; NULL: nothing */
     gboolean is_file;                     /* a text that names a file, which can be chosen */
-    gboolean is_long;                     /* a text, such as a date, for which the field stands below its label */
 } AppRowSpec;
 
 GtkWidget *app_row_new(const AppRowSpec *spec);

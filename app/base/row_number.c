@@ -9,8 +9,7 @@
 
 enum {
     LOGARITHMIC_FROM = 100, /* highest over lowest advised value from which a drag is logarithmic */
-    WAY = 600,              /* dots that a drag takes through the advised range */
-    STILL = 4               /* dots that are no drag yet */
+    WAY = 600               /* dots that a drag takes through the advised range */
 };
 static const double FARTHEST = 1e300;
 
@@ -139,43 +138,21 @@ static void field_changed(GtkSpinButton *spin, AppRow *self)
 
 /* ---- the hand on the label ---- */
 
-static void drag_begins(GtkGestureDrag *gesture, double x, double y, AppRow *self)
+static gboolean begins(AppRow *self)
 {
-    (void)x;
-    (void)y;
-    if (!(extent(self) > 0)) {
-        gtk_gesture_set_state(GTK_GESTURE(gesture), GTK_EVENT_SEQUENCE_DENIED);
-        return;
-    }
     self->start = to_scale(self, self->value);
-    self->is_dragged = FALSE;
+    return extent(self) > 0;
 }
 
 /* Within what is advised, or from where the value stands beyond it. */
-static void dragged(GtkGestureDrag *gesture, double dx, double dy, AppRow *self)
+static void moves(AppRow *self, double dots, gboolean fine, gboolean coarse)
 {
-    const GdkModifierType state = gtk_event_controller_get_current_event_state(GTK_EVENT_CONTROLLER(gesture));
-    const gboolean fine = (state & GDK_SHIFT_MASK) != 0, coarse = (state & GDK_CONTROL_MASK) != 0;
     const double low = MIN(to_scale(self, self->advised.low), self->start),
                  high = MAX(to_scale(self, self->advised.high), self->start);
-    (void)dy;
-    if (!self->is_dragged && fabs(dx) < STILL)
-        return;
-    self->is_dragged = TRUE;
-    gtk_gesture_set_state(GTK_GESTURE(gesture), GTK_EVENT_SEQUENCE_CLAIMED);
-    const double place = CLAMP(self->start + dx * extent(self) / WAY * (fine ? 0.1 : 1), low, high);
+    const double place = CLAMP(self->start + dots * extent(self) / WAY * (fine ? 0.1 : 1), low, high);
     const double value = from_scale(self, place, fine, coarse);
     if (is_legal(self, value) && (value != self->value || self->is_empty))
         take(self, value);
-}
-
-static void make_draggable(AppRow *self)
-{
-    GtkGesture *drag = gtk_gesture_drag_new();
-    g_signal_connect(drag, "drag-begin", G_CALLBACK(drag_begins), self);
-    g_signal_connect(drag, "drag-update", G_CALLBACK(dragged), self);
-    gtk_widget_add_controller(self->name, GTK_EVENT_CONTROLLER(drag));
-    gtk_widget_set_cursor_from_name(self->name, "ew-resize");
 }
 
 /* ---- the field ---- */
@@ -205,6 +182,7 @@ static void show_missing(GtkWidget *spin, const char *missing)
 
 void app_row_add_number(AppRow *self, GtkWidget *line, const char *missing)
 {
+    static const AppRowHand hand = {begins, moves};
     const double low = self->legal.given && isfinite(self->legal.low) ? self->legal.low : -FARTHEST;
     const double high = self->legal.given && isfinite(self->legal.high) ? self->legal.high : FARTHEST;
     self->logarithmic = self->advised.given && self->advised.low > 0 && isfinite(self->advised.high) &&
@@ -223,5 +201,5 @@ void app_row_add_number(AppRow *self, GtkWidget *line, const char *missing)
     g_signal_connect(self->control, "value-changed", G_CALLBACK(field_changed), self);
     gtk_box_append(GTK_BOX(line), self->control);
     if (extent(self) > 0)
-        make_draggable(self);
+        app_row_make_draggable(self, &hand);
 }

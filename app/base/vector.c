@@ -49,6 +49,7 @@ const char *app_vector_label(const AppVector *self)
 void app_vector_set_unit(AppVector *self, const char *unit)
 {
     gtk_label_set_text(GTK_LABEL(self->unit), unit ? unit : "");
+    gtk_widget_set_visible(self->unit, unit && *unit);
 }
 
 static void app_vector_class_init(AppVectorClass *class)

@@ -76,9 +76,9 @@ static char *label_of(const AppForm *self, const luxel_parameter *parameter, int
     return component < 0 ? g_strdup(label) : g_strdup_printf("%s, %s", label, component_name(parameter, component));
 }
 
-static AppRowKind kind_of(luxel_parameter_type type)
+static AppRowKind kind_of(const luxel_parameter *parameter)
 {
-    switch (type) {
+    switch (parameter->value_type) {
     case LUXEL_PARAMETER_NUMBER:
     case LUXEL_PARAMETER_NUMBERS: return APP_ROW_NUMBER;
     case LUXEL_PARAMETER_WHOLE_NUMBER:
@@ -88,7 +88,7 @@ static AppRowKind kind_of(luxel_parameter_type type)
     case LUXEL_PARAMETER_CHOICE: return APP_ROW_CHOICE;
     case LUXEL_PARAMETER_CHOICE_OR_PAIR: return APP_ROW_RANGE;
     case LUXEL_PARAMETER_CHOICE_OR_WHOLE: return APP_ROW_CHOICE_OR_WHOLE;
-    case LUXEL_PARAMETER_TEXT: return APP_ROW_TEXT;
+    case LUXEL_PARAMETER_TEXT: return g_str_has_suffix(parameter->path, ".date") ? APP_ROW_DATE : APP_ROW_TEXT;
     default: return APP_ROW_YAML;
     }
 }
@@ -180,8 +180,8 @@ static void edited(AppRow *row, const char *yaml, Entry *entry)
     AppEdits *edits = app_edits_new();
     app_row_set_fault(row, NULL);
     change_all(entry, change_value, yaml, edits);
-    const AppRowKind kind = kind_of(entry->parameter->value_type);
-    const gboolean is_typed = kind == APP_ROW_TEXT || kind == APP_ROW_YAML;
+    const AppRowKind kind = kind_of(entry->parameter);
+    const gboolean is_typed = kind == APP_ROW_TEXT || kind == APP_ROW_DATE || kind == APP_ROW_YAML;
     char *reason = is_typed ? reason_against(entry->form, edits, entry) : NULL;
     if (reason)
         app_row_refuse(row, reason);
@@ -332,7 +332,7 @@ static void make_row(AppForm *self, Entry *entry)
     const int component = entry->component;
     char *label = label_of(self, parameter, component);
     const AppRowSpec spec = {
-        .kind = kind_of(parameter->value_type),
+        .kind = kind_of(parameter),
         .label = label,
         .part = component < 0 ? NULL : component_name(parameter, component),
         .unit = unit_of(self, parameter),
@@ -344,7 +344,6 @@ static void make_row(AppForm *self, Entry *entry)
         .hint = parameter->choices ? parameter->choices : parameter->type,
         .missing = missing_of(parameter),
         .is_file = is_file(parameter),
-        .is_long = kind_of(parameter->value_type) == APP_ROW_YAML || g_str_has_suffix(parameter->path, ".date"),
     };
     entry->row = app_row_new(&spec);
     g_signal_connect(entry->row, "edited", G_CALLBACK(edited), entry);

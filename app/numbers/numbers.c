@@ -89,8 +89,8 @@ static void show_point(AppNumbers *self, const AppPoint *point, guint row)
     GtkWidget *value = cell(self, 2, row);
     g_snprintf(text, sizeof text, "P%u", row + 1);
     app_numbers_set_text(cell(self, 0, row), text);
-    g_snprintf(text, sizeof text, "%s%s%s", app_number_show_all(point->x_mm, x), app_number_separator(),
-               app_number_show_all(point->y_mm, y));
+    g_snprintf(text, sizeof text, "%s%s%s", app_number_show(point->x_mm, PLACE_DIGITS, x), app_number_separator(),
+               app_number_show(point->y_mm, PLACE_DIGITS, y));
     app_numbers_set_text(cell(self, 1, row), text);
     if (!point->on_surface)
         app_numbers_set_text(value, _("off the surface"));

@@ -14,7 +14,6 @@ enum {
     PLOT_HEIGHT = 230,
     WORD_LINES = 2,
     SHARE_DIGITS = 5,
-    PLACE_DIGITS = 10,
     PAGE = 10 /* steps of Page Up and Down */
 };
 static const double DOT = 3.5;
@@ -249,6 +248,7 @@ void app_numbers_add_plot(AppNumbers *self, Plot plot, GtkDrawingAreaDrawFunc dr
     gtk_drawing_area_set_content_height(GTK_DRAWING_AREA(area), PLOT_HEIGHT);
     gtk_drawing_area_set_draw_func(GTK_DRAWING_AREA(area), draw, self, NULL);
     gtk_widget_set_hexpand(area, TRUE);
+    gtk_widget_set_vexpand(area, plot < PLOT_HISTOGRAM); /* both sections share the height there is */
     gtk_widget_set_focusable(area, TRUE);
     gtk_widget_set_cursor_from_name(area, "crosshair");
     gtk_widget_add_css_class(area, "turned");

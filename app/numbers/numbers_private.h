@@ -7,7 +7,7 @@
 
 #include "numbers.h"
 
-enum { DIGITS = 7, TEXT_COLUMNS = 36 };
+enum { DIGITS = 7, PLACE_DIGITS = 10, TEXT_COLUMNS = 36 };
 
 /* What the statistics list. */
 typedef enum Line {

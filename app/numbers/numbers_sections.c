@@ -78,7 +78,8 @@ void app_numbers_show_sections(AppNumbers *self, AppMeasures *measures)
     name_lights(self);
     char *text =
         g_strdup_printf(_("Through x = %s, y = %s mm; drag the lines on the picture"),
-                        app_number_show_all(self->section_mm[0], x), app_number_show_all(self->section_mm[1], y));
+                        app_number_show(self->section_mm[0], PLACE_DIGITS, x),
+                        app_number_show(self->section_mm[1], PLACE_DIGITS, y));
     app_numbers_set_text(self->section_place, text);
     g_free(text);
     for (int i = PLOT_HORIZONTAL; i <= PLOT_VERTICAL; i++)

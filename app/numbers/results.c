@@ -48,12 +48,15 @@ static void add_point(GString *text, const AppPoint *point, gsize i)
 char *app_results_text(const AppResults *results)
 {
     GString *text = g_string_new(NULL);
-    g_string_append_printf(text, "%s\t%s\n", results->title, results->unit);
     if (results->field) {
         const double *x = luxel_field_x_mm(results->field);
         add_extrema(text, results, x[luxel_field_columns(results->field) - 1] - x[0]);
     }
     for (gsize i = 0; i < results->point_count; i++)
         add_point(text, &results->points[i], i);
+    g_string_replace(text, "\u2212", "-", 0); /* the minus that programs read */
+    char *title = g_strdup_printf("%s\t%s\n", results->title, results->unit);
+    g_string_prepend(text, title);
+    g_free(title);
     return g_string_free(text, FALSE);
 }

@@ -5,18 +5,11 @@
 #include <string.h>
 
 #include "../../front/words.h"
+#include "../base/date.h"
 #include "../base/number.h"
 #include "../base/scalar.h"
 
-enum { DATE = 10 /* letters of a day */, MOST_SPANS = 4, DIGITS = 4 };
-
-char *app_sun_day(const char *date)
-{
-    const char *time = strchr(date, 'T'), *offset = time ? strpbrk(time, "+-") : NULL;
-    char *day = g_strndup(date, DATE), *whole = g_strconcat(day, offset, NULL);
-    g_free(day);
-    return whole;
-}
+enum { MOST_SPANS = 4, DIGITS = 4 };
 
 /* The date of a sun, or of that of a sky; the caller's; NULL: none has one. */
 static char *find_date(const luxel_scene *scene)
@@ -82,7 +75,7 @@ static char *tell(const char *day, const luxel_sun_hours *hours)
 char *app_sunshine(const luxel_scene *scene, const luxel_settings *settings, double x_mm, double y_mm)
 {
     const double screen_mm[2] = {x_mm, y_mm};
-    char *date = find_date(scene), *day = date ? app_sun_day(date) : NULL, *text = NULL;
+    char *date = find_date(scene), *day = date ? app_date_day(date) : NULL, *text = NULL;
     luxel_place place;
     luxel_sunlight *sunlight = NULL;
     const luxel_sun_day asked = {.date = day};

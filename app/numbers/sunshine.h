@@ -13,7 +13,4 @@
  */
 char *app_sunshine(const luxel_scene *scene, const luxel_settings *settings, double x_mm, double y_mm);
 
-/* The day of a date with a time, by its clock: "2026-03-21+01:00" of "2026-03-21T12:00+01:00"; the caller's. */
-char *app_sun_day(const char *date);
-
 #endif

@@ -310,7 +310,7 @@ static void draw_scale(const Sheet *sheet, double width, double height)
     cairo_line_to(sheet->cairo, right, y);
     cairo_line_to(sheet->cairo, right, y - 3);
     cairo_stroke(sheet->cairo);
-    draw_text(sheet, text, (left + right) / 2, y - 9, TRUE);
+    draw_text(sheet, text, (left + right) / 2, y - 9 * app_letters_scale(sheet->widget), TRUE);
     g_free(text);
 }
 

@@ -470,8 +470,8 @@ AppWindow *app_window_new(AppApplication *application)
     g_signal_connect(self, "map", G_CALLBACK(app_window_ask_picture), NULL);
     app_view_select(self->view, APP_MARK_SOURCE, 0);
     app_window_show_chosen(self);
-    if (app_pulse_is_on())
-        self->pulse_timer = g_timeout_add(PULSE_MS, show_pulse, self);
+    app_pulse_watch(GTK_WIDGET(self));
+    self->pulse_timer = app_pulse_is_on() ? g_timeout_add(PULSE_MS, show_pulse, self) : 0;
     gtk_widget_grab_focus(GTK_WIDGET(self->view));
     return self;
 }

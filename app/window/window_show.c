@@ -325,15 +325,6 @@ void app_window_set_columns(AppWindow *self)
     g_free(place);
 }
 
-/* A minus of numbers is as wide as a plus; the caller's. */
-static char *with_minus(const char *text)
-{
-    static GRegex *hyphen = NULL;
-    if (!hyphen)
-        hyphen = g_regex_new("(?<![0-9A-Za-z])-(?=[0-9])", 0, 0, NULL);
-    return g_regex_replace_literal(hyphen, text, -1, 0, "−", 0, NULL);
-}
-
 void app_window_show_reading(const AppReading *reading, gpointer owner)
 {
     AppWindow *self = owner;
@@ -372,9 +363,7 @@ void app_window_show_reading(const AppReading *reading, gpointer owner)
         add_shares(text, reading);
     }
     gtk_label_set_tabs(GTK_LABEL(self->status_label), self->status_tabs[kind]);
-    markup = with_minus(text->str);
-    gtk_label_set_markup(GTK_LABEL(self->status_label), markup);
-    g_free(markup);
+    gtk_label_set_markup(GTK_LABEL(self->status_label), text->str);
     app_dial_set_needle(APP_DIAL(self->bar), shown_value(reading));
     app_sources_show_shares(APP_SOURCES(self->sources), reading);
     app_window_show_vectors(self, reading);

@@ -240,10 +240,13 @@ static void shows_with_the_mark(void **state)
     g_free(shown);
     assert_string_equal(app_number_show(2.5, 4, number), "2,5");
     assert_string_equal(app_number_show(13361.7, 4, number), "13360");
-    assert_string_equal(app_number_show(-99.96, 2, number), "-100");
+    assert_string_equal(app_number_show(-99.96, 2, number), "\u2212100");
     assert_string_equal(app_number_show(1.5e7, 4, number), "1,5e+07");
-    assert_string_equal(app_number_show_all(1e-7, number), "1e-07");
-    assert_string_equal(app_number_place(-12.25, 500, number), "-12,25");
+    assert_string_equal(app_number_show_all(-1e-7, number), "-1e-07"); /* of fields */
+    shown = app_text_show("x = -3.5, y = 1e-07, 2026-03-21, (-1, -2)");
+    assert_string_equal(shown, "x = \u22123,5, y = 1e-07, 2026-03-21, (\u22121; \u22122)");
+    g_free(shown);
+    assert_string_equal(app_number_place(-12.25, 500, number), "\u221212,25");
     assert_string_equal(app_amount_write(208.3341, 0.0853, amount), "208,334 \u00b1 0,086");
     assert_string_equal(app_number_write(0.5, number), "0.5"); /* of scenes */
     assert_string_equal(app_number_separator(), "; ");

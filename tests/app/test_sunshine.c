@@ -4,20 +4,6 @@
 
 #include "scenes.h"
 
-static void test_days(void **state)
-{
-    (void)state;
-    static const char *const cases[][2] = {{"2026-03-21T12:00+01:00", "2026-03-21+01:00"},
-                                           {"2026-03-21T12:00-03:30", "2026-03-21-03:30"},
-                                           {"2026-03-21T12:00", "2026-03-21"},
-                                           {"2026-03-21T12:00Z", "2026-03-21"}};
-    for (gsize i = 0; i < G_N_ELEMENTS(cases); i++) {
-        char *day = app_sun_day(cases[i][0]);
-        assert_string_equal(day, cases[i][1]);
-        g_free(day);
-    }
-}
-
 /* A wall along x, north of which there is no sun at noon of the equinox; y is north. */
 static const char scene[] =
     "luxel: 1\nscreen: {width: 6000, height: 6000, resolution: [8, 8]}\nobserver: {z: 9000}\n"
@@ -53,6 +39,6 @@ static void test_places(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_days), cmocka_unit_test(test_places)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(test_places)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -11,13 +11,6 @@ CHANNELS = ("its colours", "luminance", "red", "green", "blue", "colour temperat
 READ = re.compile(r"R, G, B (\S+), (\S+), (\S+)\tx, y (\S+), (\S+)\t(\S+) K, Duv (\S+)")
 
 
-def choose(desk, window, channel):
-    """By mouse and keys, in the list of the row."""
-    window.click(window.control("combo box", "Channel"))
-    desk.hand("sleep", "0.3")
-    desk.key("Home", *["Down"] * CHANNELS.index(channel), "Return")
-
-
 def probe(x, y):
     return json.loads(luxel("probe", SCENE, "-p", "%.17g,%.17g" % (x, y), "--json"))["points"][0]
 
@@ -54,7 +47,7 @@ def channels(tap, desk):
     for channel in CHANNELS:
         if colors:
             before = desk.color(*middle)
-            choose(desk, window, channel)
+            window.choose("Channel", CHANNELS.index(channel))
             wait("another picture", lambda: desk.color(*middle) != before)
         colors[channel] = desk.color(*middle)
         word = "luminance" if channel == "its colours" else "cct" if channel == "colour temperature" else channel

@@ -154,7 +154,7 @@ def sections_are_read(tap, desk):
     wait("the section", lambda: window.says("Through x = 0, y = 0 mm"))
     for name, along in (("Horizontal section", "x"), ("Vertical section", "y")):
         said = wait("the curve", lambda: READ.fullmatch(read(window, name, 0.55)))
-        place = float(said.group(2))
+        place = float(said.group(2).replace("\u2212", "-"))
         point = json.loads(luxel("probe", path, "-p", "%r,0" % place if along == "x" else "0,%r" % place, "--json"))
         probe = point["points"][0]
         tap.equal((said.group(1), said.group(3)), (along, "%.7g" % probe["value"]),

@@ -119,8 +119,7 @@ def aimed(tap, desk):
 
 
 def choose_type(desk, window, place, kind):
-    window.click(window.control("combo box", "Type"))
-    desk.key("Home", *["Down"] * place, "Return")
+    window.choose("Type", place)
     wait("a " + kind, lambda: kinds(window) == [kind])
 
 

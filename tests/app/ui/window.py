@@ -177,6 +177,12 @@ class Window:
             self.desk.key(key)
         return field
 
+    def choose(self, name, place):
+        """One of a list of choices, by its place from above."""
+        self.click(self.control("combo box", name))
+        self.desk.hand("sleep", "0.3")  # until it is open
+        self.desk.key("Home", *["Down"] * place, "Return")
+
     # ---- the picture ----
 
     def picture_area(self):
