@@ -331,11 +331,12 @@ function readme() {
     const programs = examples('luxel-core');
     equal(programs.length, 3, 'examples');
     const told = programs.map((code) => {
-        fs.writeFileSync(path.join(place, 'example.mjs'), code.replace("'room'", "'two-spheres'").replace('balance.sides', '(balance?.sides ?? [])'));
+        fs.writeFileSync(path.join(place, 'example.mjs'), code);
         return execFileSync('node', ['example.mjs'], { cwd: place, timeout: 120e3 }).toString();
     });
     check(/^[\d.]+ ± [\d.e-]+ W/.test(told[0]) && told[0].split('\n').length > 3, told[0]);
     check(fs.statSync(path.join(place, 'ball.png')).size > 1000, 'no picture');
+    check(/^desk, front: [\d.]+ ± [\d.e-]+ lx$/m.test(told[2]), told[2]);
 }
 
 try {
