@@ -48,6 +48,7 @@ function isSmall() {
 }
 
 function isRepeated() {
+    process.env.SOURCE_DATE_EPOCH ??= execFileSync(path.join(web, '../tools/release_date')).toString().trim();
     for (const name of ['luxel-core', 'luxel-scene']) {
         const archive = fs.readdirSync(packages).find((file) => file.startsWith(`${name}-`));
         check(pack(path.join(packages, name)).equals(fs.readFileSync(path.join(packages, archive))), `${name} has other bytes`);
