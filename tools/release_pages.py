@@ -23,12 +23,12 @@ LICENCES = {"libfyaml": "MIT", "libpng1.6": "libpng-2.0", "zlib": "Zlib", "opene
 OF_PACKAGES = {"musl": "emscripten", "glibc": "libc6", "mingw-w64": "mingw-w64-common",
                "gcc-mingw-w64": "gcc-mingw-w64-x86-64-posix"}
 DRAWING = ["cairo", "libffi", "pcre2", "glib2.0", "fribidi", "harfbuzz", "pango1.0", "pixman"]
-# What is inside of which files, by how their names end or begin.
-INSIDE = [(r"-windows-|-win_amd64", ["libfyaml", "libpng1.6", "zlib", "openexr", "imath", "mingw-w64",
-                                      "gcc-mingw-w64"] + DRAWING),
-          (r"-linux-", ["libfyaml", "libpng1.6", "zlib", "openexr", "imath", "glibc"]),
-          (r"\.whl$", ["libfyaml", "libpng1.6", "zlib", "openexr", "imath"]),
-          (r"\.tgz$|\.html$|-page\.zip$", ["libfyaml", "libpng1.6", "zlib", "musl"])]
+# What is inside of which files, by their names; archives of programs bring the page, too.
+INSIDE = [(r"-windows-|-linux-|\.whl$|\.tgz$|\.html$|-page\.zip$", ["libfyaml", "libpng1.6", "zlib"]),
+          (r"-windows-|-linux-|\.whl$", ["openexr", "imath"]),
+          (r"-windows-|-win_amd64", ["mingw-w64", "gcc-mingw-w64"] + DRAWING),
+          (r"-linux-", ["glibc"]),
+          (r"-windows-|-linux-|\.tgz$|\.html$|-page\.zip$", ["musl"])]
 STYLE = "body{font:16px/1.5 sans-serif;max-width:50em;margin:2em auto;padding:0 1em}code{font-size:.9em}"
 
 
@@ -102,7 +102,7 @@ def materials(folder, version, seconds):
         files.append({"type": "file", "bom-ref": path.name, "name": path.name, "version": version,
                       "hashes": [{"alg": "SHA-256", "content": hashlib.sha256(path.read_bytes()).hexdigest()}],
                       "licenses": [{"expression": "MIT AND Apache-2.0"}]})
-        inside = next((names for pattern, names in INSIDE if re.search(pattern, path.name)), [])
+        inside = [name for pattern, names in INSIDE if re.search(pattern, path.name) for name in names]
         dependencies.append({"ref": path.name, "dependsOn": [name for name in inside if name in libraries]})
     sums = "".join(file["hashes"][0]["content"] for file in files)
     return {"bomFormat": "CycloneDX", "specVersion": "1.5", "version": 1,

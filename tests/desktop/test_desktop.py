@@ -138,6 +138,9 @@ def pixels(path, size):
 
 def icons(tap):
     folder = SOURCES / "icons" / "hicolor"
+    for icon in sorted(folder.rglob("*.svg")):
+        done = run("gdk-pixbuf-pixdata", icon, os.devnull)
+        tap.equal(done.stderr, b"", "the desktop's own reader knows %s" % icon.name)
     for size in 16, 24, 32, 48, 64, 128, 256, 512:
         picture = pixels(folder / "scalable" / "apps" / (ID + ".svg"), size)
 

@@ -94,6 +94,19 @@ def archives():
         tap.equal(sums[0], sums[1], "archives")
 
 
+def options():
+    """A build folder that was made with other options is made anew, and another one stays."""
+    with tempfile.TemporaryDirectory() as place:
+        meson = pathlib.Path(place, "meson")
+        meson.write_text('#!/bin/sh\ntouch "$2/build.ninja"\n', encoding="utf-8")
+        meson.chmod(0o755)
+        for given, stays in (("-Da=1", False), ("-Da=1", True), ("-Da=2", False), ("", False)):
+            command = f". tools/programs; MESON={meson}; configure {place}/build {given}; ls {place}/build"
+            done = subprocess.run(["sh", "-ec", command], cwd=ROOT, capture_output=True, text=True, check=False)
+            tap.equal(done.stdout.split(), ["build.ninja"] + ["object"] * stays + ["options"], f'options "{given}"')
+            pathlib.Path(place, "build/object").touch()
+
+
 def sources():
     """The archive of the sources makes itself again where there is no Git."""
     with tempfile.TemporaryDirectory() as place:
@@ -126,6 +139,6 @@ def pages():
         tap.ok(all(set(part["dependsOn"]) <= names for part in told["dependencies"]), "names what it lists")
 
 
-for test in (versions, recipes, archives, sources, pages):
+for test in (versions, recipes, archives, options, sources, pages):
     tap.run(test)
 tap.finish()

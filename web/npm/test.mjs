@@ -48,6 +48,7 @@ function isSmall() {
 }
 
 function isRepeated() {
+    process.env.SOURCE_DATE_EPOCH ??= execFileSync(path.join(web, '../tools/release_date')).toString().trim();
     for (const name of ['luxel-core', 'luxel-scene']) {
         const archive = fs.readdirSync(packages).find((file) => file.startsWith(`${name}-`));
         check(pack(path.join(packages, name)).equals(fs.readFileSync(path.join(packages, archive))), `${name} has other bytes`);
@@ -331,11 +332,12 @@ function readme() {
     const programs = examples('luxel-core');
     equal(programs.length, 3, 'examples');
     const told = programs.map((code) => {
-        fs.writeFileSync(path.join(place, 'example.mjs'), code.replace("'room'", "'two-spheres'").replace('balance.sides', '(balance?.sides ?? [])'));
+        fs.writeFileSync(path.join(place, 'example.mjs'), code);
         return execFileSync('node', ['example.mjs'], { cwd: place, timeout: 120e3 }).toString();
     });
     check(/^[\d.]+ ± [\d.e-]+ W/.test(told[0]) && told[0].split('\n').length > 3, told[0]);
     check(fs.statSync(path.join(place, 'ball.png')).size > 1000, 'no picture');
+    check(/^desk, front: [\d.]+ ± [\d.e-]+ lx$/m.test(told[2]), told[2]);
 }
 
 try {
