@@ -45,8 +45,8 @@ const char *app_number_show_all(double value, char text[APP_NUMBER_SIZE]);
 const char *app_number_separator(void);
 
 /*
- * A text of the library as it is shown: its numbers get the mark and the minus, and where that is a comma the numbers of a list in
- * brackets are set apart by semicolons, "(60; −20; 893,2576)"; the caller's.
+ * A text of the library as it is shown: its numbers get the mark and the minus, and where that is a comma the numbers of
+ * a list in brackets are set apart by semicolons, "(60; −20; 893,2576)"; the caller's.
  */
 char *app_text_show(const char *text);
 

@@ -189,7 +189,8 @@ def windows(tap, tool):
         lamp = "{type: %s, radiance: 1}" % shape
         open_, glass = (light(tool, lamp, [(2300, 2000, 0, 0, 0, 1)], ROOM % wide % pane)[0]
                         for pane in ("", ", glass: {}"))
-        tap.ok(open_[0] > 0 and abs(glass[0] - open_[0]) <= open_[1] + glass[1], "a %s before glass" % name, open_, glass)
+        tap.ok(open_[0] > 0 and abs(glass[0] - open_[0]) <= open_[1] + glass[1], "a %s before glass" % name, open_,
+               glass)
     for wall, place, inwards in (("left", (0, 1200, 2100), (1, 0, 0)), ("right", (4000, 1200, 2100), (-1, 0, 0)),
                                  ("back", (1300, 4000, 2100), (0, -1, 0)), ("front", (1300, 0, 2100), (0, 1, 0))):
         # a beam through the middle of a window, and past its edges, falls on an element within

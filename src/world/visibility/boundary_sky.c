@@ -75,7 +75,7 @@ static void place_on(const struct piece *piece, double t, double u[3], double st
     }
 }
 
-/* Appends places to cut a piece at: about where it comes nearest to a pole they are as far apart as they are from it. */
+/* Appends places to cut a piece at: about where it comes nearest to a pole, as far apart as they are from it. */
 static size_t cut_about(const struct piece *piece, const double pole[3], double *cuts, size_t count)
 {
     static const double FIRST = 2, NEXT = 4, FAR = 0.5, NEAR = 1e-6; /* of the angle to the pole, and that in rad */
