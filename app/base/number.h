@@ -30,8 +30,10 @@ const char *app_number_plain(double value, int digits, char text[APP_NUMBER_SIZE
 /* The mark in front of fractions of numbers that are shown, '.' at first; once, before any is. */
 void app_number_set_mark(char mark);
 
-/* A number that was written with a point gets that mark, and a minus as wide as a plus, for which there is room for two
- * letters more; returns `text`. */
+/*
+ * A number that was written with a point gets that mark, and a minus as wide as a plus, for which there is room for two
+ * letters more; returns `text`.
+ */
 const char *app_number_mark(char *text);
 
 /* As app_number_round(), but from 1 to a million as app_number_plain(), to be shown. */
@@ -45,8 +47,8 @@ const char *app_number_show_all(double value, char text[APP_NUMBER_SIZE]);
 const char *app_number_separator(void);
 
 /*
- * A text of the library as it is shown: its numbers get the mark and the minus, and where that is a comma the numbers of
- * a list in brackets are set apart by semicolons, "(60; −20; 893,2576)"; the caller's.
+ * A text of the library as it is shown: its numbers get the mark and the minus, and where the mark is a comma the
+ * numbers of a list in brackets are set apart by semicolons, "(60; −20; 893,2576)"; the caller's.
  */
 char *app_text_show(const char *text);
 
