@@ -120,6 +120,8 @@ def sources():
                              for entry in archive if "/." not in entry.name})
                 archive.extractall(place)
         tap.ok(len(sums[0]) > 1000, "files", len(sums[0]))
+        beside = {name: content for name, (_, content) in sums[0].items() if name.count("/") == 1 and content}
+        tap.equal([name for name, content in beside.items() if b"\0" in content], [], "no picture lies beside them")
         tap.ok(sums[0] == sums[1], "the sources", sorted(set(sums[0]) ^ set(sums[1])))
 
 
