@@ -364,11 +364,6 @@ AppPage app_numbers_page(AppNumbers *self)
     return APP_PAGE_POINTS;
 }
 
-void app_numbers_turn_to(AppNumbers *self, AppPage page)
-{
-    gtk_stack_set_visible_child_name(GTK_STACK(self->stack), page_names[page]);
-}
-
 static void page_turned(AppNumbers *self)
 {
     g_signal_emit(self, signals[WANTED], 0);

@@ -29,7 +29,6 @@ typedef enum AppPage {
 /* `space` is shown on the first page. */
 GtkWidget *app_numbers_new(AppDocument *document, GtkWidget *space);
 AppPage app_numbers_page(AppNumbers *self);
-void app_numbers_turn_to(AppNumbers *self, AppPage page);
 
 /* Shows what the answers have; profiles and histogram are taken out of them. */
 void app_numbers_show(AppNumbers *self, AppMeasures *measures);
