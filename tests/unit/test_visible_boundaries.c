@@ -201,11 +201,53 @@ static void obstacles_on_a_grid(void **state)
     assert_true(tally.known * 5 > tally.all * 4);
 }
 
+/* What an element on the inner wall of a tube sees is what one sees that is next to it, a little inwards. */
+static void on_inner_walls(void **state)
+{
+    (void)state;
+    enum { ROUNDS = 60 };
+    static const double INWARDS = 1e-6, SMOOTH = 1e-6;
+    const int rounds = scenes_to_try(ROUNDS);
+    struct dice dice = {91};
+    char text[MOST_SIZE];
+    for (int i = 0; i < rounds; i++) {
+        const double angle = i % 2 ? dice_uniform(&dice, 0, 2 * M_PI) : M_PI_2 * dice_pick(&dice, 4);
+        const double c = cos(angle), s = sin(angle), height = dice_uniform(&dice, 405, 475);
+        char *end =
+            text + snprintf(text, MOST_SIZE,
+                            "luxel: 1\nobserver: {z: 3000}\nscreen: {width: 400, height: 400, resolution: [8, 8]}\n"
+                            "surfaces:\n  - {type: cylinder, center: [60, 80, 440], radius: 20, height: 80, "
+                            "axis: [0, 0, 1], material: {model: lambert}}\nlights:\n  - ");
+        snprintf(end, (size_t)(text + MOST_SIZE - end), grid_sources[i % GRID_LAMPS], 40.0, 60.0, 40.0, 60.0);
+        luxel_scene *scene;
+        struct lx_prepared prepared;
+        if (load(text, NULL, &scene) != LUXEL_OK)
+            fail_msg("not a scene:\n%s", text);
+        assert_int_equal(lx_prepare(lx_scene_parameters(scene), NULL, NULL, &prepared), 0);
+        luxel_place on_wall = {.position_mm = {60 + 20 * c, 80 + 20 * s, height},
+                               .normal = {-c + dice_uniform(&dice, -0.9, 0.9), -s + dice_uniform(&dice, -0.9, 0.9),
+                                          dice_uniform(&dice, 0, 2)}};
+        luxel_place beside = on_wall;
+        beside.position_mm[0] -= INWARDS * c;
+        beside.position_mm[1] -= INWARDS * s;
+        const struct lx_emitter *emitter = &prepared.emitters.items[0];
+        const struct lx_element elements[] = {lx_element_at(&prepared, &on_wall), lx_element_at(&prepared, &beside)};
+        const lx_bounded found = lx_light_directly(&prepared, &elements[0], emitter).irradiance;
+        const lx_bounded next = lx_light_directly(&prepared, &elements[1], emitter).irradiance;
+        if (!(fabs(found.value - next.value) <= found.error + next.error + SMOOTH * next.value))
+            fail_msg("%.17g +- %g on the wall, %.17g +- %g beside, at %.17g:\n%s", found.value, found.error, next.value,
+                     next.error, angle, text);
+        lx_prepared_clear(&prepared);
+        luxel_scene_free(scene);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(obstacles_on_a_grid),
         cmocka_unit_test(dozens_of_obstacles),
+        cmocka_unit_test(on_inner_walls),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

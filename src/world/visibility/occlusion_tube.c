@@ -36,14 +36,19 @@ static bool tube_hides(const struct half_plane *half, const struct lx_obstacle *
     return false;
 }
 
-/* The directions that touch the endless tube: (p.v)^2 = (p^2 - R^2) v^2, a quadratic form in cos(tau) and sin(tau). */
+/* The directions that touch the endless tube: (p.v)^2 = (p^2 - R^2) v^2, a quadratic form in cos(tau) and sin(tau).  From
+ * a place on its wall one leads along that. */
 static void propose_tangents(const struct half_plane *half, const double p[3], const double d[3], const double e[3],
                              double radius, struct candidates *candidates)
 {
-    const double outside = lx_dot(p, p) - radius * radius;
-    if (!(outside > 0))
+    const double outside = lx_dot(p, p) - radius * radius, pd = lx_dot(p, d), pe = lx_dot(p, e);
+    static const double ON_WALL = 1e-6;
+    if (!(outside > 0)) {
+        const double slope = hypot(pd, pe), level = atan2(pe < 0 ? pd : -pd, fabs(pe)); /* p.v = 0 */
+        if (outside > -ON_WALL * radius * radius && slope > 0)
+            lx_propose(candidates, level, half->error_mm / slope, TANGENT);
         return;
-    const double pd = lx_dot(p, d), pe = lx_dot(p, e);
+    }
     const double a = pd * pd - outside * lx_dot(d, d), b = pd * pe - outside * lx_dot(d, e),
                  c = pe * pe - outside * lx_dot(e, e), below = b * b - a * c;
     if (!(below > 0))
