@@ -317,13 +317,15 @@ static bool is_inside_of(const struct lx_matte_face *face, const struct lx_smoot
            memcmp(sheet->half_mm, tube->half_mm, sizeof sheet->half_mm) == 0;
 }
 
-/* The inner side of a tube, of which a place outside sees what is behind the nearer end; false: nothing. */
-static bool look_inside(struct lx_occluder_cones *cones, const struct lx_smooth_sheet *tube, double away, double height)
+/* The inner side of a tube, of which a place beyond an end sees what is behind that, one within or on it all; false:
+ * nothing. */
+static bool look_inside(struct lx_occluder_cones *cones, const struct lx_smooth_sheet *tube, bool is_within,
+                        double height)
 {
     if (fabs(height) > tube->half_mm[1] + cones->touch_mm)
         look_through(cones, tube, height > 0 ? 1 : -1);
     else
-        return away < tube->half_mm[0];
+        return is_within;
     return true;
 }
 
@@ -335,11 +337,12 @@ static bool look_outside(struct lx_occluder_cones *cones, const struct lx_smooth
     const double highest = lx_face_reach(face, tube->axis, tube->center_mm);
     const double lowest = -lx_face_reach(face, back, tube->center_mm);
     const double height = lx_occluder_cones_height(cones, tube->axis, tube->center_mm);
-    if (!(fabs(height) < half - cones->touch_mm) || (highest > half && lowest < -half))
+    const double end = half - cones->touch_mm; /* a face may lie in the plane of an end */
+    if (!(fabs(height) < end) || (highest > end && lowest < -end))
         return false;
-    *seen = highest > half || lowest < -half;
+    *seen = highest > end || lowest < -end;
     if (*seen)
-        look_through(cones, tube, highest > half ? 1 : -1);
+        look_through(cones, tube, highest > end ? 1 : -1);
     return true;
 }
 
@@ -353,7 +356,7 @@ bool lx_occluder_cones_tube(struct lx_occluder_cones *cones, const struct lx_sha
     const double x = lx_dot(from, tube->across), y = lx_dot(from, tube->upward), away = hypot(x, y);
     const bool is_outside = away > radius * (1 + 1e-9);
     if (is_inside_of(face, tube))
-        return look_inside(cones, tube, away, lx_dot(from, tube->axis));
+        return look_inside(cones, tube, !is_outside, lx_dot(from, tube->axis));
     const enum stand stand = stand_of(cones, tube, face);
     bool seen;
     if (stand == BESIDE)

@@ -409,6 +409,19 @@ def is_within(body, place):
     return along < 20
 
 
+def on_inner_wall(rng, tube):
+    """A place on the inner side of an open tube, and the way to its axis."""
+    first, second = beside(tube["axis"])
+    turn = rng.uniform(0, 2 * math.pi)
+    out = math.cos(turn) * first + math.sin(turn) * second
+    place = np.array(tube["center"]) + rng.uniform(-0.49, 0.49) * tube["height"] * unit(tube["axis"])
+    return [float(x) for x in place + tube["radius"] * out], [float(-x) for x in out]
+
+
+def is_in_room(place):
+    return abs(place[0]) <= ROOM_MM[0] / 2 and abs(place[1]) <= ROOM_MM[1] / 2 and 0 <= place[2] <= ROOM_MM[2]
+
+
 def furnace(rng, kinds):
     """A room of one reflectance with bodies that stand on its floor, in its walls, on or in each other, or free."""
     material = {"model": "lambert", "diffuse": rng.choice([0.2, 0.5, 0.7, 0.8]), "over_pi": True}
@@ -437,6 +450,10 @@ def furnace(rng, kinds):
         if not any(is_within(body, place) for body in surfaces):
             elements.append((place, [0.0, 0.0, 1.0] if place[2] == 0 else [float(x) for x in unit(
                 [rng.gauss(0, 1) for _ in range(3)])]))
+    for tube in surfaces:
+        place, normal = on_inner_wall(rng, tube) if tube["type"] == "cylinder" else (None, None)
+        if place and is_in_room(place) and not any(is_within(body, place) for body in surfaces if body is not tube):
+            elements.append((place, normal))
     room = {"type": "room", "center": [0.0, 0.0, ROOM_MM[2] / 2], "size": list(ROOM_MM), "material": material}
     scene = {"reflections": "all", "lights": [{"type": "ambient", "irradiance": 100}], "surfaces": [room, *surfaces]}
     return scene, elements, 100 / (1 - material["diffuse"])

@@ -111,6 +111,26 @@ static void furnace(void **state)
            at, 5, 5e-3);
 }
 
+/* In a furnace, on the floor within a tube and on its walls: one that stands there, lies between walls, or is free. */
+static void open_tubes(void **state)
+{
+    (void)state;
+    static const char *const centers[] = {"[200, 100, -1800]", "[200, 100, 0]", "[0, 1700, -1000]"};
+    static const char *const shapes[] = {"height: 400, axis: [0, 0, 1]", "height: 400, axis: [0, 0, 1]",
+                                         "height: 4000, axis: [1, 0, 0]"};
+    const struct truth at[3][3] = {
+        {{{200, 100, -2000}, {0, 0, 1}, 1}, {{500, 100, -1850}, {-1, 0, 0}, 1}, {{500, 100, -1850}, {1, 0, 0}, 1}},
+        {{{200, 100, -2000}, {0, 0, 1}, 1}, {{500, 100, -50}, {-1, 0, 0}, 1}, {{500, 100, -50}, {1, 0, 0}, 1}},
+        {{{-2000, 1700, -1000}, {1, 0, 0}, 1}, {{300, 1400, -1000}, {0, 1, 0}, 1}, {{300, 2000, -500}, {0, -1, 0}, 1}}};
+    for (int i = 0; i < 3; i++) {
+        char surfaces[TEXT_SIZE];
+        const int length = snprintf(surfaces, sizeof surfaces, "%s, {type: cylinder, center: %s, radius: 300, %s, %s}",
+                                    ROOM("0.5"), centers[i], shapes[i], MATERIAL("0.5"));
+        assert_true(length > 0 && length < TEXT_SIZE);
+        expect(scene_of("all", surfaces, "{type: ambient, irradiance: 1}"), at[i], 3, 3e-2);
+    }
+}
+
 /* What reaches into a ball is hidden in it, not only behind the circle in which ways touch the ball. */
 static void bodies_in_bodies(void **state)
 {
@@ -333,6 +353,7 @@ int main(void)
         cmocka_unit_test(cube),
         cmocka_unit_test(corners_of_a_cube),
         cmocka_unit_test(furnace),
+        cmocka_unit_test(open_tubes),
         cmocka_unit_test(bodies_in_bodies),
         cmocka_unit_test(integrating_sphere),
         cmocka_unit_test(concentric_spheres),
