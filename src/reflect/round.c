@@ -355,13 +355,15 @@ bool lx_occluder_cones_tube(struct lx_occluder_cones *cones, const struct lx_sha
     sub(cones->place_mm, tube->center_mm, from);
     const double x = lx_dot(from, tube->across), y = lx_dot(from, tube->upward), away = hypot(x, y);
     const bool is_outside = away > radius * (1 + 1e-9);
+    const double outwards = x * lx_dot(cones->normal, tube->across) + y * lx_dot(cones->normal, tube->upward);
+    const bool is_within = away < radius * (1 - 1e-9) || (!is_outside && outwards < 0); /* on the wall by its normal */
     if (is_inside_of(face, tube))
-        return look_inside(cones, tube, !is_outside, lx_dot(from, tube->axis));
+        return look_inside(cones, tube, is_within, lx_dot(from, tube->axis));
     const enum stand stand = stand_of(cones, tube, face);
     bool seen;
     if (stand == BESIDE)
         return true;
-    if (stand == BEFORE_FACE && !is_outside && look_outside(cones, tube, face, &seen))
+    if (stand == BEFORE_FACE && is_within && look_outside(cones, tube, face, &seen))
         return seen;
     for (int i = 0; i < 3; i++)
         inwards[i] = -(x * tube->across[i] + y * tube->upward[i]) / away;
