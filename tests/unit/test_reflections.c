@@ -130,15 +130,16 @@ static void open_tubes(void **state)
         expect(scene_of("all", surfaces, "{type: ambient, irradiance: 1}"), at[i], 3, 3e-2);
     }
     /* where one touches another, which hides nothing within */
-    const struct truth touching = {{-444.2351248623074, 0, 94.8}, {-1, 0, 0}, 1};
-    expect(
-        scene_of("all",
-                 ROOM("0.5") ", {type: cylinder, center: [-744.2351248623074, 0, 0], radius: 300, height: 4000, axis: "
-                             "[0, 0, 1], " MATERIAL("0.5") "}, {type: cylinder, center: [-144.2351248623074, 0, 0], "
-                                                           "radius: 300, height: 4000, axis: [0, 0, 1], " MATERIAL(
-                                                               "0.5") "}",
-                 "{type: ambient, irradiance: 1}"),
-        &touching, 1, 3e-2);
+    const struct truth touching = {{-444.2351248623074, 0, 94.7990960153122}, {-1, 0, 0}, 1};
+    char surfaces[TEXT_SIZE];
+    const int length =
+        snprintf(surfaces, sizeof surfaces,
+                 "{type: room, center: [0, 0, 0], size: [4000, 3000, 2500], %s}, "
+                 "{type: cylinder, center: [-744.2351248623074, 0, 0], radius: 300, height: 2500, %s}, "
+                 "{type: cylinder, center: [-144.2351248623074, 0, 0], radius: 300, height: 2500, %s}",
+                 MATERIAL("0.5"), "axis: [0, 0, 1], " MATERIAL("0.5"), "axis: [0, 0, 1], " MATERIAL("0.5"));
+    assert_true(length > 0 && length < TEXT_SIZE);
+    expect(scene_of("all", surfaces, "{type: ambient, irradiance: 1}"), &touching, 1, 3e-2);
 }
 
 /* What reaches into a ball is hidden in it, not only behind the circle in which ways touch the ball. */

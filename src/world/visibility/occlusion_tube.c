@@ -36,8 +36,8 @@ static bool tube_hides(const struct half_plane *half, const struct lx_obstacle *
     return false;
 }
 
-/* The directions that touch the endless tube: (p.v)^2 = (p^2 - R^2) v^2, a quadratic form in cos(tau) and sin(tau); from
- * a place on its wall the one that leads along that. */
+/* The directions that touch the endless tube: (p.v)^2 = (p^2 - R^2) v^2, a quadratic form in cos(tau) and sin(tau);
+ * from a place on its wall the one that leads along it. */
 static void propose_tangents(const struct half_plane *half, const double p[3], const double d[3], const double e[3],
                              double radius, struct candidates *candidates)
 {
