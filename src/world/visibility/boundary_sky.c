@@ -13,7 +13,7 @@
 #include "../integral/sky_potential.h"
 #include "boundary_ends.h"
 
-enum { MOST_PANELS = 2048, MOST_WIDTHS = 12, MOST_CUTS = 2 * MOST_WIDTHS + 2 };
+enum { MOST_PANELS = 768, MOST_WIDTHS = 12, MOST_CUTS = 2 * MOST_WIDTHS + 2 };
 
 /* What is less than this share of the whole sky need not be told from nothing. */
 static const double FAINT = 1e-4;
@@ -95,8 +95,9 @@ static size_t cut_about(const struct piece *piece, const double pole[3], double 
     return count;
 }
 
-/* The panels of a piece: at the pole the integrand may have a bend, and opposite to it a peak. */
-static void start_panels(const struct borders *borders, size_t number, struct lx_panels *panels)
+/* The panels of a piece: at the pole the integrand may have a bend, and opposite to it a peak.  False: there are too
+ * many. */
+static bool start_panels(const struct borders *borders, size_t number, struct lx_panels *panels)
 {
     const struct piece *piece = &borders->pieces[number];
     const double *pole = lx_sky_potential_pole(borders->potential), opposite[3] = {-pole[0], -pole[1], -pole[2]};
@@ -105,11 +106,14 @@ static void start_panels(const struct borders *borders, size_t number, struct lx
     count = cut_about(piece, opposite, cuts, count);
     cuts[count++] = piece->to;
     qsort(cuts, count, sizeof *cuts, lx_by_value);
-    for (size_t i = 0; i < count && panels->count < panels->capacity; i++)
+    for (size_t i = 0; i < count; i++)
         if (cuts[i] > from && cuts[i] <= piece->to) {
+            if (panels->count == panels->capacity)
+                return false;
             panels->items[panels->count++] = (struct lx_panel){.interval = number, .from = from, .to = cuts[i]};
             from = cuts[i];
         }
+    return true;
 }
 
 static struct lx_point_value step_at(void *data, size_t piece, double t)
@@ -142,7 +146,8 @@ bool lx_boundary_sky(const struct lx_emitter *emitter, const double normal[3], c
     if (!lx_boundary_walk_source(emitter, normal, occlusion, add_piece, &borders, &unsure) || borders.is_full)
         return false;
     for (size_t i = 0; i < borders.count; i++)
-        start_panels(&borders, i, &panels);
+        if (!start_panels(&borders, i, &panels))
+            return false;
     const struct lx_integrand integrand = {.at = step_at, .target = target, .data = &borders, .is_smooth = true};
     const struct lx_integral all = lx_integrate_panels(&integrand, &panels);
     *parts += borders.steps;
