@@ -170,6 +170,8 @@ static bool light_by_borders(const struct lx_prepared *prepared, const struct lx
     lx_values3(element->place_mm, place);
     lx_values3(element->normal, normal);
     bool is_known = true;
+    for (size_t k = 0; k < count && is_known; k++) /* before anything is gathered in vain */
+        is_known = views[k].emitter.potential || lx_has_closed_form(&views[k].emitter);
     for (size_t k = 0; k < count && is_known; k++) {
         const struct lx_emitter *emitter = &views[k].emitter;
         struct lx_occlusion occlusion = {.place_mm = {0}};
@@ -240,7 +242,7 @@ static struct lx_lighting light_through(const struct lx_prepared *prepared, cons
         struct lx_dome_view views[LX_MOST_DOME_VIEWS];
         if (opening->surface != room)
             continue;
-        size_t count = see_through(prepared, dome, opening, place, false, views);
+        size_t count = is_matte ? see_through(prepared, dome, opening, place, false, views) : 0;
         if (is_matte && light_by_borders(&without, element, views, count, &sum))
             continue;
         count = see_through(prepared, dome, opening, place, true, views);

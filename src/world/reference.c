@@ -129,7 +129,7 @@ static void light_rough(const struct lx_prepared *prepared, const struct lx_elem
 /* From this tolerance on what is in umbrae need not be told from nothing. */
 static const double SAMPLE = 1e-6;
 
-/* What obstacles (NULL: nothing) leave of a source, by its borders, where these are known to the tolerance. */
+/* The light that obstacles (NULL: none) leave of a source, by its borders, where these are known to the tolerance. */
 bool lx_light_by_borders(const struct lx_prepared *prepared, const struct lx_element *element,
                          const struct lx_emitter *emitter, const struct lx_occlusion *occlusion, double before,
                          struct lx_lighting *lighting)
