@@ -11,9 +11,9 @@
 #include "../base/vector.h"
 #include "../light/solid/extended.h"
 #include "../world/integral/cubature.h"
-#include "opening_light.h"
-#include "openings.h"
+#include "../world/integral/opening_light.h"
 #include "area_light.h"
+#include "openings.h"
 
 /* ---- plan ---- */
 
@@ -28,10 +28,9 @@ luxel_status lx_plan_openings(struct lx_plan *plan, struct lx_control *control, 
     if (count == 0)
         return LUXEL_OK;
     surface->openings = lx_new_array(count, sizeof *surface->openings);
-    if (!plan->opening_rules)
-        plan->opening_rules = lx_gauss_rules_new(LX_SINGLE_RULES);
-    if (!surface->openings || !plan->opening_rules)
+    if (!surface->openings)
         return LUXEL_ERROR_MEMORY;
+    plan->has_openings = true;
     for (size_t i = 0; i < items; i++) {
         if (!lx_is_opening(&emitters->items[i]) || lx_is_set_in(surface, &emitters->items[i]))
             continue;
@@ -114,8 +113,10 @@ static double matte_of_all(const struct lit *lit)
     const double diffuse = lit->surface->lobe_exact.diffuse, gain = diffuse * emitter->radiance.value;
     if (matte_tolerance(lit->plan) < LX_OPENING_TOLERANCE || !lx_opening_is_flat(emitter))
         return matte_by_reference(lit, NULL);
-    return gain * lx_opening_light(emitter, lit->plan->opening_rules, lit->place, lit->normal,
-                                   matte_tolerance(lit->plan) * lit->known / gain, lit->asking);
+    size_t parts = 0;
+    return gain *
+           lx_opening_light(emitter, &lit->element, matte_tolerance(lit->plan), lit->known / gain, lit->asking, &parts)
+               .value;
 }
 
 /* How great the highlight may be at most: all of the opening as a point at its nearest, where the lobe is greatest. */

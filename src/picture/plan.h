@@ -94,7 +94,7 @@ struct lx_plan {
     double part_tolerance;        /* of the diffuse light of openings and of hidden parts, relative to the same */
     size_t most_patches;          /* of the extended sources together */
     struct lx_gauss_rules *rules; /* for laws other than 1/r^2; NULL where there are none */
-    struct lx_gauss_rules *opening_rules; /* along lines over openings; NULL where there are none */
+    bool has_openings;
     struct lx_gauss_rules *node_rules;    /* the same at the nodes of squares, which polynomials make more of */
     struct lx_light_trees trees;          /* the points that are clustered */
     double light_error; /* how wrong they may make a pixel, relative to the larger of its value and: */

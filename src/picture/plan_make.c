@@ -387,7 +387,7 @@ static luxel_status find_maximum(struct lx_plan *plan, struct lx_control *contro
     luxel_status status = sample_maximum(plan, control, every, &maximum);
     plan->tolerance = tolerance;
     plan->light_error = light_error;
-    const bool is_rough = plan->most_patches > 0 || plan->opening_rules || plan->asks_reference;
+    const bool is_rough = plan->most_patches > 0 || plan->has_openings || plan->asks_reference;
     plan->least_maximum = lx_share_of_channel(plan->prepared->scene) * (is_rough ? (1 - rough) * maximum : maximum);
     plan->least_value = DIM * plan->least_maximum;
     return status;
@@ -414,7 +414,7 @@ static luxel_status plan_accuracy(struct lx_plan *plan, struct lx_control *contr
     size_t every = 1;
     bool fits;
     if (plan->precision == LUXEL_DOUBLE && plan->most_patches == 0 && plan->trees.tree_count == 0 &&
-        !plan->opening_rules && !plan->asks_reference)
+        !plan->has_openings && !plan->asks_reference)
         return LUXEL_OK;
     for (size_t s = 0; s < plan->surface_count && plan->most_patches == 0; s++)
         every =
@@ -593,7 +593,6 @@ void lx_plan_clear(struct lx_plan *plan)
     lx_boxes_clear(&plan->on_screen);
     free(plan->rules);
     free(plan->node_rules);
-    free(plan->opening_rules);
     lx_light_trees_clear(&plan->trees);
     lx_prepared_free(plan->carried);
     *plan = (struct lx_plan){0};

@@ -14,6 +14,7 @@
 #include "domes.h"
 #include "images.h"
 #include "integral/cubature.h"
+#include "integral/opening_light.h"
 #include "mirrors.h"
 #include "visibility/boundary.h"
 
@@ -156,6 +157,29 @@ bool lx_light_by_borders(const struct lx_prepared *prepared, const struct lx_ele
                prepared->tolerance * lx_extended_irradiance(emitter, element->place_mm, element->normal).value;
 }
 
+/* The light of a flat opening of which the element sees all, line by line; false: it is not known to the tolerance. */
+static bool light_by_lines(const struct lx_prepared *prepared, const struct lx_element *element,
+                           const struct lx_emitter *emitter, double before, struct lx_lighting *lighting)
+{
+    const double radiance = emitter->radiance.value;
+    lx_bounded seen;
+    size_t parts = 0;
+    double place[3];
+    lx_values3(element->place_mm, place);
+    if (!lx_is_opening(emitter) || !lx_opening_is_flat(emitter) || prepared->tolerance < SAMPLE)
+        return false;
+    if (lx_opening_is_level(emitter, element, &seen)) {
+        lighting->irradiance = lx_mul(emitter->radiance, seen);
+        return true;
+    }
+    if (emitter->pane_count > 0 || !lx_opening_is_away(emitter, place))
+        return false;
+    seen = lx_opening_light(emitter, element, prepared->tolerance, radiance > 0 ? before / radiance : 0, NULL, &parts);
+    lighting->irradiance = lx_mul(emitter->radiance, seen);
+    lighting->parts += parts;
+    return lighting->irradiance.error <= prepared->tolerance * (before + lighting->irradiance.value);
+}
+
 /* In closed form where there is one, else to the tolerance; behind obstacles to the tolerance.  `before`: irradiance of
  * other parts of the same source, relative to which the tolerance is, too. */
 struct lx_lighting lx_light_around(const struct lx_prepared *prepared, const struct lx_element *element,
@@ -167,7 +191,9 @@ struct lx_lighting lx_light_around(const struct lx_prepared *prepared, const str
     if (closed)
         lighting.irradiance = lx_extended_irradiance(emitter, element->place_mm, element->normal);
     else
-        closed = lx_light_by_borders(prepared, element, emitter, occlusion, before, &lighting);
+        closed = lx_is_occluded(occlusion) || !lx_is_opening(emitter)
+                     ? lx_light_by_borders(prepared, element, emitter, occlusion, before, &lighting)
+                     : light_by_lines(prepared, element, emitter, before, &lighting);
     if (!closed || lx_lobe_shines(lobe)) {
         double known = lobe->diffuse.value * (before + lighting.irradiance.value);
         struct lx_cubature integral =

@@ -203,25 +203,25 @@ static struct lx_panel *worst(struct lx_panels *panels)
     return found;
 }
 
-/* Where to cut a panel in two: in its middle, or where its form changes, which is looked for until no number is
- * between; either part has one form there. */
+/* Where to cut a panel in two: in its middle, or where its form changes, which is looked for until no number, or
+ * little, is between; either part has one form there. */
 static void cut(const struct lx_integrand *integrand, struct lx_panel *first, struct lx_panel *second)
 {
     enum { HALVINGS = 60 };
-    const double least = 1e-13 * (first->to - first->from);
+    const double length = first->to - first->from, least = 1e-13 * length, apart = integrand->narrowest * length;
     double from = first->kink_from, to = first->kink_to, middle = first->from + (first->to - first->from) / 2;
     *second = (struct lx_panel){.interval = first->interval, .from = middle, .to = first->to};
     if (integrand->form && to > from) {
         const uint64_t form = integrand->form(integrand->data, first->interval, from);
         for (int i = 0; i < HALVINGS; i++) {
             const double between = from + (to - from) / 2;
-            if (!(between > from && between < to))
+            if (!(between > from && between < to) || to - from < apart)
                 break;
             *(integrand->form(integrand->data, first->interval, between) == form ? &from : &to) = between;
         }
         if (from > first->from + least && to < first->to - least) { /* next to an end there is nothing to cut off */
-            second->from = to;
-            middle = from;
+            second->from = apart > 0 ? from + (to - from) / 2 : to;
+            middle = apart > 0 ? second->from : from;
         }
     }
     first->to = middle;

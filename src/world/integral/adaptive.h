@@ -54,8 +54,9 @@ struct lx_integrand {
     void *data;
     /* The form alone; NULL: it never changes. */
     uint64_t (*form)(void *data, size_t interval, double x);
-    bool is_smooth; /* between the ends of the panels: then few points do, and no peak is looked for */
-    bool is_coarse; /* with 3 and 7 points, for tolerances from some 1e-4 on */
+    double narrowest; /* how near a change of the form is found, as a share of a panel; 0: until no number is between */
+    bool is_smooth;   /* between the ends of the panels: then few points do, and no peak is looked for */
+    bool is_coarse;   /* with 3 and 7 points, for tolerances from some 1e-4 on */
 };
 
 /* Integrates over the panels that are in the list, of which interval, from and to are set; leaves them refined. */
