@@ -69,8 +69,7 @@ def test_handles(tap, tool):
     tap.ok(raises(TypeError, lambda: empty.rows), "nor rows")
     for call in (lambda: raw.scene_text(5), lambda: raw.render(5, luxel.Field, ()), lambda: raw.document_text(5, 1),
                  lambda: raw.grid_write(luxel.Scene(SCENE)._handle, b"x"), lambda: raw.field_about(None),
-                 lambda: raw.render(luxel.Scene(SCENE)._handle, int,
-                                    (0, 0, 0, None, 0.0, 0.0, 0.0, 1, False, False, None, None)),
+                 lambda: raw.render(luxel.Scene(SCENE)._handle, int, luxel._settings.settings(None)),
                  lambda: raw.render(luxel.Scene(SCENE)._handle, luxel.Field, (0, 0)),
                  lambda: raw.scene_change(luxel.Scene(SCENE)._handle, ["set"]),
                  lambda: raw.scene_change(luxel.Scene(SCENE)._handle, None)):

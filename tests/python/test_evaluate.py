@@ -128,7 +128,7 @@ def test_odd(tap, tool):
     tap.ok(raises(IndexError, scene.evaluate, places, normals, surface=1), "a surface that there is not")
     tap.ok(raises(IndexError, scene.probe_element, places[0], normals[0], surface=-1), "of a probe, too")
     raw = luxel._luxel.evaluate
-    how = (0, 0, 0, None, 0.0, 0.0, 0.0, 1, False, False, None, 0.0, None)
+    how = luxel._settings.settings(None)
     column, whole = numpy.empty(5), numpy.zeros((5, 3))
     for arrays in ((whole, whole, None, column[:4], column, None), (whole, whole[:, :2], None, column, column, None),
                    (whole.astype("f4"), whole, None, column, column, None),

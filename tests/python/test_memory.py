@@ -10,7 +10,7 @@ import numpy
 from package import Tap, luxel, raises, run_tests
 from tool import PATIENCE, SCENE
 
-SETTINGS = (0, 0, 0, None, 0.0, 0.0, 0.0, 1, False, False, None, None)
+SETTINGS = luxel._settings.settings(None)
 LIMIT = 20 * PATIENCE  # seconds, after which a loop ends early on a slow machine
 
 BALL = """luxel: 1
@@ -74,7 +74,6 @@ def test_references(tap, tool):
     scene = luxel.Scene(SCENE)
     handle = scene._handle
     field = scene.render()
-    settings = SETTINGS
 
     def work():
         luxel._luxel.scene_capsule(handle)
@@ -82,13 +81,13 @@ def test_references(tap, tool):
         numpy.asarray(field)
         field.mask, field.x_mm
         field.extrema()
-        luxel._luxel.probe(handle, [(0.0, 0.0), (0.0, 0.0, 1300.0, 0.0, 0.0, 1.0, None, 0)], settings)
-        raises(TypeError, luxel._luxel.probe, handle, [(1.0,)], settings)
-        raises(ValueError, luxel._luxel.grid_extrema, handle, 0, settings)
-        raises(TypeError, luxel._luxel.render, handle, int, settings)
+        luxel._luxel.probe(handle, [(0.0, 0.0), (0.0, 0.0, 1300.0, 0.0, 0.0, 1.0, None, 0)], SETTINGS)
+        raises(TypeError, luxel._luxel.probe, handle, [(1.0,)], SETTINGS)
+        raises(ValueError, luxel._luxel.grid_extrema, handle, 0, SETTINGS)
+        raises(TypeError, luxel._luxel.render, handle, int, SETTINGS)
         raises(KeyError, luxel._luxel.scene_get, handle, "nonsense")
 
-    watched = (None, True, False, handle, field, settings, luxel.Field, luxel._luxel.SceneHandle, luxel._luxel.View,
+    watched = (None, True, False, handle, field, SETTINGS, luxel.Field, luxel._luxel.SceneHandle, luxel._luxel.View,
                luxel._luxel.Holder)
     for _ in range(20):
         work()
