@@ -161,6 +161,7 @@ bool lx_light_by_borders(const struct lx_prepared *prepared, const struct lx_ele
 static bool light_by_lines(const struct lx_prepared *prepared, const struct lx_element *element,
                            const struct lx_emitter *emitter, double before, struct lx_lighting *lighting)
 {
+    static const double SHARE = 0.5; /* of the tolerance across lines; the rest is for what is left along them */
     const double radiance = emitter->radiance.value;
     lx_bounded seen;
     size_t parts = 0;
@@ -174,7 +175,8 @@ static bool light_by_lines(const struct lx_prepared *prepared, const struct lx_e
     }
     if (emitter->pane_count > 0 || !lx_opening_is_away(emitter, place))
         return false;
-    seen = lx_opening_light(emitter, element, prepared->tolerance, radiance > 0 ? before / radiance : 0, NULL, &parts);
+    const double tolerance = SHARE * prepared->tolerance;
+    seen = lx_opening_light(emitter, element, tolerance, radiance > 0 ? before / radiance : 0, NULL, &parts);
     lighting->irradiance = lx_mul(emitter->radiance, seen);
     lighting->parts += parts;
     return lighting->irradiance.error <= prepared->tolerance * (before + lighting->irradiance.value);

@@ -239,7 +239,7 @@ def openings_of_files(tap, tool):
             ("0 -0.2 -0.2", {"disk": {"radius": 100, "axis": [1, 0, 0]}}), ("0 0 0", "point")):
         tool.write("o.ies", lamp_text(ANGLES, PLANES, wings, opening))
         light = {"type": "luminaire", "file": "o.ies", "position": [0, 0, 900], "c0": [0, 1, 0]}
-        values = [value_at(tool, scene(tool, "o.yaml", {**light, "opening": how}), "200,100", "--tolerance", "1e-5")
+        values = [value_at(tool, scene(tool, "o.yaml", {**light, "opening": how}), "200,100", "--tolerance", "1e-7")
                   for how in ("file", shape)]
         tap.ok(values[0] > 0 and values[0] == values[1], "width, length, height %s" % opening, *values)
 
