@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The colour bar as a dial: its ends are dragged or moved by keys, a drag between them changes the exposure, which
-// counts in stops: one more shows half the value in the same colour.
+// counts in stops: one more shows half the value in the same colour.  It stands beside the stage, and lies below it on
+// phones; a mark shows where the probe's value is.
 import { colourTable, placeInRange, type Scale } from './colours';
 import { fitted, h, styleColour } from './dom';
 import { followPointer } from './drag';
@@ -9,6 +10,7 @@ import { number, t } from './words';
 const PIXELS_OF_A_STOP = 45;
 const MOST_STOPS = 8;
 const BAR = 16; // pixels
+const LYING = matchMedia('(max-width: 700px)');
 
 type End = 'low' | 'high';
 
@@ -16,11 +18,16 @@ export class Dial {
     readonly canvas = h('canvas', { class: 'colour-bar', role: 'img' });
     private readonly handles: Record<End, HTMLElement> = { low: this.handle('low'), high: this.handle('high') };
     private readonly unit = h('span', { class: 'dim unit-of-dial' });
+    private readonly ends: Record<End, HTMLElement> = { low: h('span', { class: 'dim told' }), high: h('span', { class: 'dim told' }) };
+    private value: number | null = null;
+    private drawn: Scale | null = null;
     readonly element = h(
         'div',
         { class: 'dial floating' },
-        this.unit,
+        this.ends.low,
         h('div', { class: 'inner' }, this.canvas, this.handles.high, this.handles.low),
+        this.ends.high,
+        this.unit,
     );
     readonly exposure = h('input', { type: 'range', min: -MOST_STOPS, max: MOST_STOPS, step: 0.25 });
     readonly told = h('output', { class: 'stops' });
@@ -28,10 +35,11 @@ export class Dial {
 
     constructor(readonly scale: Scale) {
         new ResizeObserver(() => this.onChange()).observe(this.canvas);
-        followPointer(this.canvas, (_x, y) => {
+        LYING.addEventListener('change', () => this.onChange());
+        followPointer(this.canvas, (x, y) => {
             const { exposure } = scale;
             return {
-                move: (_x: number, ny: number) => this.expose(exposure + (ny - y) / PIXELS_OF_A_STOP),
+                move: (nx: number, ny: number) => this.expose(exposure - this.upwards(nx - x, ny - y) / PIXELS_OF_A_STOP),
                 end: () => undefined,
             };
         });
@@ -49,6 +57,18 @@ export class Dial {
     /** The unit of the values. */
     tellUnit(unit: string) {
         this.unit.textContent = unit;
+    }
+
+    /** The probe's value; null: it has none. */
+    mark(value: number | null) {
+        if (value === this.value) return;
+        this.value = value;
+        this.draw(this.drawn ?? this.scale);
+    }
+
+    // How far a hand has gone towards the upper end of the bar.
+    private upwards(dx: number, dy: number): number {
+        return LYING.matches ? dx : -dy;
     }
 
     /** Changes the exposure by so many stops. */
@@ -71,18 +91,17 @@ export class Dial {
             class: `end-handle ${which}`,
             role: 'slider',
             tabindex: 0,
-            'aria-orientation': 'vertical',
         });
-        followPointer(handle, (_x, y) => {
+        followPointer(handle, (x, y) => {
             const { low, high } = this.scale;
-            const height = this.canvas.clientHeight || 1;
+            const length = (LYING.matches ? this.canvas.clientWidth : this.canvas.clientHeight) || 1;
             handle.focus();
             let shift = 0; // places are told from the handle, which goes along
             return {
-                move: (_x: number, ny: number) => {
-                    shift += ny - y;
-                    handle.style.translate = `0 ${shift}px`;
-                    this.moveEnd(which, -shift / height, low, high);
+                move: (nx: number, ny: number) => {
+                    shift += this.upwards(nx - x, ny - y);
+                    handle.style.translate = LYING.matches ? `${shift}px 0` : `0 ${-shift}px`;
+                    this.moveEnd(which, shift / length, low, high);
                 },
                 end: () => handle.style.removeProperty('translate'),
             };
@@ -108,20 +127,25 @@ export class Dial {
         this.onChange();
     }
 
-    /** From below to above, with the ends of the range and values between; of differences there is nothing to turn. */
+    /** From its lower end to the upper one, with values between; of differences there is nothing to turn. */
     draw(scale: Scale = this.scale) {
         const [width, height, context] = fitted(this.canvas);
         const table = colourTable(scale.map);
-        for (let y = 0; y < height; y++) {
-            const colour = table[Math.round(((height - 1 - y) / (height - 1)) * (table.length - 1))];
+        const isLying = LYING.matches;
+        const length = isLying ? width : height;
+        const accent = styleColour('--accent');
+        this.drawn = scale;
+        for (let i = 0; i < length; i++) {
+            const colour = table[Math.round((i / (length - 1)) * (table.length - 1))];
             context.fillStyle = `rgb(${colour & 255} ${(colour >> 8) & 255} ${(colour >> 16) & 255})`;
-            context.fillRect(0, y, BAR, 1.5);
+            if (isLying) context.fillRect(i, height - BAR, 1.5, BAR);
+            else context.fillRect(0, height - 1 - i, BAR, 1.5);
         }
         context.fillStyle = styleColour('--text');
         context.font = '11px system-ui, sans-serif';
         context.textBaseline = 'middle';
         const steps = 4;
-        for (let i = 0; i <= steps; i++) {
+        for (let i = 0; i <= steps && !isLying; i++) {
             const share = i / steps;
             const value =
                 scale.logarithmic && scale.low > 0
@@ -130,11 +154,30 @@ export class Dial {
             const y = height - placeInRange(value, scale) * height;
             context.fillText(number(value, 3), BAR + 9, Math.max(7, Math.min(height - 7, y)), width - BAR - 9);
         }
+        if (this.value !== null && scale === this.scale) {
+            const at = Math.max(0, Math.min(1, placeInRange(this.value, scale))) * length;
+            context.fillStyle = accent;
+            context.beginPath();
+            if (isLying) {
+                context.fillRect(at - 1, height - BAR, 2, BAR);
+                context.moveTo(at, height - BAR + 1);
+                context.lineTo(at - 6, height - BAR - 8);
+                context.lineTo(at + 6, height - BAR - 8);
+            } else {
+                context.fillRect(0, height - at - 1, BAR, 2);
+                context.moveTo(BAR - 1, height - at);
+                context.lineTo(BAR + 7, height - at - 5);
+                context.lineTo(BAR + 7, height - at + 5);
+            }
+            context.fill();
+        }
         for (const which of ['low', 'high'] as const) {
             const handle = this.handles[which];
             handle.hidden = scale !== this.scale;
+            handle.setAttribute('aria-orientation', isLying ? 'horizontal' : 'vertical');
             handle.setAttribute('aria-valuenow', String(scale[which]));
             handle.setAttribute('aria-valuetext', number(scale[which], 4));
+            this.ends[which].textContent = number(scale[which], 3);
         }
         this.exposure.disabled = scale !== this.scale;
         if (document.activeElement !== this.exposure) this.exposure.value = String(scale.exposure);

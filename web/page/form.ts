@@ -26,6 +26,7 @@ interface Row {
     list: string;
     index: number;
     element: HTMLElement;
+    name: HTMLElement;
     open(): void;
     amount: HTMLElement; // of a light: its irradiance at the probe
     bar: HTMLElement;
@@ -89,11 +90,21 @@ function isUnused(path: string, entries: Entry[]): boolean {
     return false;
 }
 
+/** A parameter of the scene as it is told: of which thing, and in which tab of the drawer it stands. */
+export interface Parameter {
+    path: string;
+    label: string;
+    meaning: string;
+    thing: string;
+    tab: 'light' | 'matter' | 'place';
+}
+
 export class Form {
     readonly element = h('div', { class: 'form' });
     private keys: Key[] = [];
     private kinds: Kind[] = [];
     private fields: Field[] = []; // those that were ever to be seen
+    private paths: [string, Key][] = []; // of all parameters
     private values = new Map<string, string | null>();
     private titles: (() => void)[] = []; // tell what each light and surface is
     private shape = '';
@@ -177,6 +188,28 @@ export class Form {
     markSeveral(indices: number[]) {
         this.together = indices;
         for (const { list, index, element } of this.rows) element.classList.toggle('chosen-too', list === 'lights' && indices.includes(index));
+    }
+
+    /** All parameters that the form has, or would have. */
+    parameters(): Parameter[] {
+        return this.paths.map(([path, { label, meaning }]) => {
+            const [, list, index] = /^(lights|surfaces)\[(\d+)\]/.exec(path) ?? [];
+            const row = this.rows.find((each) => each.list === list && each.index === Number(index));
+            const thing = row ? `${Number(index) + 1}  ${row.name.textContent}` : t('Scene');
+            const label_ = label || path;
+            return { path, label: label_, meaning, thing, tab: !row ? 'place' : list === 'lights' ? 'light' : 'matter' };
+        });
+    }
+
+    /** Opens the row of a parameter and brings the keys to it. */
+    show(path: string) {
+        const [, list, index] = /^(lights|surfaces)\[(\d+)\]/.exec(path) ?? [];
+        this.rows.find((each) => each.list === list && each.index === Number(index))?.open();
+        const field = this.fields.find((each) => each.path === path);
+        if (!field) return;
+        for (let details = field.row.closest('details'); details; details = details.parentElement?.closest('details') ?? null) details.open = true;
+        field.row.scrollIntoView({ block: 'center' });
+        field.row.querySelector<HTMLElement>('input:not([type=range]), select, button')?.focus();
     }
 
     /** Marks the row of what the hand is on in the views. */
@@ -265,6 +298,7 @@ export class Form {
             if (!groups.has(base)) groups.set(base, []);
             groups.get(base)!.push({ path, key, isGiven: values[i] !== null });
         });
+        this.paths = paths;
         this.fields = [];
         this.titles = [];
         this.rows = [];
@@ -340,7 +374,7 @@ export class Form {
             fill();
             element.scrollIntoView?.({ block: 'nearest' });
         };
-        this.rows.push({ list, index, element, open, amount, bar });
+        this.rows.push({ list, index, element, name, open, amount, bar });
         return element;
     }
 

@@ -8,6 +8,7 @@ const KEYS: [string, [string, string][]][] = [
     [
         'Stage',
         [
+            ['lamp by its number', '1 … 9'],
             ['next lamp or body', 'Space bar'],
             ['move what is chosen', '← ↑ → ↓, Page Up, Page Down'],
             ['add a lamp like the chosen one', 'A'],
@@ -18,7 +19,7 @@ const KEYS: [string, [string, string][]][] = [
             ['why this value', 'W'],
             ['keep the probe’s place as a point', 'P'],
             ['space or observer', 'O'],
-            ['orbit, plan, elevation', '1, 2, 3'],
+            ['orbit, plan, elevation', 'V'],
             ['from the front', 'Home'],
             ['zoom', '+, −'],
             ['all in view', 'F'],
@@ -29,6 +30,7 @@ const KEYS: [string, [string, string][]][] = [
     [
         'Everywhere',
         [
+            ['find a parameter', 'Ctrl+K'],
             ['undo, redo', 'Ctrl+Z, Ctrl+Shift+Z'],
             ['to the next part of the page', 'F6, Shift+F6'],
             ['this list', '?'],

@@ -10,6 +10,7 @@ import { Dial } from './dial';
 import { h, isTypedOver, showIn, sizeOf, styleColour } from './dom';
 import { Embedding, wishes } from './embedding';
 import { Figures } from './figures/figures';
+import { Finder } from './find';
 import { Files } from './files';
 import { Form } from './form';
 import { FIRST_NAME, FIRST_TITLE, firstScene } from './first_scene';
@@ -98,6 +99,7 @@ class Page {
     private readonly layout = new Layout();
     private readonly licences = licences();
     private readonly keysHelp = new KeysHelp();
+    private readonly finder = new Finder();
     private readonly toast = h('p', { class: 'toast', role: 'status', hidden: true });
     private readonly points = new PointsPanel(this.model);
     private readonly statistics = new Statistics(this.model);
@@ -235,6 +237,7 @@ class Page {
         this.points.place = () => this.picture.probe ?? [0, 0];
         this.probe.onValue = (probe) => {
             this.space.probe = this.picture.known = probe;
+            this.dial.mark(probe?.value ?? null);
             this.space.draw();
             if (this.picture.lit) this.picture.draw();
             if (this.isReadoutOfProbe) this.readout.textContent = this.probe.told;
@@ -338,6 +341,10 @@ class Page {
             this.pictureChanged();
             this.section.draw();
         };
+        this.finder.onChoose = ({ path, tab }) => {
+            this.layout.open(tab);
+            this.form.show(path);
+        };
         this.gallery.onChoose = ({ text, name }) => this.openText(text, name);
         this.messages.onShow = (message) => {
             this.layout.open('text');
@@ -357,7 +364,9 @@ class Page {
             return event.preventDefault();
         }
         if (isBare && event.key === '?' && !isTyping && !isField) return this.keysHelp.open();
-        if (!(event.ctrlKey || event.metaKey) || isTyping) return;
+        if (!(event.ctrlKey || event.metaKey)) return;
+        if (event.code === 'KeyK' && !event.shiftKey && !event.altKey && this.find()) return event.preventDefault();
+        if (isTyping) return;
         const letter = event.key.toLowerCase();
         if (letter === 'z' && !event.shiftKey) this.model.undo();
         else if (letter === 'y' || (letter === 'z' && event.shiftKey)) this.model.redo();
@@ -365,9 +374,25 @@ class Page {
         event.preventDefault();
     }
 
+    // Looks for a parameter, where the drawer is shown; false: it is not.
+    private find(): boolean {
+        if (this.embedding.view !== 'all' || !this.model.scene) return false;
+        const all = this.form.parameters().filter(({ tab }) => !this.task.hides(tab));
+        this.finder.open(all);
+        return true;
+    }
+
+    // A lamp is chosen by its number.
+    private chooseLamp(number: number) {
+        const thing = this.model.things.find((each) => ['light', 'direction'].includes(each.kind) && each.index === number - 1);
+        if (thing) this.space.select(thing);
+    }
+
     // Keys of the stage, whichever camera it has.
     private stageKey(key: string) {
-        if (key === 'o' || key === 'O') this.switchCamera();
+        if (/^[1-9]$/.test(key)) this.chooseLamp(Number(key));
+        else if (key === 'v' || key === 'V') this.space.nextSide();
+        else if (key === 'o' || key === 'O') this.switchCamera();
         else if (key === '[' || key === ']') this.dial.turn(key === ']' ? 0.5 : -0.5);
         else if (key === 'w' || key === 'W') void this.why();
         else if (key === 'p' || key === 'P') this.points.add();
@@ -452,6 +477,7 @@ class Page {
             this.sharing.dialog,
             this.figures.dialog,
             this.keysHelp.dialog,
+            this.finder.dialog,
         ];
         this.app.replaceChildren(...parts.filter((part) => part !== null));
         this.stale.textContent = t('The scene has errors. What is dimmed is of the last scene without errors.');
@@ -809,9 +835,11 @@ class Page {
     // Space and the picture are two cameras: one flies from one to the other.
     private fly(camera: Camera, go: () => void) {
         const { width, height } = this.readout.parentElement!.getBoundingClientRect();
-        const clear = width - parseFloat(getComputedStyle(this.app).getPropertyValue('--clear'));
-        const { factor } = this.picture.frame(clear, height);
-        const to = this.space.observerView(factor, (clear - width) / 2);
+        const pixels = (name: string) => parseFloat(getComputedStyle(this.app).getPropertyValue(name)) || 0;
+        const clear = width - pixels('--clear');
+        const below = pixels('--clear-below');
+        const { factor } = this.picture.frame(clear, height - below);
+        const to = this.space.observerView(factor, [(clear - width) / 2, below / 2]);
         if (!to || this.model.stale) return go();
         if (camera === 'picture') return this.space.fly(to, false, go);
         go();

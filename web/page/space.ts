@@ -18,7 +18,8 @@ import { sunMoves, sunsWith } from './sun/sun';
 import { drawVectors, vectorsAt } from './vectors';
 import { number, t } from './words';
 
-export type Side = 'orbit' | 'plan' | 'elevation';
+const SIDES = ['orbit', 'plan', 'elevation'] as const;
+export type Side = (typeof SIDES)[number];
 
 const TURNED = -0.65; // radians that the view begins with
 const TILTS = [0.92, 0.7, 0.5, 0.35]; // from what is up: the first that goes
@@ -107,7 +108,7 @@ export class SpaceView {
     relabel() {
         this.canvas.setAttribute(
             'aria-label',
-            t('Space view. Space selects the next thing, arrow keys and Page Up, Page Down move it; 1, 2, 3 change the view.'),
+            t('Space view. Space selects the next thing, arrow keys and Page Up, Page Down move it; digits select lamps, V changes the view.'),
         );
     }
 
@@ -125,6 +126,11 @@ export class SpaceView {
         this.side = side;
         this.onSide(side);
         this.draw();
+    }
+
+    /** From orbit to plan to elevation and round again. */
+    nextSide() {
+        this.setSide(SIDES[(SIDES.indexOf(this.side) + 1) % SIDES.length]);
     }
 
     // As long as nobody has chosen another view, the scene fills whatever room there is.
@@ -812,7 +818,6 @@ export class SpaceView {
     }
 
     private key(event: KeyboardEvent) {
-        const sides: Record<string, Side> = { 1: 'orbit', 2: 'plan', 3: 'elevation' };
         const steps: Record<string, number[]> = {
             ArrowLeft: [-1, 0, 0],
             ArrowRight: [1, 0, 0],
@@ -821,8 +826,7 @@ export class SpaceView {
             PageUp: [0, 0, 1],
             PageDown: [0, 0, -1],
         };
-        if (sides[event.key]) this.setSide(sides[event.key]);
-        else if (event.key === '+' || event.key === '=') this.zoomBy(1.25);
+        if (event.key === '+' || event.key === '=') this.zoomBy(1.25);
         else if (event.key === '-') this.zoomBy(0.8);
         else if (event.key === '0' || event.key === 'f' || event.key === 'F') this.fit();
         else if (event.key === 'Home') this.lookFromFront();
@@ -841,10 +845,10 @@ export class SpaceView {
         this.setSide('orbit');
     }
 
-    /** The camera of the observer, whose screen has so many pixels for a mm, its middle so many beside that of the canvas. */
-    observerView(factor: number, aside: number): View | null {
+    /** The camera of the observer, whose screen has so many pixels for a mm, its middle so many beside and above that of the canvas. */
+    observerView(factor: number, aside: number[]): View | null {
         const { width, height } = sizeOf(this.canvas);
-        return observerView(this.model, factor, [aside, 0], width, height);
+        return observerView(this.model, factor, aside, width, height);
     }
 
     /** Flies to a camera, or from it back to the view's own; then `arrived` is called. */

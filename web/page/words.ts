@@ -58,6 +58,7 @@ const RUSSIAN: Record<string, string> = {
     Charts: 'Графики',
     Keys: 'Клавиши',
     Everywhere: 'Везде',
+    'lamp by its number': 'лампа по номеру',
     'next lamp or body': 'следующая лампа или тело',
     'move what is chosen': 'переместить выбранное',
     'add a lamp like the chosen one': 'добавить лампу, как выбранная',
@@ -74,7 +75,11 @@ const RUSSIAN: Record<string, string> = {
     'all in view': 'показать всё',
     exposure: 'экспозиция',
     'leave what is chosen': 'снять выбор',
+    'find a parameter': 'найти параметр',
     'undo, redo': 'отменить, вернуть',
+    'Find a parameter': 'Найти параметр',
+    Parameters: 'Параметры',
+    'Nothing is called so.': 'Ничего так не называется.',
     'to the next part of the page': 'к следующей части страницы',
     'this list': 'этот список',
     'Space bar': 'Пробел',
@@ -134,8 +139,8 @@ const RUSSIAN: Record<string, string> = {
     'Picture. Arrow keys move the probe, Shift moves it faster, Enter explains the value. Space selects the next lamp, Ctrl and arrows move it. Plus, minus and 0 zoom.':
         'Изображение. Стрелки двигают точку измерения, с Shift быстрее, Enter объясняет значение. Пробел выбирает следующий источник, Ctrl со стрелками двигает его. Плюс, минус и 0 меняют масштаб.',
     'Space view': 'Вид в пространстве',
-    'Space view. Space selects the next thing, arrow keys and Page Up, Page Down move it; 1, 2, 3 change the view.':
-        'Вид в пространстве. Пробел выбирает следующий предмет, стрелки и Page Up, Page Down двигают его; 1, 2, 3 меняют вид.',
+    'Space view. Space selects the next thing, arrow keys and Page Up, Page Down move it; digits select lamps, V changes the view.':
+        'Вид в пространстве. Пробел выбирает следующий предмет, стрелки и Page Up, Page Down двигают его; цифры выбирают лампы, V меняет вид.',
     Orbit: 'Орбита',
     Plan: 'План',
     Elevation: 'Фасад',

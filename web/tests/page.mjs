@@ -132,9 +132,20 @@ async function movesByKeys(page) {
     await until(page, 'model.scene.lights[0].place[0] === 1990');
     await page.keyboard.press('Shift+PageUp');
     await until(page, 'model.scene.lights[0].place[2] === 2100');
-    await page.keyboard.press('2');
+    await page.keyboard.press('v');
     equal(await inside(page, 'space.side'), 'plan', 'view');
-    await page.keyboard.press('1');
+    await page.keyboard.press('v');
+    await page.keyboard.press('v');
+    equal(await inside(page, 'space.side'), 'orbit', 'view');
+    for (const camera of ['space', 'picture']) {
+        await openScene(page, 'three-lights');
+        await look(page, camera);
+        await page.locator(`canvas.${camera}`).focus();
+        await page.keyboard.press('2');
+        equal(await inside(page, 'space.selected?.index'), 1, 'the lamp of a number');
+        await page.keyboard.press('9');
+        equal(await inside(page, 'space.selected?.index'), 1, 'what stays where no lamp has the number');
+    }
 }
 
 async function probes(page, tool) {

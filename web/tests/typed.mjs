@@ -44,6 +44,33 @@ async function tellsWrongNumbers(page) {
     equal(await page.getByLabel('Name').first().inputValue(), 'a "b"', 'a name with quotes');
 }
 
+/** Ctrl+K finds a parameter by words of its label, its key or its meaning, wherever it is, and brings the keys to its field. */
+async function findsParameters(page) {
+    await openScene(page, 'three-lights');
+    await page.getByLabel(/^Intensity/).first().focus();
+    await page.keyboard.press('Control+k');
+    const dialog = page.getByRole('dialog', { name: 'Find a parameter' });
+    await page.keyboard.type('shininess');
+    equal(await dialog.getByRole('option').first().locator('code').textContent(), 'surfaces[0].material.shininess', 'what is found');
+    await page.keyboard.press('Enter');
+    await page.waitForFunction(() => document.activeElement.closest('[data-tab=matter]')?.offsetParent);
+    await page.keyboard.press('Control+k');
+    await page.keyboard.type('rim intensity');
+    equal(await dialog.getByRole('option').count(), 1, 'parameters with both words');
+    await shot(page, 'finder');
+    await page.keyboard.press('Enter');
+    await page.keyboard.press('ControlOrMeta+a');
+    await page.keyboard.type('7\n');
+    await until(page, 'model.isSettled && model.scene.lights[2].intensity === 7');
+    await page.keyboard.press('Control+k');
+    await page.keyboard.type('rim sampling');
+    equal(await dialog.getByRole('option').count(), 0, 'parameters that there are not');
+    await page.keyboard.press('Escape');
+    equal(await dialog.isVisible(), false, 'the dialog after Escape');
+    await page.keyboard.press('Control+z');
+    await until(page, 'model.isSettled && model.scene.lights[2].intensity !== 7');
+}
+
 /** Ctrl+Z undoes a step of the scene, whichever field has the focus, but what is just being typed. */
 async function undoes(page) {
     await openScene(page, 'report');
