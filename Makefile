@@ -329,7 +329,7 @@ windows:
 
 check-windows: windows setup $(BUILD)/build.ninja
 	@tools/setup wine
-	@$(COMPILE) $(BUILD) luxel:executable
+	@$(COMPILE) $(BUILD) luxel:executable luxel-draw:executable luxel-gmo
 	@PYTHONPATH=tests PYTHONDONTWRITEBYTECODE=1 $(PYTHON) tests/windows/test_windows.py $(BUILD)/cli/luxel \
 	    build/windows/luxel.exe build/windows/wine
 
