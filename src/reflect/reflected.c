@@ -528,6 +528,33 @@ luxel_status lx_reflected_begin(const struct lx_reflected_request *request, stru
     return LUXEL_OK;
 }
 
+/* Works until the bound is reached or all effort is spent.  Samples for a fine bound may take all of it and leave one
+ * that is larger than a coarse solution has; then such a one follows, and the better of the two stays. */
+static luxel_status strive(struct lx_radiosity **made, const struct lx_reflected_request *request)
+{
+    luxel_status status = work(*made, request, NULL);
+    const struct lx_effort *effort = &(*made)->effort;
+    if (status != LUXEL_OK || request->error >= QUICK_ERROR || effort->done < effort->most / 2)
+        return status;
+    const double bound = lx_reflected_error(*made, request, HUGE_VAL);
+    if (bound <= QUICK_ERROR)
+        return LUXEL_OK;
+    struct lx_reflected_request quick = *request;
+    struct lx_radiosity *coarse = NULL;
+    quick.error = QUICK_ERROR;
+    forget_rows(*made);
+    status = lx_reflected_begin(&quick, &coarse);
+    if (status == LUXEL_OK)
+        status = work(coarse, &quick, NULL);
+    if (status == LUXEL_OK && lx_reflected_error(coarse, request, HUGE_VAL) < bound) {
+        struct lx_radiosity *fine = *made;
+        *made = coarse;
+        coarse = fine;
+    }
+    lx_reflected_free(coarse);
+    return status;
+}
+
 luxel_status lx_reflected_make(const struct lx_reflected_request *request, struct lx_radiosity **made)
 {
     luxel_status status = lx_reflected_begin(request, made);
@@ -535,7 +562,7 @@ luxel_status lx_reflected_make(const struct lx_reflected_request *request, struc
     if (status == LUXEL_OK && (request->within > 0 || request->is_enough))
         status = wait(&reflected, request);
     else if (status == LUXEL_OK)
-        status = work(reflected, request, NULL);
+        status = strive(&reflected, request);
     if (!reflected)
         return status;
     *made = reflected;

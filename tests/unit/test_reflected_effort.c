@@ -45,7 +45,8 @@ struct found {
     lx_bounded at[MOST_PLACES], on[MOST_PLACES];
 };
 
-static void find(const struct truths *truths, size_t effort, unsigned threads, bool is_picture, struct found *found)
+static void find_to(const struct truths *truths, double error, size_t effort, unsigned threads, bool is_picture,
+                    struct found *found)
 {
     luxel_scene *scene = scene_of(truths->reflections, truths->surfaces, truths->lights);
     struct lx_session session;
@@ -66,7 +67,7 @@ static void find(const struct truths *truths, size_t effort, unsigned threads, b
     const struct lx_reflected_request wish = {
         .prepared = &session.prepared,
         .kernels = lx_element_kernels_of(session.kernels),
-        .error = 1e-3,
+        .error = error,
         .places = places,
         .place_count = is_picture ? 0 : truths->count,
         .spots = is_picture ? spots : NULL,
@@ -87,6 +88,11 @@ static void find(const struct truths *truths, size_t effort, unsigned threads, b
     lx_reflected_free(reflected);
     lx_session_clear(&session);
     luxel_scene_free(scene);
+}
+
+static void find(const struct truths *truths, size_t effort, unsigned threads, bool is_picture, struct found *found)
+{
+    find_to(truths, 1e-3, effort, threads, is_picture, found);
 }
 
 static void expect(const struct truths *truths, const lx_bounded *found, size_t effort)
@@ -163,6 +169,35 @@ static void furnace_within(void **state)
     }
 }
 
+/* Whoever wants more than the effort allows is told no less than whoever wants little, up to that. */
+static void more_is_no_less(void **state)
+{
+    static const double LITTLE = 0.1, OTHER = 1.01; /* values are other ones */
+    static const char things[] = CUBE("0.5") ", {type: sphere, center: [700, 700, 1500], radius: 400, " MATERIAL(
+        "0.5") "}, "
+               "{type: rectangle, center: [0, -900, 1500], size: [1200, 1000], "
+               "axis: [0, 1, 0.2], " MATERIAL("0.5") "}";
+    const struct truths room = {"all",
+                                things,
+                                "{type: point, position: [-900, 300, 2500], power: 10000}",
+                                3,
+                                {{0, 0}, {700, 600}, {-1900, 1900}},
+                                {0}};
+    (void)state;
+    for (size_t effort = 1000000; effort <= 16000000; effort *= 4) {
+        struct found much, little;
+        double worst[2] = {0, 0};
+        find_to(&room, 1e-5, effort, 1, false, &much);
+        find_to(&room, LITTLE, effort, 1, false, &little);
+        for (size_t p = 0; p < room.count; p++) {
+            worst[0] = fmax(worst[0], much.at[p].error / much.at[p].value);
+            worst[1] = fmax(worst[1], little.at[p].error / little.at[p].value);
+        }
+        if (!(worst[0] <= OTHER * fmax(LITTLE, worst[1])))
+            fail_msg("effort %zu: %g where 1e-5 was wanted, %g where 0.1 was", effort, worst[0], worst[1]);
+    }
+}
+
 static void same_for_threads(void **state)
 {
     (void)state;
@@ -181,6 +216,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(cube_within),
         cmocka_unit_test(furnace_within),
+        cmocka_unit_test(more_is_no_less),
         cmocka_unit_test(same_for_threads),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
