@@ -75,6 +75,7 @@ export function tryCore(core, firstScene) {
 function tryScene(core, text, keys) {
     core.direct(true); // as a text is judged
     core.view('luminance');
+    core.within(0);
     check(core.open(text), JSON.stringify(core.messages()));
     core.direct(false);
     const { lights, points } = core.scene();

@@ -19,13 +19,14 @@ export class Dial {
     private readonly handles: Record<End, HTMLElement> = { low: this.handle('low'), high: this.handle('high') };
     private readonly unit = h('span', { class: 'dim unit-of-dial' });
     private readonly ends: Record<End, HTMLElement> = { low: h('span', { class: 'dim told' }), high: h('span', { class: 'dim told' }) };
+    private readonly pointer = h('span', { class: 'pointer', hidden: true });
     private value: number | null = null;
     private drawn: Scale | null = null;
     readonly element = h(
         'div',
         { class: 'dial floating' },
         this.ends.low,
-        h('div', { class: 'inner' }, this.canvas, this.handles.high, this.handles.low),
+        h('div', { class: 'inner' }, this.canvas, this.pointer, this.handles.high, this.handles.low),
         this.ends.high,
         this.unit,
     );
@@ -61,9 +62,14 @@ export class Dial {
 
     /** The probe's value; null: it has none. */
     mark(value: number | null) {
-        if (value === this.value) return;
         this.value = value;
-        this.draw(this.drawn ?? this.scale);
+        this.point();
+    }
+
+    private point() {
+        const { value, scale } = this;
+        this.pointer.hidden = value === null || this.drawn !== scale;
+        if (value !== null) this.pointer.style.setProperty('--at', `${100 * Math.max(0, Math.min(1, placeInRange(value, scale)))}%`);
     }
 
     // How far a hand has gone towards the upper end of the bar.
@@ -133,7 +139,6 @@ export class Dial {
         const table = colourTable(scale.map);
         const isLying = LYING.matches;
         const length = isLying ? width : height;
-        const accent = styleColour('--accent');
         this.drawn = scale;
         for (let i = 0; i < length; i++) {
             const colour = table[Math.round((i / (length - 1)) * (table.length - 1))];
@@ -154,23 +159,7 @@ export class Dial {
             const y = height - placeInRange(value, scale) * height;
             context.fillText(number(value, 3), BAR + 9, Math.max(7, Math.min(height - 7, y)), width - BAR - 9);
         }
-        if (this.value !== null && scale === this.scale) {
-            const at = Math.max(0, Math.min(1, placeInRange(this.value, scale))) * length;
-            context.fillStyle = accent;
-            context.beginPath();
-            if (isLying) {
-                context.fillRect(at - 1, height - BAR, 2, BAR);
-                context.moveTo(at, height - BAR + 1);
-                context.lineTo(at - 6, height - BAR - 8);
-                context.lineTo(at + 6, height - BAR - 8);
-            } else {
-                context.fillRect(0, height - at - 1, BAR, 2);
-                context.moveTo(BAR - 1, height - at);
-                context.lineTo(BAR + 7, height - at - 5);
-                context.lineTo(BAR + 7, height - at + 5);
-            }
-            context.fill();
-        }
+        this.point();
         for (const which of ['low', 'high'] as const) {
             const handle = this.handles[which];
             handle.hidden = scale !== this.scale;

@@ -21,7 +21,7 @@ function rankOf({ label, path, meaning, thing }: Parameter, words: string[]): nu
 export class Finder {
     readonly dialog = h('dialog', { class: 'finder' });
     private readonly input = h('input', {
-        type: 'search',
+        type: 'text',
         role: 'combobox',
         'aria-controls': 'found',
         'aria-expanded': 'true',

@@ -220,7 +220,7 @@ export class Form {
     /** Shows nothing: another scene was opened. */
     clear() {
         this.of = null;
-        this.shape = '';
+        this.shape = this.chosen = '';
         this.fields = [];
         this.rows = [];
         [this.shares, this.sharesOf] = [[], null];
