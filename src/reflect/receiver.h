@@ -8,6 +8,8 @@
 
 #include "../base/vector.h"
 #include "../material/measure.h"
+#include "../world/element.h"
+#include "../world/prepared.h"
 
 struct lx_receiver {
     double place_mm[3], normal[3];      /* unit */
@@ -24,5 +26,14 @@ static inline double lx_receiver_takes(const struct lx_receiver *receiver, const
     *is_above = height > 0;
     return receiver->response ? lx_response_along(receiver->response, way) : height;
 }
+
+/* The receiver of an element. */
+struct lx_receiver lx_receiver_of(const struct lx_prepared *prepared, const struct lx_element *element);
+
+/* Those of an element by a response, whose sum it receives: one for what is above its horizon and one for what is
+ * below, unless it lies on a surface.  Without a response there is the one of the element.  Returns how many. */
+enum { LX_MOST_RECEIVERS = 2 };
+size_t lx_receivers_of(const struct lx_prepared *prepared, const struct lx_element *element,
+                       const struct lx_response *response, struct lx_receiver receivers[LX_MOST_RECEIVERS]);
 
 #endif

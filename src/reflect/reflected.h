@@ -36,15 +36,6 @@ struct lx_radiosity *lx_reflected_like_kept(struct lx_kept *kept, const struct l
  * without end), or is asked whether it is enough. */
 bool lx_reflected_is_cut(const struct lx_radiosity *reflected, double within, bool is_asked);
 
-/* The receiver of an element. */
-struct lx_receiver lx_receiver_of(const struct lx_prepared *prepared, const struct lx_element *element);
-
-/* Those of an element by a response, whose sum it receives: one for what is above its horizon and one for what is
- * below, unless it lies on a surface.  Without a response there is the one of the element.  Returns how many. */
-enum { LX_MOST_RECEIVERS = 2 };
-size_t lx_receivers_of(const struct lx_prepared *prepared, const struct lx_element *element,
-                       const struct lx_response *response, struct lx_receiver receivers[LX_MOST_RECEIVERS]);
-
 /* What a request bounds, as it bounds it: the greatest error of places, of spots or of means.  Where that of a place is
  * above `most`, any such. */
 double lx_reflected_error(const struct lx_radiosity *reflected, const struct lx_reflected_request *request,
