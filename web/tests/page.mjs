@@ -145,6 +145,7 @@ async function movesByKeys(page) {
         equal(await inside(page, 'space.selected?.index'), 1, 'the lamp of a number');
         await page.keyboard.press('9');
         equal(await inside(page, 'space.selected?.index'), 1, 'what stays where no lamp has the number');
+        await inside(page, 'space.select(null)');
     }
 }
 
