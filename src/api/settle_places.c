@@ -61,7 +61,7 @@ static double settle(const struct lx_prepared *prepared, luxel_place *place, dou
         return 0;
     const struct nearest nearest = find_nearest(prepared, place, tolerance_mm);
     const lx_bounded3 *on = &nearest.place_mm;
-    if (!nearest.surface || nearest.away_mm <= 2 * (on->x.error + on->y.error + on->z.error))
+    if (!nearest.surface || nearest.away_mm <= 2 * lx_error3(*on))
         return 0;
     const double settled[3] = {on->x.value, on->y.value, on->z.value};
     const double moved_mm = lx_distance(settled, place->position_mm);

@@ -195,6 +195,12 @@ static inline void lx_values3(lx_bounded3 a, double values[3])
     values[0] = a.x.value, values[1] = a.y.value, values[2] = a.z.value;
 }
 
+/* How far a vector may be off: no farther than its components together. */
+static inline double lx_error3(lx_bounded3 a)
+{
+    return a.x.error + a.y.error + a.z.error;
+}
+
 static inline lx_bounded3 lx_negate3(lx_bounded3 a)
 {
     return (lx_bounded3){lx_negate(a.x), lx_negate(a.y), lx_negate(a.z)};

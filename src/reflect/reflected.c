@@ -427,17 +427,16 @@ static luxel_status work(struct lx_radiosity *reflected, const struct lx_reflect
     return status;
 }
 
-/* A coarse solution for the same, before the one that is wanted has its first. */
-static luxel_status begin_quickly(const struct lx_reflected_request *request, struct lx_radiosity **best)
+/* A coarse solution for the same, which belongs to the caller in any case. */
+static luxel_status make_quickly(const struct lx_reflected_request *request, struct lx_radiosity **best,
+                                 struct lx_radiosity **made)
 {
     struct lx_reflected_request quick = *request;
-    struct lx_radiosity *made = NULL;
     const double before = request->control->before;
     quick.error = QUICK_ERROR;
-    luxel_status status = lx_reflected_begin(&quick, &made);
+    luxel_status status = lx_reflected_begin(&quick, made);
     if (status == LUXEL_OK)
-        status = work(made, &quick, best);
-    lx_reflected_free(made);
+        status = work(*made, &quick, best);
     request->control->before = before;
     return status;
 }
@@ -448,11 +447,12 @@ static luxel_status wait(struct lx_radiosity **made, const struct lx_reflected_r
     struct lx_patience patience = {.until = request->within > 0 ? lx_seconds() + request->within : HUGE_VAL,
                                    .is_enough = request->is_enough,
                                    .bound = HUGE_VAL};
-    struct lx_radiosity *best = NULL;
+    struct lx_radiosity *best = NULL, *first = NULL;
     request->control->patience = &patience;
     luxel_status status = LUXEL_OK;
     if (request->within > 0 && request->error < QUICK_ERROR)
-        status = begin_quickly(request, &best);
+        status = make_quickly(request, &best, &first);
+    lx_reflected_free(first);
     if (status == LUXEL_OK)
         status = work(*made, request, &best);
     request->control->patience = NULL;
@@ -537,13 +537,9 @@ static luxel_status strive(struct lx_radiosity **made, const struct lx_reflected
     const double bound = lx_reflected_error(*made, request, HUGE_VAL);
     if (bound <= QUICK_ERROR)
         return LUXEL_OK;
-    struct lx_reflected_request quick = *request;
     struct lx_radiosity *coarse = NULL;
-    quick.error = QUICK_ERROR;
     forget_rows(*made);
-    status = lx_reflected_begin(&quick, &coarse);
-    if (status == LUXEL_OK)
-        status = work(coarse, &quick, NULL);
+    status = make_quickly(request, NULL, &coarse);
     if (status == LUXEL_OK && lx_reflected_error(coarse, request, HUGE_VAL) < bound) {
         struct lx_radiosity *fine = *made;
         *made = coarse;

@@ -101,7 +101,7 @@ static bool is_straight(const struct lx_frame *frame)
 {
     double errors = 0;
     for (int i = 0; i < 3; i++)
-        errors += frame->rounded[i].x.error + frame->rounded[i].y.error + frame->rounded[i].z.error;
+        errors += lx_error3(frame->rounded[i]);
     return errors == 0;
 }
 

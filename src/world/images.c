@@ -331,7 +331,7 @@ static int gather(const struct task *task, bool takes_bodies, struct lx_occlusio
         apertures[0] = apertures[1];
         ends[0] = ends[1];
     }
-    double error = element->place_mm.x.error + element->place_mm.y.error + element->place_mm.z.error;
+    double error = lx_error3(element->place_mm);
     for (int k = 0; k < 3; k++)
         error += 8 * DBL_EPSILON * (fabs(task->way->frame.origin_mm[k]) + fabs(place[k]));
     return lx_occlusion_settle(task->emitter, error, occlusion);

@@ -146,7 +146,7 @@ bool lx_light_by_borders(const struct lx_prepared *prepared, const struct lx_ele
                            : !lx_has_closed_form(emitter) || !lx_boundary_irradiance(emitter, normal, hiding, &seen))
         return false;
     const double greatest = emitter->sky ? lx_sky_greatest(emitter->sky) : 1;
-    seen.error += 2 * M_PI * greatest * (element->normal.x.error + element->normal.y.error + element->normal.z.error);
+    seen.error += 2 * M_PI * greatest * lx_error3(element->normal);
     seen.value = fmax(seen.value, 0);
     lighting->irradiance = lx_mul(emitter->radiance, seen);
     lighting->parts++;

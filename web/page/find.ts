@@ -6,11 +6,14 @@ import { t } from './words';
 
 const MOST = 40; // that are listed
 
-/** How well a parameter fits what was typed, in lower case; Infinity: it does not. */
+/** A text as it is compared. */
+const plain = (text: string) => text.toLowerCase().replaceAll('ё', 'е');
+
+/** How well a parameter fits what was typed, as it is compared; Infinity: it does not. */
 function rankOf({ label, path, meaning, thing }: Parameter, words: string[]): number {
     let rank = 0;
     for (const word of words) {
-        const texts = [label, path, thing, meaning].map((text) => text.toLowerCase());
+        const texts = [label, path, thing, meaning].map(plain);
         const found = texts.findIndex((text) => text.includes(word));
         if (found < 0) return Infinity;
         rank += texts[0].startsWith(word) ? 0 : 1 + found;
@@ -54,7 +57,7 @@ export class Finder {
     }
 
     private search() {
-        const words = this.input.value.toLowerCase().replace('ё', 'е').split(/\s+/).filter(Boolean);
+        const words = plain(this.input.value).split(/\s+/).filter(Boolean);
         const ranked = this.all.map((parameter) => ({ parameter, rank: rankOf(parameter, words) }));
         const fitting = ranked.filter(({ rank }) => rank < Infinity).sort((a, b) => a.rank - b.rank);
         this.found = fitting.slice(0, MOST).map(({ parameter }) => parameter);

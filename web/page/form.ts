@@ -193,18 +193,21 @@ export class Form {
     /** All parameters that the form has, or would have. */
     parameters(): Parameter[] {
         return this.paths.map(([path, { label, meaning }]) => {
-            const [, list, index] = /^(lights|surfaces)\[(\d+)\]/.exec(path) ?? [];
-            const row = this.rows.find((each) => each.list === list && each.index === Number(index));
-            const thing = row ? `${Number(index) + 1}  ${row.name.textContent}` : t('Scene');
-            const label_ = label || path;
-            return { path, label: label_, meaning, thing, tab: !row ? 'place' : list === 'lights' ? 'light' : 'matter' };
+            const row = this.rowOf(path);
+            const thing = row ? `${row.index + 1}  ${row.name.textContent}` : t('Scene');
+            return { path, label: label || path, meaning, thing, tab: !row ? 'place' : row.list === 'lights' ? 'light' : 'matter' };
         });
+    }
+
+    // The row of the light or the body that a parameter is of.  Rows stand in order, list by list.
+    private rowOf(path: string): Row | undefined {
+        const [, list, index] = /^(lights|surfaces)\[(\d+)\]/.exec(path) ?? [];
+        return list ? this.rows[this.rows.findIndex((row) => row.list === list) + Number(index)] : undefined;
     }
 
     /** Opens the row of a parameter and brings the keys to it. */
     show(path: string) {
-        const [, list, index] = /^(lights|surfaces)\[(\d+)\]/.exec(path) ?? [];
-        this.rows.find((each) => each.list === list && each.index === Number(index))?.open();
+        this.rowOf(path)?.open();
         const field = this.fields.find((each) => each.path === path);
         if (!field) return;
         for (let details = field.row.closest('details'); details; details = details.parentElement?.closest('details') ?? null) details.open = true;
@@ -221,6 +224,7 @@ export class Form {
     clear() {
         this.of = null;
         this.shape = this.chosen = '';
+        this.opened.clear();
         this.fields = [];
         this.rows = [];
         [this.shares, this.sharesOf] = [[], null];

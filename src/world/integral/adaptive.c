@@ -220,8 +220,10 @@ static void cut(const struct lx_integrand *integrand, struct lx_panel *first, st
             *(integrand->form(integrand->data, first->interval, between) == form ? &from : &to) = between;
         }
         if (from > first->from + least && to < first->to - least) { /* next to an end there is nothing to cut off */
-            second->from = apart > 0 ? from + (to - from) / 2 : to;
-            middle = apart > 0 ? second->from : from;
+            if (apart > 0)
+                from = to = from + (to - from) / 2;
+            second->from = to;
+            middle = from;
         }
     }
     first->to = middle;

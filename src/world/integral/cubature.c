@@ -33,11 +33,6 @@ static const double ROUNDING = 1e-13;
 /* A top below this vanishes among the float64 numbers, whatever comes on top of it. */
 static const double INVISIBLE = -1500;
 
-static double error_of(lx_bounded3 a)
-{
-    return a.x.error + a.y.error + a.z.error;
-}
-
 /* ---- where arcs change their kind ---- */
 
 /* Quantities of an arc whose changes of sign are borders for the outer integral. */
@@ -263,7 +258,7 @@ static double shape_error(const struct lx_emitter *emitter, const double place_m
         away += fabs(emitter->center_mm[i] - place_mm[i]);
     const double flat = lx_is_opening(emitter) ? LX_FLATTEST : 0;
     const double turned = lx_is_elliptic(emitter) ? lx_elliptic_error(emitter)
-                          : lx_has_axis(emitter)  ? error_of(emitter->axis)
+                          : lx_has_axis(emitter)  ? lx_error3(emitter->axis)
                                                   : 0;
     return away * (2 * DBL_EPSILON + flat + turned);
 }
@@ -489,9 +484,9 @@ struct lx_cubature lx_integrate(const struct lx_emitter *emitter, const struct l
     lx_values3(element->normal, normal);
     lx_values3(element->view, view);
     lx_lobe_at_set(normal, view, &problem.at);
-    problem.place_error_mm = error_of(element->place_mm) + shape_error(emitter, place);
-    problem.at.normal_error = error_of(element->normal) + (lx_is_disk(emitter) ? error_of(emitter->axis) : 0);
-    problem.at.view_error = error_of(element->view);
+    problem.place_error_mm = lx_error3(element->place_mm) + shape_error(emitter, place);
+    problem.at.normal_error = lx_error3(element->normal) + (lx_is_disk(emitter) ? lx_error3(emitter->axis) : 0);
+    problem.at.view_error = lx_error3(element->view);
     if (!(radiance > 0))
         return result;
     if (diffuse) {

@@ -71,16 +71,11 @@ struct work {
     size_t places;
 };
 
-/* What a rule leaves is less than the last coefficient that it can tell, times what such a rate makes of the further
- * ones, times this. */
+/* The last coefficient that a rule can tell, times what its rate makes of the further ones, times this is more than
+ * what it leaves. */
 static const double CAUTION = 8;
 /* Kinks across the lines are found to that share of the tolerance. */
 static const double NARROWEST = 1e-2;
-
-static double error_of(lx_bounded3 a)
-{
-    return a.x.error + a.y.error + a.z.error;
-}
 
 /* Adds the integrand at a place, and its error as far as directions are off; returns it. */
 static double add_value(struct work *work, const struct line *line, double v, double weight, struct lx_point_value *sum)
@@ -383,7 +378,7 @@ bool lx_opening_is_level(const struct lx_emitter *emitter, const struct lx_eleme
     set_shape(&work, place);
     const double distance = distance_in_plane(&work), radius = lx_emitter_radius(emitter);
     const double away = sqrt(lx_dot(work.origin, work.origin)) + 2 * radius;
-    const double level = LEVEL * away + error_of(element->place_mm) + error_of(element->normal) * away;
+    const double level = LEVEL * away + lx_error3(element->place_mm) + lx_error3(element->normal) * away;
     if (!(distance > 0 && lx_emitter_extent(emitter, place, work.normal, &nearest) <= level))
         return false;
     /* no more than the greatest intensity, 1, from all of the plane beyond: the integral of level/r^3 dA */
@@ -409,8 +404,8 @@ lx_bounded lx_opening_light(const struct lx_emitter *emitter, const struct lx_el
                         .luminaire = emitter->profile.luminaire,
                         .asking = asking,
                         .digits = -log(ALONG * tolerance),
-                        .normal_error = error_of(element->normal),
-                        .place_error_mm = error_of(element->place_mm),
+                        .normal_error = lx_error3(element->normal),
+                        .place_error_mm = lx_error3(element->place_mm),
                         .tolerance = tolerance,
                         .known = known};
     struct lx_panel items[MOST_PANELS] = {{.from = 0, .to = 1}};
