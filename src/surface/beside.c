@@ -39,7 +39,7 @@ lx_bounded lx_shape_hides(const struct lx_shape *shape, lx_bounded3 place_mm, lx
         return lx_exact(0);
     if (shape->kind->hides)
         return shape->kind->hides(shape, place_mm, facing, towards, endless);
-    return facing <= LX_SAME_NORMAL - 1 ? lx_exact(0) : tangent_hides(own, facing, towards);
+    return lx_is_other_front(shape, facing) ? lx_exact(0) : tangent_hides(own, facing, towards);
 }
 
 bool lx_shape_encloses(const struct lx_shape *shape, const double place_mm[3])

@@ -22,6 +22,13 @@ lx_bounded lx_shape_hides(const struct lx_shape *shape, lx_bounded3 place_mm, lx
 /* Whether an element that the shape holds has another normal than the shape there. */
 bool lx_shape_is_turned(const struct lx_shape *shape, lx_bounded3 place_mm, lx_bounded3 normal);
 
+/* Whether an element that looks straight back from a shape is on a front, too, which takes nothing from it; at the back
+ * of a room's wall it takes what comes from the room. */
+static inline bool lx_is_other_front(const struct lx_shape *shape, double facing)
+{
+    return facing <= LX_SAME_NORMAL - 1 && !(shape->behind_mm > 0);
+}
+
 /* Whether a kind's `blocks` is asked for these, too: it hides itself, and `hides` does not tell all that it takes. */
 static inline bool lx_asks_both(const struct lx_surface_kind *kind)
 {

@@ -151,5 +151,5 @@ int lx_shape_gather_beside(const struct lx_shape *shape, const double normal[3],
             beyond.axis[i] = -beyond.axis[i];
     if (shape->kind->gather_beside)
         return shape->kind->gather_beside(shape, facing, &beyond, shaft, obstacles);
-    return facing <= LX_SAME_NORMAL - 1 ? 0 : lx_obstacles_append(obstacles, &beyond);
+    return lx_is_other_front(shape, facing) ? 0 : lx_obstacles_append(obstacles, &beyond);
 }

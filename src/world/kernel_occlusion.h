@@ -174,7 +174,7 @@ static void settle_sphere(const struct lx_shape *sphere, uint32_t surface, struc
     }
 }
 
-/* As plate_hides(): it is on the side that it looks to. */
+/* As plate_hides(): it is on the side that it looks to; a wall of a room hides itself from what looks at its back. */
 static void settle_plate(const struct lx_shape *plate, uint32_t surface, struct lx_elements *elements)
 {
     const struct plain3 axis = constant3(plate->axis);
@@ -182,7 +182,7 @@ static void settle_plate(const struct lx_shape *plate, uint32_t surface, struct 
         const lanes_double cosine = inner(axis, values_of(&elements->normal, i));
         const lanes_double sign = where_above_double(all_double(0), cosine, all_double(-1), all_double(1));
         const struct plain3 side = {axis.x * sign, axis.y * sign, axis.z * sign};
-        keep_sides(elements, i, lies_on(elements, i, surface), size_of(cosine),
+        keep_sides(elements, i, lies_on(elements, i, surface), plate->behind_mm > 0 ? cosine : size_of(cosine),
                    is_above(all_double(1e-12), size_of(cosine)), side);
     }
 }

@@ -162,11 +162,13 @@ static void open_all(struct lx_openness *openness)
     openness->any_in_doubt = false;
 }
 
-/* Elements on a wall that hides itself, where some of a batch have normals of their own: the reference knows which. */
+/* Elements on a wall that hides itself, where others of the batch have sides of their own, which tell what the wall
+ * takes from these: of the rest the reference knows it. */
 static void doubt_own(const struct lx_elements *elements, uint32_t surface, struct lx_openness *openness)
 {
     for (size_t i = 0; i < elements->count; i++)
-        if (elements->own[i] == surface)
+        if (elements->own[i] == surface && elements->side_x[i] == 0 && elements->side_y[i] == 0 &&
+            elements->side_z[i] == 0)
             openness->in_doubt[i] = openness->any_in_doubt = true;
 }
 

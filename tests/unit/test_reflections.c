@@ -219,6 +219,17 @@ static void one_bounce(void **state)
            at, 1, 1e-3);
 }
 
+/* The outside of a room, whose walls stand farther outside as something in the way: by 400 x 400 places of Gauss's rule
+ * on the wall that the lamp lights. */
+static void outside_of_a_room(void **state)
+{
+    (void)state;
+    const struct truth at[] = {{{100, -1000, -2200}, {0, 1, 0}, 23.3974485699066}};
+    expect(scene_of("1", "{type: room, center: [0, 0, 0], size: [2000, 2000, 2000], " MATERIAL("0.5") "}",
+                    "{type: point, position: [300, -500, -2500], intensity: 1000}"),
+           at, 1, 1e-3);
+}
+
 /* Spots that end at once, on the walls of a room: narrower than the places that are sampled first are apart, and such
  * that their edges pass between these.  By a million directions within the cone, each to the wall that it meets. */
 static void narrow_beams(void **state)
@@ -369,6 +380,7 @@ int main(void)
         cmocka_unit_test(integrating_sphere),
         cmocka_unit_test(concentric_spheres),
         cmocka_unit_test(one_bounce),
+        cmocka_unit_test(outside_of_a_room),
         cmocka_unit_test(narrow_beams),
         cmocka_unit_test(one_ball),
         cmocka_unit_test(near_a_ball),

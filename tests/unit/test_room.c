@@ -190,12 +190,13 @@ static void test_pictures_keep_light_out(void **state)
         }
 }
 
-/* Batches of free elements, on walls, with the walls' normals and with others, have what each has by itself. */
+/* Batches of free elements on walls, with the walls' normals, with others, and on the outside, have what each has by
+ * itself. */
 static void test_batches(void **state)
 {
     enum { PLACES = 300 };
     (void)state;
-    for (int turned = 0; turned < 2; turned++) {
+    for (int turned = 0; turned < 3; turned++) {
         const struct box box = {{-700, -500, -900}, {800, 600, 1000}};
         char room[TEXT_SIZE];
         luxel_place places[PLACES] = {{.is_element = false}};
@@ -210,8 +211,8 @@ static void test_batches(void **state)
         for (int k = 0; k < PLACES; k++) {
             places[k].is_element = true;
             on_wall(&box, k % 6, places[k].position_mm, places[k].normal);
-            for (int i = 0; i < 3 && turned && k % 3 > 0; i++)
-                places[k].normal[i] = k % 3 == 1 ? -places[k].normal[i] : between(-1, 1);
+            for (int i = 0; i < 3 && turned && (turned == 2 || k % 3 > 0); i++)
+                places[k].normal[i] = turned == 2 || k % 3 == 1 ? -places[k].normal[i] : between(-1, 1);
         }
         assert_int_equal(luxel_evaluate_places(evaluator, places, PLACES, values, NULL), LUXEL_OK);
         for (int k = 0; k < PLACES; k++) {
